@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdio>
+#include <iostream>
+#include <stdexcept>
+
+#include "generator/exact/rational.hpp"
+#include "generator/families/family.hpp"
+
+namespace nmbcgen {
+namespace {
+
+constexpr unsigned highest_count = 1000;  // a guard against typing errors, not a limit of method
+
+unsigned parse_count(const std::string& text) {
+    unsigned value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end || value < 1 || value > highest_count ||
+        text.front() == '0') {
+        throw std::invalid_argument(
+            fmt::format("'{}' is not a whole number from 1 to {} (no leading zeros)",
+                        text.substr(0, 60), highest_count));
+    }
+    return value;
+}
+
+std::string family_names() {
+    std::string names;
+    for (const Family& family : families()) {
+        names += (names.empty() ? "" : ", ") + std::string(family.name);
+    }
+    return names;
+}
+
+/// A CLI11 callback that stores what `parse` makes of the text, and lets its
+/// std::invalid_argument become a command-line error that names the option.
+template <class Target, class Parse>
+CLI::Option* add_parsed(CLI::App& app, const std::string& name, Target& target, Parse parse,
+                        const std::string& description) {
+    const auto store = [&target, parse, name](const CLI::results_t& texts) {
+        try {
+            target = parse(texts.back());
+        } catch (const std::invalid_argument& error) {
+            throw CLI::ValidationError(name, error.what());
+        }
+        return true;
+    };
+    return app.add_option(name, store, description)
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
+        ->expected(1);
+}
+
+Format parse_format(const std::string& text) {
+    if (text != "header" && text != "json") {
+        throw std::invalid_argument("'" + text + "' is not a format; allowed: header, json");
+    }
+    return text == "json" ? Format::json : Format::header;
+}
+
+std::string parse_family(const std::string& text) {
+    for (const Family& family : families()) {
+        if (family.name == text) {
+            return text;
+        }
+    }
+    throw std::invalid_argument("'" + text + "' is not a family; allowed: " + family_names());
+}
+
+std::string parse_folder(const std::string& text) {
+    if (text.empty()) {
+        throw std::invalid_argument("a folder is needed");
+    }
+    return text;
+}
+
+}  // namespace
+
+std::variant<Request, int> parse_command_line(int argc, char** argv) {
+    Request request;
+    Specification& what = request.specification;
+    bool all = false;
+    bool check = false;
+
+    CLI::App app(
+        "nmbcgen: derives a nonlocal matching boundary condition in exact arithmetic and writes "
+        "it as a table.\nExample: nmbcgen --order 3 --horizon 2",
+        "nmbcgen");
+    app.set_version_flag("--version", "nmbcgen " NMBC_VERSION);
+    auto* const family = add_parsed(app, "--family", what.family, parse_family,
+                                    "lattice model: " + family_names() + " (default nopd1d)");
+    auto* const order =
+        add_parsed(app, "--order", what.order, parse_count, "order N of the condition, >= 1");
+    auto* const horizon =
+        add_parsed(app, "--horizon", what.horizon, parse_count, "horizon n in units of dX, >= 1");
+    auto* const stride =
+        add_parsed(app, "--stride", what.stride, parse_count,
+                   "node offsets of the condition are 0, s, 2s, .. Ns (default 1)");
+    auto* const G = add_parsed(app, "--G", what.stabilisation, parse_rational,
+                               "fix the stabilisation G, an exact number such as 1/2 or 0.3 "
+                               "(default: coefficients are functions of G)");
+    auto* const format = add_parsed(app, "--format", request.format, parse_format,
+                                    "header or json (default header)");
+    auto* const to_stdout =
+        app.add_flag("--stdout", request.to_stdout, "print the table instead of writing a file");
+    auto* const folder = add_parsed(app, "--out", request.folder, parse_folder,
+                                    "folder to write to (default generated/nmbc/tables)");
+    auto* const all_flag =
+        app.add_flag("--all", all, "write the committed set, with tables.hpp and tables.json");
+    auto* const check_flag = app.add_flag(
+        "--check", check,
+        "compare the committed set in the folder with a fresh one; exit code 1 if it is stale");
+    for (CLI::Option* whole_set : {all_flag, check_flag}) {
+        for (CLI::Option* single : {family, order, horizon, stride, G, format, to_stdout}) {
+            whole_set->excludes(single);
+        }
+    }
+    all_flag->excludes(check_flag);
+    to_stdout->excludes(folder);
+    app.footer(
+        "Exit codes: 0 done; 1 the committed set is stale; 2 wrong arguments; 3 there is no such "
+        "boundary\ncondition; 5 a file could not be read or written.");
+
+    try {
+        app.parse(argc, argv);
+        if (!all && !check && (order->count() == 0 || horizon->count() == 0)) {
+            throw CLI::RequiredError("--order and --horizon (or --all, or --check)");
+        }
+    } catch (const CLI::Success& help) {
+        return app.exit(help, std::cout, std::cerr);
+    } catch (const CLI::ParseError& error) {
+        std::cerr << "nmbcgen: " << error.what() << "\nSee nmbcgen --help.\n";
+        return 2;
+    }
+    if (all) {
+        request.action = Action::all_tables;
+    } else if (check) {
+        request.action = Action::check;
+    }
+    return request;
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// The command line of nmbcgen.
+#pragma once
+
+#include <filesystem>
+#include <variant>
+
+#include "generator/table/table.hpp"
+
+namespace nmbcgen {
+
+enum class Format { header, json };
+enum class Action { one_table, all_tables, check };
+
+struct Request {
+    Action action = Action::one_table;
+    Specification specification;
+    Format format = Format::header;
+    bool to_stdout = false;
+    std::filesystem::path folder = "generated/nmbc/tables";
+};
+
+/// A request, or the exit code where help was printed (0) or the arguments are wrong (2); the
+/// message is on stderr by then.
+std::variant<Request, int> parse_command_line(int argc, char** argv);
+
+}  // namespace nmbcgen

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Tables to text. An emitter writes what it is given and computes nothing but its layout and,
+/// for a table at a fixed G, the rounded coefficients. Same table, same bytes.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "generator/table/table.hpp"
+
+namespace nmbcgen {
+
+/// FAMILY_nH_orderN[_sS][_GPoQ], the name of the table and of its files.
+std::string table_name(const Specification& specification);
+
+/// The command line that makes this table again.
+std::string regenerating_command(const Specification& specification);
+
+/// A C++20 header against runtime/nmbc/table.hpp.
+std::string emit_header(const Table& table);
+
+/// tables.hpp: includes the headers of all tables, and lists them in nmbc::generated::tables.
+std::string emit_registry(std::span<const Table> tables);
+
+/// One table as JSON, schema 1 (docs/json.md).
+std::string emit_json(const Table& table);
+
+/// tables.json: {"schema": 1, "tables": [...]}.
+std::string emit_json(std::span<const Table> tables);
+
+}  // namespace nmbcgen

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "generator/emit/emit.hpp"
+#include "generator/exact/rational.hpp"
+#include "generator/exact/rational_function.hpp"
+
+namespace nmbcgen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json exact_list(const IntegerPolynomial& polynomial) {
+    Json list = Json::array();
+    for (const Integer& coefficient : polynomial.data()) {
+        list.push_back(coefficient.str());
+    }
+    if (list.empty()) {
+        list.push_back("0");
+    }
+    return list;
+}
+
+/// {"num": .., "den": ..}, or "p/q" in a table at a fixed G, where all is constant.
+Json exact(const RationalFunction& function, bool at_fixed_G) {
+    if (at_fixed_G) {
+        const Integer p = function.numerator.is_zero() ? Integer(0) : function.numerator[0];
+        return to_string(Rational(p, function.denominator[0]));
+    }
+    return {{"num", exact_list(function.numerator)}, {"den", exact_list(function.denominator)}};
+}
+
+Json exact(const Polynomial& polynomial, bool at_fixed_G) {
+    return exact(to_rational_function(polynomial), at_fixed_G);
+}
+
+template <class Item>
+Json exact_array(const std::vector<Item>& items, bool at_fixed_G) {
+    Json array = Json::array();
+    for (const Item& item : items) {
+        array.push_back(exact(item, at_fixed_G));
+    }
+    return array;
+}
+
+Json energy_array(const std::vector<EnergySquare>& energy, bool at_fixed_G) {
+    Json array = Json::array();
+    for (const EnergySquare& square : energy) {
+        Json stencil = Json::array();
+        for (const Rational& entry : square.stencil) {
+            stencil.push_back(to_string(entry));
+        }
+        array.push_back({{"part", square.part},
+                         {"weight", exact(square.weight, at_fixed_G)},
+                         {"stencil", stencil}});
+    }
+    return array;
+}
+
+Json table_object(const Table& table) {
+    const Specification& what = table.specification;
+    const bool fixed = what.stabilisation.has_value();
+    return {{"schema", 1},
+            {"family", what.family},
+            {"order", what.order},
+            {"horizon", what.horizon},
+            {"stride", what.stride},
+            {"G", fixed ? Json(to_string(*what.stabilisation)) : Json(nullptr)},
+            {"symbol", exact_array(table.model.symbol, fixed)},
+            {"energy", energy_array(table.model.energy, fixed)},
+            {"taylor", exact_array(table.taylor, fixed)},
+            {"c", exact_array(table.c, fixed)},
+            {"b", exact_array(table.b, fixed)},
+            {"source", table.source},
+            {"proved", table.proved}};
+}
+
+std::string to_text(const Json& json) {
+    return json.dump(1) + "\n";
+}
+
+}  // namespace
+
+std::string emit_json(const Table& table) {
+    return to_text(table_object(table));
+}
+
+std::string emit_json(std::span<const Table> tables) {
+    Json list = Json::array();
+    for (const Table& table : tables) {
+        list.push_back(table_object(table));
+    }
+    return to_text({{"schema", 1}, {"tables", list}});
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include "generator/emit/emit.hpp"
+#include "generator/exact/rational.hpp"
+
+namespace nmbcgen {
+
+std::string table_name(const Specification& specification) {
+    std::string name = fmt::format("{}_n{}_order{}", specification.family, specification.horizon,
+                                   specification.order);
+    if (specification.stride != 1) {
+        name += fmt::format("_s{}", specification.stride);
+    }
+    if (specification.stabilisation) {
+        name += fmt::format("_G{}o{}", numerator(*specification.stabilisation).str(),
+                            denominator(*specification.stabilisation).str());
+    }
+    return name;
+}
+
+std::string regenerating_command(const Specification& specification) {
+    std::string command =
+        fmt::format("nmbcgen --family {} --order {} --horizon {}", specification.family,
+                    specification.order, specification.horizon);
+    if (specification.stride != 1) {
+        command += fmt::format(" --stride {}", specification.stride);
+    }
+    if (specification.stabilisation) {
+        command += " --G " + to_string(*specification.stabilisation);
+    }
+    return command;
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/rational.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+
+namespace nmbcgen {
+namespace {
+
+constexpr std::size_t maximum_digits = 40;
+
+bool all_digits(std::string_view text) {
+    return !text.empty() &&
+           std::ranges::all_of(text, [](char digit) { return digit >= '0' && digit <= '9'; });
+}
+
+/// Decimal digits to an integer; GMP would read a leading zero as octal.
+Integer parse_digits(std::string_view digits) {
+    const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
+    return Integer(std::string(digits.substr(first)));
+}
+
+}  // namespace
+
+Rational parse_rational(std::string_view text) {
+    const auto refuse = [&](const char* reason) -> std::invalid_argument {
+        return std::invalid_argument("'" + std::string(text.substr(0, 60)) + "' " + reason);
+    };
+    constexpr auto form = "is not a non-negative exact number such as 2, 1/2 or 0.3";
+    if (text.size() > maximum_digits + 1) {
+        throw refuse("is too long: at most 40 digits are allowed");
+    }
+    const std::size_t mark = text.find_first_of("/.");
+    const std::string_view left = text.substr(0, mark);
+    if (!all_digits(left)) {
+        throw refuse(form);
+    }
+    if (mark == std::string_view::npos) {
+        return Rational(parse_digits(left));
+    }
+    const std::string_view right = text.substr(mark + 1);
+    if (!all_digits(right)) {
+        throw refuse(form);
+    }
+    if (text[mark] == '.') {
+        const Integer scale = boost::multiprecision::pow(Integer(10), unsigned(right.size()));
+        return Rational(parse_digits(left)) + Rational(parse_digits(right), scale);
+    }
+    const Integer denominator = parse_digits(right);
+    if (denominator == 0) {
+        throw refuse("has the denominator 0");
+    }
+    return Rational(parse_digits(left), denominator);
+}
+
+std::string to_string(const Rational& value) {
+    return value.str();
+}
+
+double nearest_double(const Rational& value) {
+    if (value == 0) {
+        return 0.0;
+    }
+    const Integer numerator = abs(boost::multiprecision::numerator(value));
+    const Integer denominator = boost::multiprecision::denominator(value);
+
+    // Scale by 2^-exponent so that the quotient has at least 55 bits; below the normal range
+    // fewer bits are kept, so that a subnormal result is rounded once, too.
+    constexpr int precision = std::numeric_limits<double>::digits;
+    constexpr int smallest_exponent = std::numeric_limits<double>::min_exponent - precision;
+    const int magnitude = int(msb(numerator)) - int(msb(denominator));  // within 1 of log2
+    int exponent = std::max(magnitude - precision, smallest_exponent);
+    const auto quotient_at = [&](int scale, Integer& remainder) {
+        Integer quotient;
+        const Integer n = scale < 0 ? Integer(numerator << unsigned(-scale)) : numerator;
+        const Integer d = scale > 0 ? Integer(denominator << unsigned(scale)) : denominator;
+        divide_qr(n, d, quotient, remainder);
+        remainder = 2 * remainder - d;  // sign tells below, at or above one half
+        return quotient;
+    };
+    Integer beyond_half;
+    Integer quotient = quotient_at(exponent, beyond_half);
+    if (quotient != 0 && msb(quotient) >= unsigned(precision)) {
+        quotient = quotient_at(++exponent, beyond_half);
+    }
+    if (beyond_half > 0 || (beyond_half == 0 && bit_test(quotient, 0))) {
+        ++quotient;
+    }
+    const double result = std::ldexp(double(quotient.convert_to<std::uint64_t>()), exponent);
+    if (std::isinf(result)) {
+        throw std::overflow_error("a number of 10^308 or more has no double");
+    }
+    return value < 0 ? -result : result;
+}
+
+}  // namespace nmbcgen

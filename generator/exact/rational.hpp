@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Rationals to and from text, and to the nearest double.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "generator/table/exact.hpp"
+
+namespace nmbcgen {
+
+/// Reads a non-negative exact number: "3", "1/2" or "0.3". Throws std::invalid_argument with a
+/// message for people where the text is anything else or has more than 40 digits.
+Rational parse_rational(std::string_view text);
+
+/// "p/q" in lowest terms; "p" where q = 1.
+std::string to_string(const Rational& value);
+
+/// The double nearest to value, ties to even; the only place where the generator rounds.
+/// Throws std::overflow_error where |value| rounds to infinity.
+double nearest_double(const Rational& value);
+
+}  // namespace nmbcgen

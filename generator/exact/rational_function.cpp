@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/rational_function.hpp"
+
+#include <boost/math/tools/polynomial_gcd.hpp>
+#include <stdexcept>
+
+namespace nmbcgen {
+namespace {
+
+Integer common_denominator_of_coefficients(const Polynomial& polynomial) {
+    Integer result = 1;
+    for (const Rational& coefficient : polynomial.data()) {
+        result = lcm(result, denominator(coefficient));
+    }
+    return result;
+}
+
+IntegerPolynomial times(const Polynomial& polynomial, const Integer& factor) {
+    std::vector<Integer> coefficients;
+    for (const Rational& coefficient : polynomial.data()) {
+        coefficients.push_back(numerator(coefficient * factor));
+    }
+    return IntegerPolynomial(std::move(coefficients));
+}
+
+}  // namespace
+
+RationalFunction reduce(const Polynomial& numerator, const Polynomial& denominator) {
+    if (denominator.is_zero()) {
+        throw std::domain_error("a rational function needs a denominator other than 0");
+    }
+    if (numerator.is_zero()) {
+        return {IntegerPolynomial(), IntegerPolynomial(std::vector<Integer>{1})};
+    }
+    // Boost divides integer polynomials by pseudo-division, which scales the quotient; over the
+    // rationals the quotient is exact.
+    const Polynomial divisor = over_rationals(boost::math::tools::subresultant_gcd(
+        times(numerator, common_denominator_of_coefficients(numerator)),
+        times(denominator, common_denominator_of_coefficients(denominator))));
+    const Polynomial reduced_numerator = numerator / divisor;
+    const Polynomial reduced_denominator = denominator / divisor;
+    const Integer scale = lcm(common_denominator_of_coefficients(reduced_numerator),
+                              common_denominator_of_coefficients(reduced_denominator));
+    IntegerPolynomial top = times(reduced_numerator, scale);
+    IntegerPolynomial bottom = times(reduced_denominator, scale);
+    Integer content = gcd(boost::math::tools::content(top), boost::math::tools::content(bottom));
+    if (bottom.data().back() < 0) {
+        content = -content;
+    }
+    top /= content;
+    bottom /= content;
+    return {top, bottom};
+}
+
+RationalFunction to_rational_function(const Polynomial& polynomial) {
+    return reduce(polynomial, constant(1));
+}
+
+Polynomial over_rationals(const IntegerPolynomial& polynomial) {
+    return Polynomial(std::vector<Rational>(polynomial.data().begin(), polynomial.data().end()));
+}
+
+Polynomial constant(const Rational& value) {
+    return Polynomial(std::vector<Rational>{value});
+}
+
+Rational evaluate(const Polynomial& polynomial, const Rational& argument) {
+    Rational sum = 0;
+    for (std::size_t k = polynomial.size(); k-- > 0;) {
+        sum = sum * argument + polynomial[k];
+    }
+    return sum;
+}
+
+Polynomial common_denominator(const std::vector<RationalFunction>& functions) {
+    std::vector<IntegerPolynomial> distinct;
+    Polynomial product = constant(1);
+    for (const RationalFunction& function : functions) {
+        if (std::find(distinct.begin(), distinct.end(), function.denominator) == distinct.end()) {
+            distinct.push_back(function.denominator);
+            product *= over_rationals(function.denominator);
+        }
+    }
+    return product;
+}
+
+Polynomial times_multiple(const RationalFunction& function, const Polynomial& multiple) {
+    const auto [quotient, remainder] =
+        boost::math::tools::quotient_remainder(multiple, over_rationals(function.denominator));
+    if (!remainder.is_zero()) {
+        throw std::logic_error("times_multiple: not a multiple of the denominator");
+    }
+    return over_rationals(function.numerator) * quotient;
+}
+
+}  // namespace nmbcgen

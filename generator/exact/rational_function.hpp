@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Polynomials and rational functions of one parameter, over Q.
+#pragma once
+
+#include <vector>
+
+#include "generator/table/exact.hpp"
+
+namespace nmbcgen {
+
+/// numerator/denominator in the normal form of RationalFunction.
+/// Throws std::domain_error where denominator is zero.
+RationalFunction reduce(const Polynomial& numerator, const Polynomial& denominator);
+
+/// A polynomial over Q as a rational function: the same, over the common denominator.
+RationalFunction to_rational_function(const Polynomial& polynomial);
+
+/// The same coefficients over Q.
+Polynomial over_rationals(const IntegerPolynomial& polynomial);
+
+/// The constant polynomial.
+Polynomial constant(const Rational& value);
+
+/// value at the given argument.
+Rational evaluate(const Polynomial& polynomial, const Rational& argument);
+
+/// The product of the distinct denominators, so that every member times it is a polynomial;
+/// not always the least such polynomial.
+Polynomial common_denominator(const std::vector<RationalFunction>& functions);
+
+/// function * multiple as a polynomial, where multiple is a multiple of its denominator.
+/// Throws std::logic_error where it is not.
+Polynomial times_multiple(const RationalFunction& function, const Polynomial& multiple);
+
+}  // namespace nmbcgen

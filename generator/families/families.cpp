@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "generator/exact/rational_function.hpp"
+#include "generator/families/family.hpp"
+
+namespace nmbcgen {
+
+std::span<const Family> families() {
+    static constexpr std::array list{
+        Family{"nopd1d", nopd1d},
+    };
+    return list;
+}
+
+Model make_model(std::string_view family, unsigned horizon) {
+    const auto known = families();
+    const auto found = std::ranges::find(known, family, &Family::name);
+    if (found == known.end()) {
+        throw std::invalid_argument("there is no family '" + std::string(family) + "'");
+    }
+    Model model = found->describe(horizon);
+    model.symbol = symbol_of(model.energy);
+    return model;
+}
+
+std::vector<Polynomial> symbol_of(std::span<const EnergySquare> energy) {
+    if (energy.empty()) {
+        throw std::logic_error("a lattice model needs an energy");
+    }
+    std::size_t widest = 0;
+    for (const EnergySquare& square : energy) {
+        widest = std::max(widest, square.stencil.size());
+    }
+    std::vector<Polynomial> symbol(widest);
+    for (const EnergySquare& square : energy) {
+        for (std::size_t m = 0; m < square.stencil.size(); ++m) {
+            Rational autocorrelation = 0;
+            for (std::size_t i = 0; i + m < square.stencil.size(); ++i) {
+                autocorrelation += square.stencil[i] * square.stencil[i + m];
+            }
+            symbol[m] += square.weight * constant(autocorrelation);
+        }
+    }
+    return symbol;
+}
+
+}  // namespace nmbcgen

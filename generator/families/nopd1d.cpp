@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// One-dimensional non-ordinary peridynamics (NOPD), correspondence material, constant influence
+/// function, stabilised after Silling (Nicely 2018, sections 2 and 3).
+#include <fmt/format.h>
+
+#include "generator/exact/rational_function.hpp"
+#include "generator/families/family.hpp"
+
+namespace nmbcgen {
+
+Model nopd1d(unsigned horizon) {
+    const int n = int(horizon);
+    const Rational shape = Rational(Integer(n) * (n + 1) * (2 * n + 1), Integer(3));  // A_n of (16)
+
+    // Nodal strain (16): eps_I = sum_j j (u_{I+j} - u_I) / A_n; the u_I terms cancel.
+    std::vector<Rational> strain;
+    for (int j = -n; j <= n; ++j) {
+        strain.push_back(j / shape);
+    }
+    std::vector<EnergySquare> energy{{"strain", constant(1), strain}};
+
+    // Stabilisation state (34): z_IJ = u_{I+j} - u_I - j eps_I on every bond. Its factor
+    // G C_BB / (2n) of (38) is G/n^4 in the project's units, with C_BB = 2E/(h_1 delta^3) (10).
+    // Printed, (41) mixes 1/dX^2 with G/dX^3; the dimensionless G here is the printed G times dX.
+    const Rational micromodulus = Rational(Integer(1), pow(Integer(n), 4));
+    for (int bond = -n; bond <= n; ++bond) {
+        if (bond == 0) {
+            continue;
+        }
+        std::vector<Rational> stretch;
+        for (int j = -n; j <= n; ++j) {
+            stretch.push_back(int(j == bond) - int(j == 0) - bond * strain[std::size_t(j + n)]);
+        }
+        energy.push_back({"stabilisation", Polynomial(std::vector<Rational>{0, micromodulus}),
+                          std::move(stretch)});
+    }
+    return {.description = fmt::format("1D non-ordinary peridynamics, constant influence, "
+                                       "horizon {} dX, stabilisation G",
+                                       horizon),
+            .source = "Nicely 2018: strain (16), stabilisation (34), symbol (41)",
+            .energy = std::move(energy),
+            .symbol = {}};
+}
+
+}  // namespace nmbcgen

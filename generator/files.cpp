@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/files.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+namespace nmbcgen {
+namespace {
+
+[[noreturn]] void fail(const std::string& action, const std::filesystem::path& path, int error) {
+    throw FileError("cannot " + action + " " + path.string() + ": " + std::strerror(error));
+}
+
+/// Writes and flushes to disk: a full disk shows at the latest when the data are forced out.
+void write_through(const std::filesystem::path& path, const std::string& text) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file < 0) {
+        fail("write", path, errno);
+    }
+    std::size_t written = 0;
+    while (written < text.size()) {
+        const ssize_t count = ::write(file, text.data() + written, text.size() - written);
+        if (count < 0 && errno != EINTR) {
+            const int error = errno;
+            ::close(file);
+            fail("write", path, error);
+        }
+        written += count > 0 ? std::size_t(count) : 0;
+    }
+    const bool synchronised = ::fsync(file) == 0;
+    const int error = errno;
+    if (::close(file) != 0 || !synchronised) {
+        fail("write", path, synchronised ? errno : error);
+    }
+}
+
+}  // namespace
+
+void write_files(const std::vector<TextFile>& files) {
+    const std::string suffix = ".new-" + std::to_string(::getpid());
+    const auto temporary = [&suffix](const TextFile& file) {
+        return std::filesystem::path(file.path).concat(suffix);
+    };
+    try {
+        for (const TextFile& file : files) {
+            std::filesystem::create_directories(file.path.parent_path());
+            write_through(temporary(file), file.text);
+        }
+        for (const TextFile& file : files) {
+            std::filesystem::rename(temporary(file), file.path);
+        }
+    } catch (const std::exception& error) {
+        for (const TextFile& file : files) {
+            std::error_code ignored;
+            std::filesystem::remove(temporary(file), ignored);
+        }
+        if (const auto* system = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
+            throw FileError("cannot write " + system->path1().string() + ": " +
+                            system->code().message());
+        }
+        throw;
+    }
+}
+
+std::optional<std::string> read_file(const std::filesystem::path& path) {
+    if (!std::filesystem::exists(path)) {
+        return std::nullopt;
+    }
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream text;
+    if (!(text << stream.rdbuf())) {
+        fail("read", path, errno);
+    }
+    return text.str();
+}
+
+void print(const std::string& text) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
+        std::fflush(stdout) != 0) {
+        fail("write", "standard output", errno);
+    }
+}
+
+}  // namespace nmbcgen

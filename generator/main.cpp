@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// nmbcgen: exact mathematics to text. The stages are in pipeline.hpp.
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "generator/check.hpp"
+#include "generator/command_line.hpp"
+#include "generator/emit/emit.hpp"
+#include "generator/files.hpp"
+#include "generator/pipeline.hpp"
+
+namespace nmbcgen {
+namespace {
+
+// The exit codes of every program of the project (docs/exit-codes in README.md).
+enum ExitCode { done = 0, comparison_failed = 1, no_such_boundary = 3, file_failed = 5 };
+
+std::vector<TextFile> committed_files(const std::filesystem::path& folder) {
+    std::vector<Table> tables;
+    std::vector<TextFile> files;
+    for (const Specification& specification : committed_set()) {
+        tables.push_back(derive(specification));
+        files.push_back(
+            {folder / (table_name(specification) + ".hpp"), emit_header(tables.back())});
+    }
+    files.push_back({folder / "tables.hpp", emit_registry(tables)});
+    files.push_back({folder / "tables.json", emit_json(tables)});
+    return files;
+}
+
+void write_and_name(const std::vector<TextFile>& files) {
+    write_files(files);
+    std::string names;
+    for (const TextFile& file : files) {
+        names += file.path.string() + "\n";
+    }
+    print(names);
+}
+
+int write_one(const Request& request) {
+    const bool json = request.format == Format::json;
+    const Table table = derive(request.specification);
+    const std::string text = json ? emit_json(table) : emit_header(table);
+    if (request.to_stdout) {
+        print(text);
+    } else {
+        const std::string name = table_name(request.specification) + (json ? ".json" : ".hpp");
+        write_and_name({{request.folder / name, text}});
+    }
+    return done;
+}
+
+int check(const std::filesystem::path& folder) {
+    const std::string report = staleness(folder, committed_files(folder));
+    if (report.empty()) {
+        std::cerr << "up to date: " << folder.string() << "\n";
+        return done;
+    }
+    std::cerr << report << "The tables in " << folder.string()
+              << " are stale. To write them anew: nmbcgen --all --out " << folder.string() << "\n";
+    return comparison_failed;
+}
+
+int run(const Request& request) {
+    switch (request.action) {
+        case Action::one_table:
+            return write_one(request);
+        case Action::check:
+            return check(request.folder);
+        case Action::all_tables:
+            write_and_name(committed_files(request.folder));
+            return done;
+    }
+    return done;
+}
+
+}  // namespace
+}  // namespace nmbcgen
+
+int main(int argc, char** argv) {
+    try {
+        const auto parsed = nmbcgen::parse_command_line(argc, argv);
+        if (const int* exit_code = std::get_if<int>(&parsed)) {
+            return *exit_code;
+        }
+        return nmbcgen::run(std::get<nmbcgen::Request>(parsed));
+    } catch (const nmbcgen::NoSuchBoundary& reason) {
+        std::cerr << "nmbcgen: " << reason.what() << "\n";
+        return nmbcgen::no_such_boundary;
+    } catch (const nmbcgen::FileError& error) {
+        std::cerr << "nmbcgen: " << error.what() << "\n";
+        return nmbcgen::file_failed;
+    }
+}

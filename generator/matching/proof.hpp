@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Proof of a finished table, from its own exact data: no algebra system, no memory of how the
+/// table was made.
+#pragma once
+
+#include <string>
+
+#include "generator/table/table.hpp"
+
+namespace nmbcgen {
+
+/// Establishes, exactly and identically in G, that
+///   - the symbol is the one that follows from the energy,
+///   - (sum a_k x^k)^2 is -omega^2 as a power series in x = i xi, through x^{2N+2} (47),
+///   - the residual of (49) vanishes in every row k = 0 .. 2N, and c_0 = 1,
+///   - C(1) is not zero, and every rational function is in its normal form.
+/// Returns the sentence a table carries about it. Throws std::logic_error naming what fails.
+std::string prove(const Table& table);
+
+}  // namespace nmbcgen

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/matching/taylor.hpp"
+
+#include <stdexcept>
+
+namespace nmbcgen {
+
+using GiNaC::ex;
+
+namespace {
+
+/// Coefficient of (i xi)^power in (i omega)^2 = -omega^2. Odd ones vanish by symmetry.
+ex moment(const std::vector<ex>& symbol, unsigned power) {
+    if (power % 2 != 0) {
+        return 0;
+    }
+    ex sum = power == 0 ? symbol[0] : ex(0);
+    for (std::size_t m = 1; m < symbol.size(); ++m) {
+        sum += 2 * symbol[m] * GiNaC::pow(GiNaC::numeric(long(m)), int(power));
+    }
+    return (-sum / GiNaC::factorial(int(power))).expand();
+}
+
+}  // namespace
+
+std::vector<ex> taylor_coefficients(const std::vector<ex>& symbol, unsigned highest) {
+    if (!moment(symbol, 0).is_zero() || !moment(symbol, 2).is_equal(1)) {
+        throw std::invalid_argument("the symbol must start as omega^2 = xi^2 (c = 1)");
+    }
+    // Compare powers in (sum a_k x^k)^2 = sum moment_k x^k; a_0 = 0 and a_1 = c = 1.
+    std::vector<ex> a{0, 1};
+    for (unsigned k = 2; k <= highest; ++k) {
+        ex rest = moment(symbol, k + 1);
+        for (unsigned i = 2; i < k; ++i) {
+            rest -= a[i] * a[k + 1 - i];
+        }
+        a.push_back((rest / 2).expand());
+    }
+    a.resize(highest + 1);
+    return a;
+}
+
+}  // namespace nmbcgen

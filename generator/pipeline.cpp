@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/pipeline.hpp"
+
+#include "generator/exact/rational_function.hpp"
+#include "generator/families/family.hpp"
+#include "generator/matching/freeze.hpp"
+#include "generator/matching/matching.hpp"
+#include "generator/matching/proof.hpp"
+#include "generator/matching/reason.hpp"
+#include "generator/matching/taylor.hpp"
+
+namespace nmbcgen {
+namespace {
+
+/// The model at one value of G.
+void fix_stabilisation(Model& model, const Rational& G) {
+    for (EnergySquare& square : model.energy) {
+        square.weight = constant(evaluate(square.weight, G));
+    }
+    for (Polynomial& coefficient : model.symbol) {
+        coefficient = constant(evaluate(coefficient, G));
+    }
+}
+
+std::vector<RationalFunction> over_first(const std::vector<Polynomial>& numerators,
+                                         const Polynomial& first) {
+    std::vector<RationalFunction> result;
+    result.reserve(numerators.size());
+    for (const Polynomial& numerator : numerators) {
+        result.push_back(reduce(numerator, first));
+    }
+    return result;
+}
+
+}  // namespace
+
+Table derive(const Specification& specification) {
+    Table table{.specification = specification,
+                .model = make_model(specification.family, specification.horizon),
+                .taylor = {},
+                .c = {},
+                .b = {},
+                .source = {},
+                .proved = {}};
+    table.source = table.model.source +
+                   "; Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)";
+    if (specification.stabilisation) {
+        fix_stabilisation(table.model, *specification.stabilisation);
+    }
+
+    const GiNaC::symbol G("G");
+    std::vector<GiNaC::ex> symbol;
+    for (const Polynomial& coefficient : table.model.symbol) {
+        symbol.push_back(thaw(coefficient, G));
+    }
+    const auto taylor = taylor_coefficients(symbol, 2 * specification.order + 1);
+    const auto matching = match(taylor, specification.stride, specification.order);
+    if (const Degeneracy found = degeneracy(matching); found != Degeneracy::none) {
+        throw NoSuchBoundary(reason(found, specification, symbol, taylor));
+    }
+
+    const auto freeze_all = [&G](const std::vector<GiNaC::ex>& expressions) {
+        std::vector<Polynomial> frozen;
+        for (const GiNaC::ex& expression : expressions) {
+            frozen.push_back(freeze(expression, G));
+        }
+        return frozen;
+    };
+    const auto C = freeze_all(matching.C);
+    table.taylor = freeze_all({taylor.begin() + 1, taylor.end()});
+    table.c = over_first(C, C.front());
+    table.b = over_first(freeze_all(matching.B), C.front());
+    table.proved = prove(table);
+    return table;
+}
+
+std::vector<Specification> committed_set() {
+    std::vector<Specification> set;
+    for (const unsigned horizon : {1U, 2U, 3U, 4U, 5U}) {
+        const unsigned highest_order = horizon <= 3 ? 4 : 1;
+        for (unsigned order = 1; order <= highest_order; ++order) {
+            set.push_back({.family = "nopd1d",
+                           .horizon = horizon,
+                           .order = order,
+                           .stride = 1,
+                           .stabilisation = {}});
+        }
+    }
+    return set;
+}
+
+}  // namespace nmbcgen

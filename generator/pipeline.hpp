@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// The generator, stage by stage. Each stage is a function from data to data:
+///
+///   specification      family, horizon, order, stride, G or none            table/table.hpp
+///     | make_model     a family's energy as squares, hence the symbol       families/family.hpp
+///   model
+///     | thaw           into the algebra system                              matching/freeze.hpp
+///     | taylor         a_1 .. a_{2N+1} of the dispersion relation (47)      matching/taylor.hpp
+///     | match          C(z), B(z) by diagonal Pade approximation (49)       matching/matching.hpp
+///     | freeze         out of it, coefficient by coefficient                matching/freeze.hpp
+///     | reduce         c_j, b_j as rational functions in normal form        exact/
+///     | prove          residual of (49) and all else, exactly               matching/proof.hpp
+///   table
+///     | emit_header, emit_json                                              emit/
+///   text               written by main.cpp, nothing before all is proved
+#pragma once
+
+#include <stdexcept>
+#include <vector>
+
+#include "generator/table/table.hpp"
+
+namespace nmbcgen {
+
+/// The condition asked for does not exist; what() is the mathematical reason, for people.
+struct NoSuchBoundary : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Derives and proves one table.
+/// Throws NoSuchBoundary, std::invalid_argument for an unknown family, and std::logic_error
+/// where the proof fails (a defect of the generator).
+Table derive(const Specification& specification);
+
+/// The tables kept in generated/, in the order of the registry.
+std::vector<Specification> committed_set();
+
+}  // namespace nmbcgen

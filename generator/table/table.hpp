@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// What the generator hands from stage to stage and finally to an emitter: plain exact data.
+/// Units throughout: dX = 1 and c = sqrt(E/rho) = 1; omega and b_j are in c/dX.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/table/exact.hpp"
+
+namespace nmbcgen {
+
+/// Which table: the request as a person makes it.
+struct Specification {
+    std::string family = "nopd1d";
+    unsigned horizon = 1;
+    unsigned order = 1;
+    unsigned stride = 1;
+    std::optional<Rational> stabilisation;  ///< G; none: G stays symbolic.
+};
+
+/// One square of a lattice model's potential energy,
+///     (1/2) weight(G) * (sum_i stencil[i] u_{I + i - reach})^2   per node I,
+/// where stencil has 2*reach + 1 entries.
+struct EnergySquare {
+    std::string part;  ///< "strain" or "stabilisation": the ledger entry it is counted in.
+    Polynomial weight;
+    std::vector<Rational> stencil;
+};
+
+/// A lattice model at one horizon: its energy, and the symbol that follows from it,
+///     omega^2 = symbol[0] + sum_{m >= 1} symbol[m] (z^m + z^-m),   z = exp(i xi).
+struct Model {
+    std::string description;
+    std::string source;  ///< the equations the model is taken from
+    std::vector<EnergySquare> energy;
+    std::vector<Polynomial> symbol;
+};
+
+/// A matching boundary condition with everything it was derived from.
+struct Table {
+    Specification specification;
+    Model model;
+    std::vector<Polynomial> taylor;   ///< a_1 .. a_{2N+1} of i omega = sum a_k (i xi)^k, (47)
+    std::vector<RationalFunction> c;  ///< c_0 .. c_N, c_0 = 1
+    std::vector<RationalFunction> b;  ///< b_0 .. b_N
+    std::string source;               ///< the equations the table is taken from
+    std::string proved;               ///< what prove() established about it
+};
+
+}  // namespace nmbcgen

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+/// The contract between generator and runtime: what an emitted table holds.
+///
+/// Units: dX = 1 and c = sqrt(E/rho) = 1, so xi is in 1/dX, omega in c/dX, c_j and G without
+/// dimension, b_j in c/dX. Equation numbers: Nicely, Tang, Qian 2018.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+
+namespace nmbc {
+
+/// Raised by any change that an old reader would misread; every emitted header asserts it.
+inline constexpr int table_schema = 1;
+
+/// An exact rational function of the stabilisation G. Each string is a polynomial: its integer
+/// coefficients in ascending powers of G, in decimal, one space between. "576 -170" over
+/// "-128 85" is (576 - 170 G) / (-128 + 85 G). No common factor; leading denominator positive.
+struct RationalFunction {
+    std::string_view numerator;
+    std::string_view denominator;
+};
+
+/// The ledger entry an energy is counted in.
+enum class EnergyPart { strain, stabilisation };
+
+/// One square of the lattice's potential energy per node I (in E/dX^2 times displacement^2),
+///     (1/2) weight(G) * ( sum_{i = -r..r} stencil_i u_{I+i} / divisor )^2,
+/// stencil: 2r+1 integers as in RationalFunction; divisor: one integer.
+struct EnergySquare {
+    EnergyPart part;
+    RationalFunction weight;
+    std::string_view stencil;
+    std::string_view divisor;
+};
+
+/// A nonlocal matching boundary condition and the lattice it belongs to.
+struct MatchingTable {
+    std::string_view name;  ///< of the header and of the table, e.g. "nopd1d_n2_order3"
+    std::string_view family;
+    int horizon;               ///< in dX
+    int order;                 ///< N of NMBCN
+    int stride;                ///< node offsets of the condition are 0, s, 2s, .. Ns
+    std::string_view fixed_G;  ///< "p/q" where G was fixed when the table was made, else ""
+    std::string_view source;   ///< the equations it is taken from
+    std::string_view proved;   ///< what the generator established exactly
+    /// omega^2 = symbol[0] + sum_{m >= 1} symbol[m] (z^m + z^-m), z = exp(i xi dX): the interior
+    /// stencil is minus this, rho u_tt = -(E/dX^2) sum_m symbol[|m|] u_{I+m}.
+    std::span<const RationalFunction> symbol;
+    std::span<const EnergySquare> energy;      ///< the squares the symbol follows from
+    std::span<const RationalFunction> taylor;  ///< a_1 .. a_{2N+1} of (47)
+    std::span<const RationalFunction> c;       ///< c_0 .. c_N, c_0 = 1 (60)
+    std::span<const RationalFunction> b;       ///< b_0 .. b_N (60)
+
+    /// Nodes the interior stencil reaches to each side: also the ghost layers (60) is used on.
+    constexpr std::size_t ghost_layers() const { return symbol.size() - 1; }
+};
+
+/// The table with these properties, or nullptr. `tables` is nmbc::generated::tables of
+/// <nmbc/tables/tables.hpp>, or any list of tables of the user's own.
+constexpr const MatchingTable* find_table(std::span<const MatchingTable* const> tables,
+                                          std::string_view family, int horizon, int order,
+                                          int stride = 1) {
+    const auto found = std::ranges::find_if(tables, [&](const MatchingTable* table) {
+        return table->family == family && table->horizon == horizon && table->order == order &&
+               table->stride == stride;
+    });
+    return found == tables.end() ? nullptr : *found;
+}
+
+}  // namespace nmbc
