@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+/// The nonlocal matching boundary condition (60) on arrays of the user's own.
+#pragma once
+
+#include <cstddef>
+#include <nmbc/coefficients.hpp>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace nmbc {
+
+/// Time level of u in (60) when the ghost velocities at k+1/2 are found.
+enum class GhostRule {
+    midpoint,      ///< the mean of levels k and k+1; costs one division, done once
+    explicit_rule  ///< level k: for comparison; its stable time step is much smaller
+};
+
+enum class End { left, right };
+
+/// Finds the velocities of the ghost nodes at one end of a chain. The scheme it is made for is
+/// leapfrog: u at levels k, v at k+1/2, u^{k+1} = u^k + dt v^{k+1/2}, ghost nodes included.
+class MatchingBoundary {
+  public:
+    /// ghost_layers: nodes outside each end that the interior stencil reaches (2n for NOPD).
+    /// wave_speed [length/time], spacing [length] and time_step [time] in the user's units.
+    /// Throws std::invalid_argument where one of them is not positive and finite, or where this
+    /// time step makes the midpoint rule singular (b_0 dt/2 = c_0).
+    MatchingBoundary(const BoundaryCoefficients& coefficients, std::size_t ghost_layers,
+                     double wave_speed, double spacing, double time_step,
+                     GhostRule rule = GhostRule::midpoint)
+        : ghost_layers_(ghost_layers), stride_(static_cast<std::ptrdiff_t>(coefficients.stride)) {
+        for (const double value : {wave_speed, spacing, time_step}) {
+            if (!(value > 0) || !std::isfinite(value)) {
+                throw std::invalid_argument(
+                    "wave speed, spacing and time step must be positive and finite");
+            }
+        }
+        const double rate = wave_speed / spacing;
+        const double implicit_time = rule == GhostRule::midpoint ? time_step / 2 : 0;
+        const double own = coefficients.c[0] - implicit_time * rate * coefficients.b[0];
+        if (std::abs(own) < 64 * std::numeric_limits<double>::epsilon()) {
+            throw std::invalid_argument("this time step makes the midpoint rule singular");
+        }
+        // Midpoint: u = u^k + (dt/2) v, and v moves to the left-hand side.
+        for (std::size_t j = 0; j < coefficients.c.size(); ++j) {
+            const double b = rate * coefficients.b[j];
+            weights_.push_back({b / own, (implicit_time * b - coefficients.c[j]) / own});
+        }
+    }
+
+    std::size_t ghost_layers() const { return ghost_layers_; }
+
+    /// Nodes next to the end that the condition reads or writes, ghost layers included.
+    std::size_t reach() const {
+        return ghost_layers_ + (weights_.size() - 1) * static_cast<std::size_t>(stride_);
+    }
+
+    /// Writes the ghost entries of v at one end, from the innermost layer outwards.
+    /// u: displacements at level k; v: velocities at k+1/2, interior entries already new. Both
+    /// hold all nodes, `ghost_layers` ghosts first and last, and at least reach() nodes.
+    void update(std::span<const double> u, std::span<double> v, End end) const {
+        const auto count = static_cast<std::ptrdiff_t>(v.size());
+        const auto layers = static_cast<std::ptrdiff_t>(ghost_layers_);
+        const std::ptrdiff_t inwards = end == End::left ? stride_ : -stride_;
+        const std::ptrdiff_t outwards = end == End::left ? -1 : 1;
+        std::ptrdiff_t ghost = end == End::left ? layers - 1 : count - layers;
+        for (std::size_t layer = 0; layer < ghost_layers_; ++layer, ghost += outwards) {
+            auto node = static_cast<std::size_t>(ghost);
+            double velocity = weights_[0].displacement * u[node];
+            for (std::size_t j = 1; j < weights_.size(); ++j) {
+                node = static_cast<std::size_t>(ghost + static_cast<std::ptrdiff_t>(j) * inwards);
+                velocity += weights_[j].displacement * u[node] + weights_[j].velocity * v[node];
+            }
+            v[static_cast<std::size_t>(ghost)] = velocity;
+        }
+    }
+
+  private:
+    struct Weights {
+        double displacement;
+        double velocity;
+    };
+    std::vector<Weights> weights_;  // by j; the division of the midpoint rule is done
+    std::size_t ghost_layers_;
+    std::ptrdiff_t stride_;
+};
+
+}  // namespace nmbc

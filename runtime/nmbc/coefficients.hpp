@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+/// The coefficients of a table at a value of G: exact evaluation, rounded once.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <nmbc/natural.hpp>
+#include <nmbc/table.hpp>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nmbc {
+
+/// c_j [1] and b_j [c/dX], j = 0 .. N, of  sum_j c_j v_{M+js} = sum_j b_j u_{M+js}  (60), j
+/// counted inwards from the ghost node itself; s is the stride, c[0] = 1.
+struct BoundaryCoefficients {
+    std::vector<double> c;
+    std::vector<double> b;
+    int stride = 1;
+};
+
+/// The value does not exist: a pole of the coefficients, or C(1) = 0. what() says which and where.
+struct CoefficientError : std::domain_error {
+    using std::domain_error::domain_error;
+};
+
+namespace detail {
+
+/// A signed exact integer as the difference of two naturals.
+struct Difference {
+    Natural plus;
+    Natural minus;
+
+    /// |plus - minus| and whether it is negative.
+    std::pair<Natural, bool> magnitude() const {
+        const bool negative = plus < minus;
+        Natural larger = negative ? minus : plus;
+        larger -= negative ? plus : minus;
+        return {std::move(larger), negative};
+    }
+};
+
+/// G = mantissa * 2^exponent exactly, mantissa an integer.
+struct BinaryFraction {
+    explicit BinaryFraction(double G) {
+        int power = 0;
+        const double fraction = std::frexp(G, &power);
+        constexpr int digits = std::numeric_limits<double>::digits;
+        mantissa = Natural(static_cast<std::uint64_t>(std::ldexp(fraction, digits)));
+        exponent = power - digits;
+    }
+    Natural mantissa;
+    int exponent = 0;
+};
+
+/// 2^shift * polynomial(G), an integer, with shift = max(0, -exponent of G) * degree;
+/// degree must not be less than the polynomial's own.
+inline Difference evaluate_scaled(std::string_view coefficients, const BinaryFraction& G,
+                                  std::size_t degree) {
+    Difference sum;
+    Natural power(1);  // mantissa^k
+    const auto bits = static_cast<std::size_t>(std::abs(G.exponent));
+    std::size_t k = 0;
+    for (std::size_t start = 0; start < coefficients.size(); ++k) {
+        const std::size_t end = std::min(coefficients.find(' ', start), coefficients.size());
+        std::string_view digits = coefficients.substr(start, end - start);
+        start = end + 1;
+        const bool negative = digits.front() == '-';
+        digits.remove_prefix(negative ? 1 : 0);
+
+        Natural term;
+        for (const char digit : digits) {
+            term.multiply_add(10, static_cast<std::uint32_t>(digit - '0'));
+        }
+        term = term * power;
+        term <<= bits * (G.exponent < 0 ? degree - k : k);
+        (negative ? sum.minus : sum.plus) += term;
+        power = power * G.mantissa;
+    }
+    return sum;
+}
+
+inline std::size_t degree_of(std::string_view coefficients) {
+    return static_cast<std::size_t>(std::ranges::count(coefficients, ' '));
+}
+
+/// The double nearest to numerator/denominator (both positive), ties to even, in the normal
+/// range: 64 quotient bits by long division, and what is left over as a sticky bit.
+inline double nearest_quotient(Natural numerator, Natural denominator) {
+    constexpr int quotient_bits = 64;
+    const auto top = static_cast<int>(numerator.bit_length());
+    const auto bottom = static_cast<int>(denominator.bit_length());
+    int exponent = top - bottom;  // quotient in (2^(exponent-1), 2^(exponent+1))
+    if (exponent >= 0) {
+        denominator <<= static_cast<std::size_t>(exponent);
+    } else {
+        numerator <<= static_cast<std::size_t>(-exponent);
+    }
+    if (numerator < denominator) {
+        numerator <<= 1;
+        --exponent;
+    }
+    std::uint64_t quotient = 0;  // of numerator/denominator in [1, 2), leading bit set
+    for (int bit = 0; bit < quotient_bits; ++bit) {
+        quotient <<= 1;
+        if (denominator <= numerator) {
+            numerator -= denominator;
+            quotient |= 1;
+        }
+        numerator <<= 1;
+    }
+    constexpr int dropped = quotient_bits - std::numeric_limits<double>::digits;
+    constexpr std::uint64_t half = std::uint64_t{1} << (dropped - 1);
+    const std::uint64_t rest = quotient & (2 * half - 1);
+    std::uint64_t kept = quotient >> dropped;
+    const bool above_half = rest > half || (rest == half && !numerator.is_zero());
+    if (above_half || (rest == half && kept % 2 == 1)) {
+        ++kept;
+    }
+    return std::ldexp(static_cast<double>(kept), exponent - quotient_bits + 1 + dropped);
+}
+
+}  // namespace detail
+
+/// function at G >= 0, correctly rounded (within 1/2 ulp, however near to a pole).
+/// Throws CoefficientError at a pole and std::invalid_argument where G is negative or not finite.
+inline double evaluate(const RationalFunction& function, double G) {
+    if (!std::isfinite(G) || G < 0) {
+        throw std::invalid_argument("the stabilisation G must be finite and not negative");
+    }
+    const detail::BinaryFraction exact_G(G);
+    const std::size_t degree =
+        std::max(detail::degree_of(function.numerator), detail::degree_of(function.denominator));
+    auto [top, top_negative] =
+        detail::evaluate_scaled(function.numerator, exact_G, degree).magnitude();
+    auto [bottom, bottom_negative] =
+        detail::evaluate_scaled(function.denominator, exact_G, degree).magnitude();
+    if (bottom.is_zero()) {
+        throw CoefficientError("pole of a coefficient at G = " + std::to_string(G));
+    }
+    if (top.is_zero()) {
+        return 0;
+    }
+    const double magnitude = detail::nearest_quotient(std::move(top), std::move(bottom));
+    return top_negative == bottom_negative ? magnitude : -magnitude;
+}
+
+/// The whole list at G.
+inline std::vector<double> evaluate(std::span<const RationalFunction> functions, double G) {
+    std::vector<double> values;
+    values.reserve(functions.size());
+    for (const RationalFunction& function : functions) {
+        values.push_back(evaluate(function, G));
+    }
+    return values;
+}
+
+/// The boundary coefficients of a table at G >= 0; at the table's own G where that is fixed.
+/// Throws CoefficientError where there is no boundary condition at this G (a pole, or C(1) = 0,
+/// which would let a constant grow like t^2), std::invalid_argument for a bad G or for a G other
+/// than the one the table was made for.
+inline BoundaryCoefficients boundary_coefficients(const MatchingTable& table, double G) {
+    const std::string where =
+        "NMBC" + std::to_string(table.order) + " (" + std::string(table.name) + ")";
+    if (!table.fixed_G.empty()) {
+        const std::size_t slash = table.fixed_G.find('/');
+        const RationalFunction own{
+            table.fixed_G.substr(0, slash),
+            slash == std::string_view::npos ? "1" : table.fixed_G.substr(slash + 1)};
+        if (evaluate(own, 0) != G) {
+            throw std::invalid_argument(where + " was made for G = " + std::string(table.fixed_G) +
+                                        " only");
+        }
+    }
+    BoundaryCoefficients result;
+    try {
+        result = {evaluate(table.c, G), evaluate(table.b, G), table.stride};
+    } catch (const CoefficientError& pole) {
+        throw CoefficientError(where + " does not exist here: " + pole.what());
+    }
+    double sum = 0;
+    double magnitude = 0;
+    for (const double c : result.c) {
+        sum += c;
+        magnitude += std::abs(c);
+    }
+    // At the double nearest to a degenerate G, C(1) is not 0 but a few roundings of its terms.
+    if (std::abs(sum) <= 16 * std::numeric_limits<double>::epsilon() * magnitude) {
+        throw CoefficientError(where + " is degenerate at G = " + std::to_string(G) +
+                               ": C(1) = 0, a constant would grow like t^2; use order " +
+                               std::to_string(table.order - 2) + " or another G");
+    }
+    return result;
+}
+
+}  // namespace nmbc

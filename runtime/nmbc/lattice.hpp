@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+/// The interior of a uniform chain: stencil, band edge and energy of a table's lattice model.
+#pragma once
+
+#include <cmath>
+#include <nmbc/coefficients.hpp>
+#include <numbers>
+#include <span>
+#include <vector>
+
+namespace nmbc {
+
+/// A lattice model at one G, in units dX = c = 1.
+struct Lattice {
+    /// One square of the energy, weight * (sum_i stencil[i] u_{I+i-r})^2 / 2, 2r+1 entries.
+    struct Square {
+        EnergyPart part;
+        double weight;
+        std::vector<double> stencil;
+    };
+    std::vector<double> symbol;  ///< omega^2 = symbol[0] + 2 sum symbol[m] cos(m xi)
+    std::vector<Square> energy;  ///< squares of zero weight left out
+
+    /// Nodes the stencil reaches to each side; also the ghost layers an end needs.
+    std::size_t reach() const { return symbol.size() - 1; }
+};
+
+/// The lattice of a table at G >= 0. Throws as evaluate does.
+inline Lattice make_lattice(const MatchingTable& table, double G) {
+    Lattice lattice{evaluate(table.symbol, G), {}};
+    for (const EnergySquare& square : table.energy) {
+        const double weight = evaluate(square.weight, G);
+        if (weight == 0) {
+            continue;
+        }
+        std::vector<double> stencil;
+        for (std::size_t start = 0; start < square.stencil.size();) {
+            const std::size_t end =
+                std::min(square.stencil.find(' ', start), square.stencil.size());
+            stencil.push_back(
+                evaluate({square.stencil.substr(start, end - start), square.divisor}, 0));
+            start = end + 1;
+        }
+        lattice.energy.push_back({square.part, weight, std::move(stencil)});
+    }
+    return lattice;
+}
+
+/// omega^2 [c^2/dX^2] at wave number xi [1/dX].
+inline double omega_squared(const Lattice& lattice, double xi) {
+    double sum = lattice.symbol[0];
+    for (std::size_t m = 1; m < lattice.symbol.size(); ++m) {
+        sum += 2 * lattice.symbol[m] * std::cos(static_cast<double>(m) * xi);
+    }
+    return sum;
+}
+
+/// The largest omega of the band, omega_max [c/dX]; cfl = dt omega_max / 2 is 1 at the interior's
+/// own limit. Found by sampling omega^2, a trigonometric polynomial of degree `reach`, and
+/// golden-section search around the best sample.
+inline double maximum_frequency(const Lattice& lattice) {
+    // A trigonometric polynomial of degree r has at most r maxima in (0, pi); 64 samples to each
+    // leave one between the neighbours of the best sample.
+    const std::size_t samples = 64 * lattice.reach();
+    const double step = std::numbers::pi / static_cast<double>(samples);
+    std::size_t best = 0;
+    for (std::size_t i = 1; i <= samples; ++i) {
+        if (omega_squared(lattice, static_cast<double>(i) * step) >
+            omega_squared(lattice, static_cast<double>(best) * step)) {
+            best = i;
+        }
+    }
+    double low = (static_cast<double>(best) - 1) * step;
+    double high = (static_cast<double>(best) + 1) * step;
+    // 48 steps shrink the bracket below the point where omega^2 can tell its ends apart.
+    for (int i = 0; i < 48; ++i) {
+        const double inset = (high - low) * (1 - 1 / std::numbers::phi);
+        if (omega_squared(lattice, low + inset) > omega_squared(lattice, high - inset)) {
+            high -= inset;
+        } else {
+            low += inset;
+        }
+    }
+    return std::sqrt(omega_squared(lattice, (low + high) / 2));
+}
+
+/// Accelerations of the interior nodes, a_I = -(c/dX)^2 sum_m symbol[|m|] u_{I+m}.
+/// u: all nodes, `reach` ghosts first and last; a: the same length, ghost entries untouched.
+/// stiffness: (c/dX)^2 = E/(rho dX^2) [1/time^2].
+inline void accelerations(const Lattice& lattice, double stiffness, std::span<const double> u,
+                          std::span<double> a) {
+    const std::size_t reach = lattice.reach();
+    for (std::size_t node = reach; node + reach < u.size(); ++node) {
+        double sum = lattice.symbol[0] * u[node];
+        for (std::size_t m = 1; m <= reach; ++m) {
+            sum += lattice.symbol[m] * (u[node + m] + u[node - m]);
+        }
+        a[node] = -stiffness * sum;
+    }
+}
+
+}  // namespace nmbc

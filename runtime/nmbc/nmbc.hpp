@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+/// Everything of the runtime; the tables are in <nmbc/tables/...>.
+#pragma once
+
+#include <nmbc/boundary.hpp>
+#include <nmbc/chain.hpp>
+#include <nmbc/coefficients.hpp>
+#include <nmbc/energy.hpp>
+#include <nmbc/lattice.hpp>
+#include <nmbc/table.hpp>
