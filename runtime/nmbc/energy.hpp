@@ -36,7 +36,7 @@ inline double apply(std::span<const double> stencil, const double* first) {
 /// The energies of the interior nodes first .. last-1 (counted from 0, ghosts left out): each
 /// node's own kinetic energy, strain energy and bond energies, as Nicely 2018 sums them. Counting
 /// also the squares of ghost nodes that an interior node takes part in would balance the power of
-/// the ghosts exactly, but lets the sum rise by 5 % where a wave passes an end.
+/// the ghosts exactly, but lets the sum rise for a moment where a wave passes an end.
 /// Throws std::invalid_argument unless first < last <= interior nodes.
 inline Energies energies(const Chain& chain, std::size_t first, std::size_t last) {
     const ChainParameters& p = chain.parameters();

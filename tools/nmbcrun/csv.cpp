@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/csv.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "tools/nmbcrun/scene_reader.hpp"
+
+namespace nmbcrun {
+
+EnergyCsv::EnergyCsv(std::filesystem::path path)
+    : path_(std::move(path)),
+      temporary_(std::filesystem::path(path_).concat(fmt::format(".new-{}", ::getpid()))) {
+    std::error_code error;
+    std::filesystem::create_directories(path_.parent_path(), error);
+    if (error) {
+        throw FileError(fmt::format("cannot make the folder {}: {}", path_.parent_path().string(),
+                                    error.message()));
+    }
+    stream_.open(temporary_);
+    stream_ << "time,kinetic,strain,stabilisation,total,staggered\n";
+    if (!stream_.flush()) {
+        fail();
+    }
+}
+
+EnergyCsv::~EnergyCsv() {
+    std::error_code ignored;
+    std::filesystem::remove(temporary_, ignored);
+}
+
+void EnergyCsv::append(double time, const nmbc::Energies& energies) {
+    // 17 digits: the numbers read back as they were.
+    stream_ << fmt::format("{:.10g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", time,
+                           energies.kinetic, energies.strain, energies.stabilisation,
+                           energies.total(), energies.staggered);
+    if (!stream_) {
+        fail();
+    }
+}
+
+void EnergyCsv::publish() {
+    stream_.close();
+    std::error_code error;
+    if (!stream_) {
+        fail();
+    }
+    std::filesystem::rename(temporary_, path_, error);
+    if (error) {
+        throw FileError(fmt::format("cannot write {}: {}", path_.string(), error.message()));
+    }
+}
+
+void EnergyCsv::fail() const {
+    throw FileError(fmt::format("cannot write {}: {}", path_.string(), std::strerror(errno)));
+}
+
+}  // namespace nmbcrun

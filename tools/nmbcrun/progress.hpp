@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+/// A progress bar on stderr; nothing where stderr is no terminal.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+
+namespace nmbcrun {
+
+class Progress {
+  public:
+    /// total: steps in all; quiet: show nothing.
+    Progress(std::size_t total, bool quiet);
+    /// Clears the line.
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// To be called at every step; draws a few times a second.
+    void update(std::size_t done);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::size_t total_;
+    std::size_t next_ = 0;  // the step to look at the clock again
+    bool shown_;
+    Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace nmbcrun

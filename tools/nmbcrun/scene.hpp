@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+/// A scene: what nmbcrun runs, read from TOML. Keys, units and defaults: docs/scenes.md.
+#pragma once
+
+#include <cstddef>
+#include <nmbc/boundary.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nmbcrun {
+
+/// (57): the nodes with |X - centre| <= half_width * horizon * spacing follow
+/// u = amplitude/2 (1 - cos(pi t / duration)) for 0 <= t <= duration, then are let go.
+struct Drive {
+    double amplitude = 0;   ///< largest displacement [length]
+    double duration = 0;    ///< [time]
+    double centre = 0;      ///< [length]; the nodes are at X = dX, 2 dX, ..
+    double half_width = 2;  ///< in horizons
+};
+
+struct Scene {
+    std::string title;
+    std::string name;  ///< of the output files: the scene file's own
+    std::string family = "nopd1d";
+    int horizon = 1;
+    double G = 0;
+    double density = 1;
+    double youngs_modulus = 1;
+    std::size_t nodes = 0;
+    double spacing = 1;
+    std::size_t extension = 0;  ///< nodes added at each end that no energy counts
+    Drive drive;
+    int order = 1;
+    int stride = 1;
+    nmbc::GhostRule ghosts = nmbc::GhostRule::midpoint;
+    double end = 0;
+    std::optional<double> step;  ///< dt [time]; exactly one of step and cfl is given
+    std::optional<double> cfl;   ///< dt omega_max / 2
+    std::size_t every = 10;
+};
+
+/// KEY=VALUE of --set, not parsed yet.
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+/// Reads a scene file, with overrides applied. Throws SceneError (scene_reader.hpp) naming the
+/// file and line, or the override, what is wrong and what is allowed; FileError where the file
+/// cannot be read.
+Scene read_scene(const std::string& path, const Overrides& overrides);
+
+}  // namespace nmbcrun

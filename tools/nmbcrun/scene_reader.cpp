@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/scene_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <numeric>
+#include <sstream>
+
+namespace nmbcrun {
+namespace {
+
+/// Levenshtein distance.
+std::size_t edit_distance(std::string_view left, std::string_view right) {
+    std::vector<std::size_t> row(right.size() + 1);
+    std::iota(row.begin(), row.end(), 0);
+    for (std::size_t i = 1; i <= left.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i);
+        for (std::size_t j = 1; j <= right.size(); ++j) {
+            const std::size_t substituted = diagonal + (left[i - 1] == right[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+        }
+    }
+    return row.back();
+}
+
+std::string read_text(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream text;
+    errno = 0;
+    if (!stream || !(text << stream.rdbuf())) {
+        throw FileError(fmt::format("cannot read the scene {}: {}", path,
+                                    errno != 0 ? std::strerror(errno) : "empty or not a file"));
+    }
+    return text.str();
+}
+
+std::string as_written(const toml::node& node) {
+    std::ostringstream text;
+    node.visit([&text](const auto& value) { text << value; });
+    return text.str();
+}
+
+}  // namespace
+
+SceneReader::SceneReader(const std::string& path,
+                         const std::vector<std::pair<std::string, std::string>>& overrides)
+    : path_(path) {
+    try {
+        document_ = toml::parse(read_text(path), path);
+    } catch (const toml::parse_error& error) {
+        throw SceneError(fmt::format("{}:{}: {}", path, error.source().begin.line,
+                                     std::string_view(error.description())));
+    }
+    for (const auto& [key, value] : overrides) {
+        apply_override(key, value);
+    }
+}
+
+void SceneReader::apply_override(const std::string& key, const std::string& value) {
+    overridden_.push_back(key);
+    toml::table* table = &document_;
+    std::string_view rest = key;
+    for (std::size_t dot = rest.find('.'); dot != std::string_view::npos; dot = rest.find('.')) {
+        table->insert(rest.substr(0, dot), toml::table{});
+        table = table->get(rest.substr(0, dot))->as_table();
+        rest.remove_prefix(dot + 1);
+        if (table == nullptr) {
+            throw SceneError(
+                fmt::format("--set {}: the scene has a value where a table is needed", key));
+        }
+    }
+    // A bare word is a string: --set boundary.ghosts=explicit.
+    try {
+        const toml::table parsed = toml::parse("value = " + value);
+        if (parsed.size() == 1) {
+            parsed.get("value")->visit(
+                [&](const auto& node) { table->insert_or_assign(rest, node); });
+            return;
+        }
+    } catch (const toml::parse_error&) {
+    }
+    table->insert_or_assign(rest, value);
+}
+
+const toml::node* SceneReader::find(std::string_view key) {
+    known_.emplace_back(key);
+    return document_.at_path(key).node();
+}
+
+std::string SceneReader::place(std::string_view key) const {
+    if (std::ranges::find(overridden_, key) != overridden_.end()) {
+        return fmt::format("--set {}", key);
+    }
+    const auto node = document_.at_path(key);
+    return node ? fmt::format("{}:{}: {}", path_, node.node()->source().begin.line, key)
+                : fmt::format("{}: {}", path_, key);
+}
+
+void SceneReader::fail(std::string_view key, const std::string& problem) const {
+    throw SceneError(fmt::format("{} {}", place(key), problem));
+}
+
+void SceneReader::missing(std::string_view key) const {
+    throw SceneError(fmt::format("{}: {} is missing", path_, key));
+}
+
+std::optional<double> SceneReader::number(std::string_view key, const Bounds& bounds) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    const auto value = node->is_number() ? node->value<double>() : std::nullopt;
+    if (!value || !std::isfinite(*value) || *value < bounds.lowest || *value > bounds.highest ||
+        (*value == bounds.lowest && !bounds.lowest_allowed)) {
+        fail(key, fmt::format("must be {}, not {}", bounds.words, as_written(*node)));
+    }
+    return value;
+}
+
+std::optional<long> SceneReader::whole_number(std::string_view key, long lowest, long highest) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    const auto value = node->is_integer() ? node->value<long>() : std::nullopt;
+    if (!value || *value < lowest || *value > highest) {
+        fail(key, fmt::format("must be a whole number from {} to {}, not {}", lowest, highest,
+                              as_written(*node)));
+    }
+    return value;
+}
+
+std::optional<std::string> SceneReader::text(std::string_view key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    if (!node->is_string()) {
+        fail(key, fmt::format("must be a string in quotes, not {}", as_written(*node)));
+    }
+    return node->value<std::string>();
+}
+
+void SceneReader::refuse_unknown_keys() const {
+    refuse_unknown_keys_in(document_, "");
+}
+
+void SceneReader::refuse_unknown_keys_in(const toml::table& table,
+                                         const std::string& prefix) const {
+    for (const auto& [name, node] : table) {
+        const std::string key = prefix + std::string(name.str());
+        const bool is_group = std::ranges::any_of(
+            known_, [&](const std::string& known) { return known.starts_with(key + "."); });
+        if (is_group && node.is_table()) {
+            refuse_unknown_keys_in(*node.as_table(), key + ".");
+        } else if (is_group) {
+            fail(key, "must be a table");
+        } else if (std::ranges::find(known_, key) == known_.end()) {
+            const auto nearest = std::ranges::min_element(
+                known_, {}, [&](const auto& known) { return edit_distance(key, known); });
+            fail(key, fmt::format("is not a key of a scene; the nearest one is {}", *nearest));
+        }
+    }
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+/// Reads values out of a TOML document and finds what is wrong with it: a missing or misspelt
+/// key, a value of another type, a number out of bounds. Every message says where.
+#pragma once
+
+#define TOML_EXCEPTIONS 1
+#include <toml++/toml.h>
+
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace nmbcrun {
+
+/// The scene is wrong; what() says where and how.
+struct SceneError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A file could not be read or written.
+struct FileError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Bounds of a number, and the words for them.
+struct Bounds {
+    double lowest;
+    double highest;
+    bool lowest_allowed;
+    std::string_view words;
+};
+
+inline constexpr Bounds positive{0, 1e300, false, "a positive number"};
+inline constexpr Bounds not_negative{0, 1e300, true, "a number not below 0"};
+inline constexpr Bounds any_number{-1e300, 1e300, true, "a number"};
+
+class SceneReader {
+  public:
+    /// Parses the file and puts KEY=VALUE pairs over it.
+    SceneReader(const std::string& path,
+                const std::vector<std::pair<std::string, std::string>>& overrides);
+
+    // Each marks its key (a dotted path such as "model.horizon") as known and returns the value
+    // if the key is there.
+    std::optional<double> number(std::string_view key, const Bounds& bounds);
+    std::optional<long> whole_number(std::string_view key, long lowest, long highest);
+    std::optional<std::string> text(std::string_view key);
+
+    /// The value, which must be there.
+    template <class Value>
+    Value required(std::string_view key, const std::optional<Value>& value) const {
+        if (!value) {
+            missing(key);
+        }
+        return *value;
+    }
+
+    /// Throws for the key if it is there, for the whole file if not.
+    [[noreturn]] void fail(std::string_view key, const std::string& problem) const;
+
+    /// Throws where the document has a key that none of the calls above asked for.
+    void refuse_unknown_keys() const;
+
+  private:
+    [[noreturn]] void missing(std::string_view key) const;
+    void apply_override(const std::string& key, const std::string& value);
+    void refuse_unknown_keys_in(const toml::table& table, const std::string& prefix) const;
+    std::string place(std::string_view key) const;
+    const toml::node* find(std::string_view key);
+
+    std::string path_;
+    toml::table document_;
+    std::vector<std::string> known_;
+    std::vector<std::string> overridden_;
+};
+
+}  // namespace nmbcrun
