@@ -58,8 +58,12 @@ class MatchingBoundary {
 
     /// Writes the ghost entries of v at one end, from the innermost layer outwards.
     /// u: displacements at level k; v: velocities at k+1/2, interior entries already new. Both
-    /// hold all nodes, `ghost_layers` ghosts first and last, and at least reach() nodes.
+    /// hold all nodes, `ghost_layers` ghosts first and last.
+    /// Throws std::invalid_argument where they differ in size or have fewer than reach() nodes.
     void update(std::span<const double> u, std::span<double> v, End end) const {
+        if (u.size() != v.size() || v.size() < reach()) {
+            throw std::invalid_argument("u and v must have the same size, reach() nodes at least");
+        }
         const auto count = static_cast<std::ptrdiff_t>(v.size());
         const auto layers = static_cast<std::ptrdiff_t>(ghost_layers_);
         const std::ptrdiff_t inwards = end == End::left ? stride_ : -stride_;

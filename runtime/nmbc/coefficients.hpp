@@ -2,6 +2,8 @@
 /// The coefficients of a table at a value of G: exact evaluation, rounded once.
 #pragma once
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <nmbc/natural.hpp>
@@ -27,6 +29,13 @@ struct CoefficientError : std::domain_error {
 };
 
 namespace detail {
+
+/// The shortest text that reads back as the same number.
+inline std::string to_text(double value) {
+    std::array<char, 32> buffer{};
+    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), end};
+}
 
 /// A signed exact integer as the difference of two naturals.
 struct Difference {
@@ -125,7 +134,8 @@ inline double nearest_quotient(Natural numerator, Natural denominator) {
 }  // namespace detail
 
 /// function at G >= 0, correctly rounded (within 1/2 ulp, however near to a pole).
-/// Throws CoefficientError at a pole and std::invalid_argument where G is negative or not finite.
+/// Throws CoefficientError at a pole or where the value overflows, and std::invalid_argument where
+/// G is negative or not finite.
 inline double evaluate(const RationalFunction& function, double G) {
     if (!std::isfinite(G) || G < 0) {
         throw std::invalid_argument("the stabilisation G must be finite and not negative");
@@ -138,12 +148,15 @@ inline double evaluate(const RationalFunction& function, double G) {
     auto [bottom, bottom_negative] =
         detail::evaluate_scaled(function.denominator, exact_G, degree).magnitude();
     if (bottom.is_zero()) {
-        throw CoefficientError("pole of a coefficient at G = " + std::to_string(G));
+        throw CoefficientError("pole of a coefficient at G = " + detail::to_text(G));
     }
     if (top.is_zero()) {
         return 0;
     }
     const double magnitude = detail::nearest_quotient(std::move(top), std::move(bottom));
+    if (std::isinf(magnitude)) {
+        throw CoefficientError("a coefficient exceeds every double at G = " + detail::to_text(G));
+    }
     return top_negative == bottom_negative ? magnitude : -magnitude;
 }
 
@@ -188,7 +201,7 @@ inline BoundaryCoefficients boundary_coefficients(const MatchingTable& table, do
     }
     // At the double nearest to a degenerate G, C(1) is not 0 but a few roundings of its terms.
     if (std::abs(sum) <= 16 * std::numeric_limits<double>::epsilon() * magnitude) {
-        throw CoefficientError(where + " is degenerate at G = " + std::to_string(G) +
+        throw CoefficientError(where + " is degenerate at G = " + detail::to_text(G) +
                                ": C(1) = 0, a constant would grow like t^2; use order " +
                                std::to_string(table.order - 2) + " or another G");
     }

@@ -72,10 +72,6 @@ struct Sample {
 };
 
 std::string likely_cause(const Scene& scene, double cfl) {
-    if (cfl > 1) {
-        return fmt::format("the time step is above the interior's limit (cfl = {:.3g}, at most 1)",
-                           cfl);
-    }
     if (scene.ghosts == nmbc::GhostRule::explicit_rule) {
         return "explicit ghosts are stable only at much smaller time steps; use \"midpoint\"";
     }
@@ -129,6 +125,11 @@ void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
         nmbc::maximum_frequency(lattice) * parameters.wave_speed() / parameters.spacing;
     parameters.time_step = scene.step ? *scene.step : 2 * *scene.cfl / omega_max;
     const double cfl = parameters.time_step * omega_max / 2;
+    if (cfl > 1) {
+        throw SceneError(fmt::format(
+            "time.step: cfl = {:.4g} is above the interior's limit of 1, a step of {:.6g}", cfl,
+            2 / omega_max));
+    }
     nmbc::Chain chain(std::move(lattice), nmbc::boundary_coefficients(table, scene.G), parameters);
     const double exact_steps = scene.end / parameters.time_step;
     if (exact_steps > 1e15) {

@@ -19,6 +19,15 @@ nmbc::GhostRule read_ghosts(SceneReader& reader) {
     return rule == "midpoint" ? nmbc::GhostRule::midpoint : nmbc::GhostRule::explicit_rule;
 }
 
+/// The name of the output files: the scene file's own unless it says another.
+std::string read_name(SceneReader& reader, const std::string& path) {
+    const auto name = reader.text("output.name");
+    if (name && (name->empty() || name->find('/') != std::string::npos)) {
+        reader.fail("output.name", "must be a file name without a folder or an ending");
+    }
+    return name.value_or(std::filesystem::path(path).stem().string());
+}
+
 Drive read_drive(SceneReader& reader) {
     Drive drive;
     drive.amplitude =
@@ -34,7 +43,7 @@ Drive read_drive(SceneReader& reader) {
 Scene read_scene(const std::string& path, const Overrides& overrides) {
     SceneReader reader(path, overrides);
     Scene scene;
-    scene.name = std::filesystem::path(path).stem().string();
+    scene.name = read_name(reader, path);
     scene.title = reader.text("title").value_or(scene.name);
     scene.family = reader.text("model.family").value_or(scene.family);
     scene.horizon =

@@ -22,7 +22,7 @@ struct Drive {
 
 struct Scene {
     std::string title;
-    std::string name;  ///< of the output files: the scene file's own
+    std::string name;  ///< of the output files; default: the scene file's own
     std::string family = "nopd1d";
     int horizon = 1;
     double G = 0;

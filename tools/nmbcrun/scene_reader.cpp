@@ -31,13 +31,11 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
 
 std::string read_text(const std::string& path) {
     std::ifstream stream(path, std::ios::binary);
-    std::ostringstream text;
-    errno = 0;
-    if (!stream || !(text << stream.rdbuf())) {
-        throw FileError(fmt::format("cannot read the scene {}: {}", path,
-                                    errno != 0 ? std::strerror(errno) : "empty or not a file"));
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream || stream.bad()) {
+        throw FileError(fmt::format("cannot read the scene {}: {}", path, std::strerror(errno)));
     }
-    return text.str();
+    return text;
 }
 
 std::string as_written(const toml::node& node) {
@@ -107,6 +105,10 @@ void SceneReader::fail(std::string_view key, const std::string& problem) const {
 }
 
 void SceneReader::missing(std::string_view key) const {
+    const std::string_view group = key.substr(0, key.find('.'));
+    if (document_.contains(group) && !document_.get(group)->is_table()) {
+        fail(group, "must be a table");
+    }
     throw SceneError(fmt::format("{}: {} is missing", path_, key));
 }
 
