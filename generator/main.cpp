@@ -13,7 +13,7 @@
 namespace nmbcgen {
 namespace {
 
-// The exit codes of every program of the project (docs/exit-codes in README.md).
+// The project's exit codes; 2 is parse_command_line's, 4 (unstable) no stage here can return.
 enum ExitCode { done = 0, comparison_failed = 1, no_such_boundary = 3, file_failed = 5 };
 
 std::vector<TextFile> committed_files(const std::filesystem::path& folder) {

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Who may include whom: a room that includes what it must not know about fails.
+# Usage: run_includes.sh SOURCE_FOLDER
+set -euo pipefail
+cd "$1"
+failed=0
+
+# allow FOLDER PATTERN: every #include of the folder's own files must match the pattern. Standard
+# headers (no slash, no dot) are always allowed.
+allow() {
+    local folder=$1 pattern=$2 wrong
+    test -n "$(find "$folder" -maxdepth 1 -name '*.?pp')" || { echo "no files in $folder"; exit 1; }
+    wrong=$(grep -nE '^ *# *include' "$folder"/*.?pp | grep -vE '<[a-z_]+>' |
+        grep -vE "[<\"]($pattern)" || true)
+    if [ -n "$wrong" ]; then
+        printf '%s may not include:\n%s\n' "$folder" "$wrong"
+        failed=1
+    fi
+}
+
+text='fmt/'
+allow generator/table 'generator/table/|boost/'
+allow generator/exact 'generator/(table|exact)/|boost/'
+allow generator/families "generator/(table|exact|families)/|$text"
+allow generator/matching "generator/(table|exact|families|matching)/|ginac/|$text"
+allow generator/emit "generator/(table|exact|emit)/|nlohmann/|$text"
+allow generator "generator/|CLI/|fcntl.h|unistd.h|$text"
+allow generated/nmbc/tables 'nmbc/table.hpp|nmbc/tables/'
+allow runtime/nmbc 'nmbc/'
+allow tools/nmbcrun "tools/|nmbc/|CLI/|toml\+\+/|unistd.h|$text"
+
+# The algebra system: in matching alone, and in the pipeline that calls it.
+if grep -rlE '(ginac|cln)/|GiNaC::|cln::' generator runtime tools generated --include='*.?pp' |
+    grep -vE '^generator/(matching/|pipeline.cpp)'; then
+    echo "GiNaC or CLN outside generator/matching"
+    failed=1
+fi
+exit "$failed"

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# A separate project (docs/example) builds and runs against the installed headers, with every
+# package of the generator hidden from it.
+# Usage: run_consumer.sh CMAKE BUILD_FOLDER SOURCE_FOLDER COMPILER
+set -euo pipefail
+cmake=$1 build=$2 source=$3 compiler=$4
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+"$cmake" --install "$build" --prefix "$work/prefix" >"$work/install.log"
+test -f "$work/prefix/include/nmbc/nmbc.hpp"
+test -f "$work/prefix/include/nmbc/tables/tables.hpp"
+if find "$work/prefix" -iname '*ginac*' -o -iname 'nmbcgen*' -o -name '*.json' | grep .; then
+    echo "the installation holds more than the runtime and its tables" >&2
+    exit 1
+fi
+
+# Headers of the same names that refuse to be included, found before the real ones.
+for header in ginac/ginac.h cln/cln.h gmp.h boost/version.hpp Eigen/Core fmt/format.h \
+    nlohmann/json.hpp CLI/CLI.hpp toml++/toml.h; do
+    mkdir -p "$work/poison/$(dirname "$header")"
+    echo '#error "the runtime must not need this"' >"$work/poison/$header"
+done
+
+"$cmake" -S "$source/docs/example" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" \
+    -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_CXX_FLAGS="-I$work/poison" >"$work/configure.log"
+"$cmake" --build "$work/build" >"$work/build.log" || { cat "$work/build.log" >&2; exit 1; }
+"$work/build/own_arrays" | tee "$work/output"
+
+# NMBC2 lets the pulse out: it has left through both ends by t = 200, what was reflected by 400.
+awk '/t = 100.0/ { start = $NF } END { exit !($NF < 1e-12 * start) }' "$work/output"
+
+# Every header compiles alone.
+find "$work/prefix/include" -name '*.hpp' | while read -r header; do
+    "$compiler" -std=c++20 -Wall -Wextra -Werror -fsyntax-only -x c++ -I"$work/poison" \
+        -I"$work/prefix/include" -include "$header" /dev/null
+done
