@@ -30,10 +30,10 @@ Rational parse_rational(std::string_view text) {
         return std::invalid_argument("'" + std::string(text.substr(0, 60)) + "' " + reason);
     };
     constexpr auto form = "is not a non-negative exact number such as 2, 1/2 or 0.3";
-    if (text.size() > maximum_digits + 1) {
+    const std::size_t mark = text.find_first_of("/.");
+    if (text.size() > maximum_digits + (mark == std::string_view::npos ? 0 : 1)) {
         throw refuse("is too long: at most 40 digits are allowed");
     }
-    const std::size_t mark = text.find_first_of("/.");
     const std::string_view left = text.substr(0, mark);
     if (!all_digits(left)) {
         throw refuse(form);
@@ -91,7 +91,7 @@ double nearest_double(const Rational& value) {
     }
     const double result = std::ldexp(double(quotient.convert_to<std::uint64_t>()), exponent);
     if (std::isinf(result)) {
-        throw std::overflow_error("a number of 10^308 or more has no double");
+        throw std::overflow_error("a number beyond 1.8e308 has no double");
     }
     return value < 0 ? -result : result;
 }
