@@ -21,7 +21,7 @@ Model nopd1d(unsigned horizon) {
 
     // Stabilisation state (34): z_IJ = u_{I+j} - u_I - j eps_I on every bond. Its factor
     // G C_BB / (2n) of (38) is G/n^4 in the project's units, with C_BB = 2E/(h_1 delta^3) (10).
-    // Printed, (41) mixes 1/dX^2 with G/dX^3; the dimensionless G here is the printed G times dX.
+    // Printed, (41) mixes 1/dX^2 with G/dX^3; the dimensionless G here is the printed G over dX.
     const Rational micromodulus = Rational(Integer(1), pow(Integer(n), 4));
     for (int bond = -n; bond <= n; ++bond) {
         if (bond == 0) {
