@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Formulas written as the paper prints them, read by GiNaC.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <string>
+
+#include "generator/table/exact.hpp"
+
+namespace nmbcgen::test {
+
+/// base^exponent for exponent >= 0, with 0^0 = 1, which GiNaC leaves undefined.
+inline GiNaC::numeric power(const GiNaC::numeric& base, unsigned exponent) {
+    GiNaC::numeric result = 1;
+    for (; exponent > 0; --exponent) {
+        result *= base;
+    }
+    return result;
+}
+
+/// An identity of rational functions: the difference is zero in every symbol.
+inline bool identical(const GiNaC::ex& left, const GiNaC::ex& right) {
+    return (left - right).normal().expand().is_zero();
+}
+
+inline GiNaC::numeric to_ginac(const Rational& value) {
+    return GiNaC::numeric(value.str().c_str());
+}
+
+/// Reads formulas over a fixed set of names, each a symbol or a value.
+class Reader {
+  public:
+    explicit Reader(GiNaC::symtab names) : parser_(std::move(names), true) {}
+    GiNaC::ex operator()(const std::string& formula) { return parser_(formula); }
+
+  private:
+    GiNaC::parser parser_;
+};
+
+}  // namespace nmbcgen::test
