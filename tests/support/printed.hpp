@@ -10,15 +10,6 @@
 
 namespace nmbcgen::test {
 
-/// base^exponent for exponent >= 0, with 0^0 = 1, which GiNaC leaves undefined.
-inline GiNaC::numeric power(const GiNaC::numeric& base, unsigned exponent) {
-    GiNaC::numeric result = 1;
-    for (; exponent > 0; --exponent) {
-        result *= base;
-    }
-    return result;
-}
-
 /// An identity of rational functions: the difference is zero in every symbol.
 inline bool identical(const GiNaC::ex& left, const GiNaC::ex& right) {
     return (left - right).normal().expand().is_zero();
