@@ -23,7 +23,8 @@ struct MatchingPolynomials {
     std::vector<GiNaC::ex> B;
 };
 
-/// What makes (49) singular, at the given coefficients.
+/// Why there is no condition at the given coefficients. All but vanishing_at_one make (49)
+/// singular; that one is its only solution, of no use.
 enum class Degeneracy {
     none,
     pade_block,        ///< no approximant at all: every minor vanishes
