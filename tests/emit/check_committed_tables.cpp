@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// The committed set, as its readers get it: every table proves, headers and tables.json agree.
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <nmbc/tables/tables.hpp>
+
+#include "generator/emit/emit.hpp"
+#include "generator/pipeline.hpp"
+#include "tests/support/read_tables.hpp"
+
+using namespace nmbcgen;
+using namespace nmbcgen::test;
+
+namespace {
+
+Json committed_json() {
+    std::ifstream file(NMBC_TABLES_JSON);
+    REQUIRE(file);
+    return Json::parse(file);
+}
+
+}  // namespace
+
+TEST_CASE("every committed header proves") {
+    for (const nmbc::MatchingTable* table : nmbc::generated::tables) {
+        CAPTURE(table->name);
+        CHECK(objection(*table) == "");
+    }
+}
+
+TEST_CASE("every table of tables.json proves") {
+    CHECK(file_objection(committed_json()) == "");
+}
+
+TEST_CASE("the registry is the committed set, and holds the same data as tables.json") {
+    const auto set = committed_set();
+    const Json json = committed_json();
+    REQUIRE(std::size(nmbc::generated::tables) == set.size());
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        const nmbc::MatchingTable& header = *nmbc::generated::tables[i];
+        CAPTURE(header.name);
+        CHECK(header.name == table_name(set[i]));
+        // Through exact data and out again, both are the same text.
+        const std::string text = emit_json(read_table(header));
+        CHECK(text == emit_json(read_table(json["tables"][i])));
+        CHECK(Json::parse(text) == json["tables"][i]);
+    }
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Names of tables, and the command in their banner.
+#include <doctest/doctest.h>
+
+#include <set>
+
+#include "generator/emit/emit.hpp"
+#include "generator/pipeline.hpp"
+
+using namespace nmbcgen;
+
+namespace {
+
+Specification specification(unsigned horizon, unsigned order, unsigned stride,
+                            std::optional<Rational> G) {
+    return {.family = "nopd1d",
+            .horizon = horizon,
+            .order = order,
+            .stride = stride,
+            .stabilisation = std::move(G)};
+}
+
+}  // namespace
+
+TEST_CASE("the name leaves out what is usual") {
+    CHECK(table_name(specification(2, 3, 1, {})) == "nopd1d_n2_order3");
+    CHECK(table_name(specification(2, 3, 2, {})) == "nopd1d_n2_order3_s2");
+    CHECK(table_name(specification(12, 1, 1, Rational(1, 2))) == "nopd1d_n12_order1_G1o2");
+    CHECK(table_name(specification(1, 2, 3, Rational(6, 4))) == "nopd1d_n1_order2_s3_G3o2");
+    CHECK(table_name(specification(1, 1, 1, Rational(2))) == "nopd1d_n1_order1_G2o1");
+    CHECK(table_name(specification(1, 1, 1, Rational(0))) == "nopd1d_n1_order1_G0o1");
+}
+
+TEST_CASE("the command says all that the name says") {
+    CHECK(regenerating_command(specification(2, 3, 1, {})) ==
+          "nmbcgen --family nopd1d --order 3 --horizon 2");
+    CHECK(regenerating_command(specification(1, 2, 3, Rational(6, 4))) ==
+          "nmbcgen --family nopd1d --order 2 --horizon 1 --stride 3 --G 3/2");
+    CHECK(regenerating_command(specification(1, 1, 1, Rational(0))) ==
+          "nmbcgen --family nopd1d --order 1 --horizon 1 --G 0");
+}
+
+TEST_CASE("different requests have different names and commands") {
+    std::set<std::string> names;
+    std::set<std::string> commands;
+    std::size_t requests = 0;
+    for (const unsigned horizon : {1U, 2U, 12U}) {
+        for (const unsigned order : {1U, 2U, 11U}) {
+            for (const unsigned stride : {1U, 2U, 12U}) {
+                for (const std::optional<Rational>& G :
+                     {std::optional<Rational>{}, std::optional<Rational>{0},
+                      std::optional<Rational>{Rational(1, 2)}, std::optional<Rational>{12}}) {
+                    const Specification what = specification(horizon, order, stride, G);
+                    names.insert(table_name(what));
+                    commands.insert(regenerating_command(what));
+                    ++requests;
+                }
+            }
+        }
+    }
+    CHECK(requests == 3 * 3 * 3 * 4);
+    CHECK(names.size() == requests);
+    CHECK(commands.size() == requests);
+}

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tests/support/read_tables.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+#include "generator/emit/emit.hpp"
+#include "generator/exact/rational.hpp"
+#include "generator/exact/rational_function.hpp"
+#include "generator/families/family.hpp"
+#include "generator/matching/proof.hpp"
+#include "generator/pipeline.hpp"
+
+namespace nmbcgen::test {
+namespace {
+
+void require(bool holds, const std::string& statement) {
+    if (!holds) {
+        throw std::runtime_error("not so: " + statement);
+    }
+}
+
+Integer read_integer(const std::string& text) {
+    const std::string digits = text.starts_with('-') ? text.substr(1) : text;
+    require(!digits.empty() &&
+                std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; }) &&
+                (digits.front() != '0' || text == "0"),
+            "'" + text + "' is an integer in normal form");
+    return Integer(text);
+}
+
+Rational read_rational(const std::string& text) {
+    const std::size_t slash = text.find('/');
+    const Integer top = read_integer(text.substr(0, slash));
+    const Integer bottom =
+        slash == std::string::npos ? Integer(1) : read_integer(text.substr(slash + 1));
+    require(bottom > 0, "a positive denominator");
+    const Rational value(top, bottom);
+    require(to_string(value) == text, "'" + text + "' is in lowest terms");
+    return value;
+}
+
+std::vector<Integer> split(std::string_view text) {
+    std::vector<Integer> integers;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find(' ', start), text.size());
+        integers.push_back(read_integer(std::string(text.substr(start, end - start))));
+        start = end + 1;
+    }
+    return integers;
+}
+
+RationalFunction make_function(const std::vector<Integer>& top,
+                               const std::vector<Integer>& bottom) {
+    for (const auto* list : {&top, &bottom}) {
+        require(!list->empty() && (list->size() == 1 || list->back() != 0),
+                "the leading coefficient is not zero");
+    }
+    const RationalFunction function{IntegerPolynomial(top), IntegerPolynomial(bottom)};
+    require(!function.denominator.is_zero(), "a denominator");
+    require(reduce(over_rationals(function.numerator), over_rationals(function.denominator)) ==
+                function,
+            "normal form of a rational function");
+    return function;
+}
+
+Polynomial to_polynomial(const RationalFunction& function) {
+    require(function.denominator.size() == 1, "a polynomial");
+    return over_rationals(function.numerator) * constant(1 / Rational(function.denominator[0]));
+}
+
+RationalFunction read_function(const nmbc::RationalFunction& function) {
+    return make_function(split(function.numerator), split(function.denominator));
+}
+
+/// {"num": [..], "den": [..]}, or "p/q" in a table at a fixed G.
+RationalFunction read_function(const Json& json) {
+    if (json.is_string()) {
+        return to_rational_function(constant(read_rational(json.get<std::string>())));
+    }
+    require(json.size() == 2, "num and den");
+    const auto integers = [](const Json& list) {
+        std::vector<Integer> result;
+        for (const Json& item : list) {
+            result.push_back(read_integer(item.get<std::string>()));
+        }
+        return result;
+    };
+    return make_function(integers(json.at("num")), integers(json.at("den")));
+}
+
+template <class List>
+std::vector<RationalFunction> read_functions(const List& list) {
+    std::vector<RationalFunction> result;
+    for (const auto& item : list) {
+        result.push_back(read_function(item));
+    }
+    return result;
+}
+
+template <class List>
+std::vector<Polynomial> read_polynomials(const List& list) {
+    std::vector<Polynomial> result;
+    for (const auto& item : list) {
+        result.push_back(to_polynomial(read_function(item)));
+    }
+    return result;
+}
+
+EnergySquare read_square(const nmbc::EnergySquare& square) {
+    const Integer divisor = read_integer(std::string(square.divisor));
+    require(divisor > 0, "a positive divisor");
+    Integer content = divisor;
+    std::vector<Rational> stencil;
+    for (const Integer& entry : split(square.stencil)) {
+        content = gcd(content, entry);
+        stencil.emplace_back(entry, divisor);
+    }
+    require(content == 1, "stencil and divisor without common factor");
+    return {square.part == nmbc::EnergyPart::strain ? "strain" : "stabilisation",
+            to_polynomial(read_function(square.weight)), std::move(stencil)};
+}
+
+EnergySquare read_square(const Json& json) {
+    require(json.size() == 3, "part, weight and stencil");
+    std::vector<Rational> stencil;
+    for (const Json& entry : json.at("stencil")) {
+        stencil.push_back(read_rational(entry.get<std::string>()));
+    }
+    const auto part = json.at("part").get<std::string>();
+    require(part == "strain" || part == "stabilisation", "a known part of the energy");
+    return {part, to_polynomial(read_function(json.at("weight"))), std::move(stencil)};
+}
+
+template <class List>
+std::vector<EnergySquare> read_energy(const List& list) {
+    std::vector<EnergySquare> result;
+    for (const auto& item : list) {
+        result.push_back(read_square(item));
+    }
+    return result;
+}
+
+unsigned read_count(long long value) {
+    require(value >= 1 && value <= 1000, "a positive count");
+    return unsigned(value);
+}
+
+/// Beyond prove(): the family has this very model, and the words are the generator's.
+void verify(const Table& table) {
+    require(prove(table) == table.proved, "the statement of what is proved");
+    Model model = make_model(table.specification.family, table.specification.horizon);
+    if (const auto& G = table.specification.stabilisation) {
+        for (Polynomial& coefficient : model.symbol) {
+            coefficient = constant(evaluate(coefficient, *G));
+        }
+    }
+    require(table.model.symbol == model.symbol, "the symbol of the family");
+    require(table.source == model.source +
+                                "; Nicely 2018: Taylor coefficients (47), matching (49), ghost "
+                                "layers (60)",
+            "the source");
+}
+
+template <class Check>
+std::string message_of(Check check) {
+    try {
+        check();
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+Table read_table(const nmbc::MatchingTable& from) {
+    Table table;
+    table.specification = {.family = std::string(from.family),
+                           .horizon = read_count(from.horizon),
+                           .order = read_count(from.order),
+                           .stride = read_count(from.stride),
+                           .stabilisation = {}};
+    if (!from.fixed_G.empty()) {
+        table.specification.stabilisation = read_rational(std::string(from.fixed_G));
+    }
+    table.model.energy = read_energy(from.energy);
+    table.model.symbol = read_polynomials(from.symbol);
+    table.taylor = read_polynomials(from.taylor);
+    table.c = read_functions(from.c);
+    table.b = read_functions(from.b);
+    table.source = from.source;
+    table.proved = from.proved;
+    return table;
+}
+
+Table read_table(const Json& from) {
+    constexpr const char* keys[]{"schema", "family", "order",  "horizon", "stride",
+                                 "G",      "symbol", "energy", "taylor",  "c",
+                                 "b",      "source", "proved"};
+    std::vector<std::string> found;
+    for (const auto& item : from.items()) {
+        found.push_back(item.key());
+    }
+    require(std::ranges::equal(found, keys), "the keys of schema 1, in order");
+    require(from.at("schema") == 1, "schema 1");
+    const auto count = [&from](const char* key) {
+        require(from.at(key).is_number_integer(), std::string(key) + " is a whole number");
+        return read_count(from.at(key).get<long long>());
+    };
+    Table table;
+    table.specification = {.family = from.at("family").get<std::string>(),
+                           .horizon = count("horizon"),
+                           .order = count("order"),
+                           .stride = count("stride"),
+                           .stabilisation = {}};
+    if (!from.at("G").is_null()) {
+        table.specification.stabilisation = read_rational(from.at("G").get<std::string>());
+    }
+    table.model.energy = read_energy(from.at("energy"));
+    table.model.symbol = read_polynomials(from.at("symbol"));
+    table.taylor = read_polynomials(from.at("taylor"));
+    table.c = read_functions(from.at("c"));
+    table.b = read_functions(from.at("b"));
+    table.source = from.at("source").get<std::string>();
+    table.proved = from.at("proved").get<std::string>();
+    return table;
+}
+
+std::string objection(const nmbc::MatchingTable& from) {
+    return message_of([&from] {
+        const Table table = read_table(from);
+        require(from.name == table_name(table.specification), "the name");
+        verify(table);
+    });
+}
+
+std::string objection(const Json& from) {
+    return message_of([&from] { verify(read_table(from)); });
+}
+
+std::string file_objection(const Json& file) {
+    return message_of([&file] {
+        require(file.size() == 2 && file.at("schema") == 1, "schema 1 and tables");
+        const auto set = committed_set();
+        require(file.at("tables").size() == set.size(), "as many tables as the committed set");
+        for (std::size_t i = 0; i < set.size(); ++i) {
+            const Table table = read_table(file.at("tables")[i]);
+            require(table_name(table.specification) == table_name(set[i]), "the committed set");
+            verify(table);
+        }
+    });
+}
+
+}  // namespace nmbcgen::test
