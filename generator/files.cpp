@@ -75,7 +75,10 @@ std::optional<std::string> read_file(const std::filesystem::path& path) {
     }
     std::ifstream stream(path, std::ios::binary);
     std::ostringstream text;
-    if (!(text << stream.rdbuf())) {
+    if (stream.peek() != std::ifstream::traits_type::eof()) {  // << calls an empty file a failure
+        text << stream.rdbuf();
+    }
+    if (!stream.is_open() || stream.bad() || !text) {
         fail("read", path, errno);
     }
     return text.str();

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck shell=bash
+# Sourced by the run_ scripts, which get the path of the program as $1. Works in an empty folder
+# of its own, removed at the end. The first expectation that does not hold ends the script with 1.
+set -euo pipefail
+
+program=$(realpath "$1")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+mkdir "$scratch/work"
+cd "$scratch/work"
+checks=0
+tried="(nothing yet)"
+
+# try ARGUMENT..: runs the program, keeps its output, its errors and its exit code.
+try() {
+    tried="$(basename "$program") $*"
+    code=0
+    "$program" "$@" >"$scratch/stdout" 2>"$scratch/stderr" || code=$?
+}
+
+fail() {
+    echo "FAILED after: $tried"
+    echo "  expected: $1"
+    echo "  exit code: ${code:-none}"
+    sed 's/^/  stdout: /' "$scratch/stdout" | head -20
+    sed 's/^/  stderr: /' "$scratch/stderr" | head -20
+    exit 1
+}
+
+# expect WHAT COMMAND..: the command succeeds.
+expect() {
+    local what=$1
+    shift
+    checks=$((checks + 1))
+    "$@" || fail "$what"
+}
+
+expect_exit() { expect "exit code $1" test "$code" -eq "$1"; }
+expect_no_stdout() { expect "nothing on stdout" test ! -s "$scratch/stdout"; }
+expect_no_stderr() { expect "nothing on stderr" test ! -s "$scratch/stderr"; }
+expect_stdout_line() { expect "the line '$1' on stdout" grep -qxF -- "$1" "$scratch/stdout"; }
+expect_stderr() { expect "'$1' on stderr" grep -qF -- "$1" "$scratch/stderr"; }
+expect_same() { expect "$1 and $2 are the same" cmp -s "$1" "$2"; }
+expect_file() { expect "the file $1" test -s "$1"; }
+
+# expect_stderr_lines N: from 1 to N lines of error.
+expect_stderr_lines() {
+    local lines
+    lines=$(wc -l <"$scratch/stderr")
+    expect "1 to $1 lines on stderr" test "$lines" -ge 1 -a "$lines" -le "$1"
+}
+
+# The working folder is empty: nothing was written.
+expect_nothing_written() {
+    expect "nothing written" test -z "$(ls -A "$scratch/work")"
+}
+
+files_in() { find "$1" -type f | wc -l; }
+
+# No temporary file was left below a folder.
+expect_no_leftovers() {
+    expect "no temporary file left" test -z "$(find "$1" -name '*.new-*')"
+}
+
+finish() { echo "$checks expectations hold"; }
