@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Wrong arguments: exit code 2, two lines of error that name the option and say what is allowed,
+# nothing on stdout, nothing written. Usage: run_nmbcgen_bad_input.sh NMBCGEN
+source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+
+# refuses NAMED.. -- ARGUMENT..: each NAMED text is on stderr.
+refuses() {
+    local named=()
+    while [ "$1" != "--" ]; do
+        named+=("$1")
+        shift
+    done
+    shift
+    try "$@"
+    expect_exit 2
+    expect_stderr_lines 3
+    expect_no_stdout
+    expect_nothing_written
+    for text in "${named[@]}"; do
+        expect_stderr "$text"
+    done
+    expect_stderr "nmbcgen --help"
+}
+
+for option in --order --horizon --stride; do
+    # 4294967297 is 1 in 32 bits, 18446744073709551617 in 64.
+    for bad in 0 -1 +1 010 01 1001 9999999999 4294967297 18446744073709551617 1.5 1e1 0x1 three \
+        "" " 1" "1 " 1,2; do
+        others=()
+        for other in --order --horizon; do
+            [ "$other" = "$option" ] || others+=("$other" 1)
+        done
+        refuses "$option" "'$bad'" "whole number from 1 to 1000" -- "${others[@]}" "$option" "$bad"
+        [ -z "$bad" ] ||
+            refuses "$option" "'$bad'" "whole number" -- "${others[@]}" "$option=$bad"
+    done
+done
+
+for bad in nan inf -1 -1/2 +1 1e400 1/3/5 1.2.3 .5 5. / "" " 1" 0x1 1,5 one; do
+    refuses --G "'$bad'" "non-negative exact number" "1/2" -- --order 1 --horizon 1 --G "$bad"
+done
+refuses --G "'1/0'" "denominator 0" -- --order 1 --horizon 1 --G 1/0
+sixty=$(printf '7%.0s' {1..60})
+refuses --G "at most 40 digits" -- --order 1 --horizon 1 --G "$sixty"
+refuses --G "at most 40 digits" -- --order 1 --horizon 1 --G "1/$sixty"
+
+refuses --family "'nopd7d'" "allowed: nopd1d" -- --order 1 --horizon 1 --family nopd7d
+refuses --family "''" "allowed: nopd1d" -- --order 1 --horizon 1 --family ""
+refuses --format "'xml'" "allowed: header, json" -- --order 1 --horizon 1 --format xml
+refuses --format "'JSON'" "allowed: header, json" -- --order 1 --horizon 1 --format JSON
+refuses --out "folder" -- --order 1 --horizon 1 --out ""
+
+refuses --unknown "not expected" -- --unknown
+refuses --unknown "not expected" -- --order 1 --horizon 1 --unknown
+refuses -x "not expected" -- --order 1 --horizon 1 -x
+refuses stray "not expected" -- --order 1 --horizon 1 stray
+
+refuses --order "At Most 1" -- --order 1 --order 2 --horizon 1
+refuses --order "At Most 1" -- --order 1 --order 1 --horizon 1
+refuses --horizon "At Most 1" -- --order 1 --horizon 1 --horizon 1
+refuses --G "At Most 1" -- --order 1 --horizon 1 --G 1 --G 1
+
+refuses "--order and --horizon" "--all" "--check" -- --order 1
+refuses "--order and --horizon" "--all" "--check" -- --horizon 1
+refuses "--order and --horizon" "--all" "--check" --
+refuses "--order and --horizon" "--all" "--check" -- --stdout
+refuses --order "required" -- --horizon 1 --order
+refuses --order "required" -- --horizon 1 --order=
+
+refuses --all --order excludes -- --all --order 1
+refuses --all --horizon excludes -- --all --horizon 1
+refuses --all --stdout excludes -- --all --stdout
+refuses --all --G excludes -- --all --G 1
+refuses --all --check excludes -- --all --check
+refuses --all --check excludes -- --check --all
+refuses --check --order excludes -- --check --order 1
+refuses --stdout --out excludes -- --order 1 --horizon 1 --stdout --out folder
+
+finish

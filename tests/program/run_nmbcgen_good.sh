@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Requests that are met: what is written where, under which name, and what is printed.
+# Usage: run_nmbcgen_good.sh NMBCGEN
+source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+
+# writes PATH ARGUMENT..: exactly this file is written, and its path is all that is printed.
+writes() {
+    local path=$1
+    shift
+    rm -rf generated out
+    try "$@"
+    expect_exit 0
+    expect_no_stderr
+    expect_file "$path"
+    expect "the path and nothing else on stdout" test "$(cat "$scratch/stdout")" = "$path"
+    expect "one file" test "$(files_in .)" -eq 1
+}
+
+default=generated/nmbc/tables
+writes $default/nopd1d_n2_order3.hpp --order 3 --horizon 2
+writes $default/nopd1d_n2_order3.json --order 3 --horizon 2 --format json
+writes $default/nopd1d_n2_order3.hpp --order=3 --horizon=2 --format=header --family=nopd1d
+writes out/nopd1d_n1_order2_s2.hpp --order 2 --horizon 1 --stride 2 --out out
+writes out/nopd1d_n1_order2.hpp --order 2 --horizon 1 --stride 1 --out out
+writes out/nopd1d_n1_order1_G1o2.hpp --order 1 --horizon 1 --G 1/2 --out out
+cp out/nopd1d_n1_order1_G1o2.hpp "$scratch/half"
+for G in 0.5 2/4 0.50 00.5 5/10; do
+    writes out/nopd1d_n1_order1_G1o2.hpp --order 1 --horizon 1 --G "$G" --out out
+    expect_same out/nopd1d_n1_order1_G1o2.hpp "$scratch/half"
+done
+writes out/nopd1d_n1_order1_G2o1.json --order 1 --horizon 1 --G 2 --format json --out out
+writes out/a/b/nopd1d_n1_order1.hpp --order 1 --horizon 1 --out out/a/b
+writes "out/with space/nopd1d_n1_order1.hpp" --order 1 --horizon 1 --out "out/with space"
+rm -rf generated out
+
+# --stdout prints the very bytes of the file, and writes nothing.
+for request in "--order 3 --horizon 2" "--order 3 --horizon 2 --format json" \
+    "--order 2 --horizon 1 --stride 3 --G 7/5"; do
+    # shellcheck disable=SC2086  # words are meant
+    "$program" $request --out "$scratch/out" >"$scratch/path"
+    # shellcheck disable=SC2086
+    try $request --stdout
+    expect_exit 0
+    expect_no_stderr
+    expect_same "$scratch/stdout" "$(cat "$scratch/path")"
+    expect_nothing_written
+done
+
+# The banner's command makes the file again.
+"$program" --order 2 --horizon 2 --stride 2 --G 0.75 --stdout >"$scratch/first"
+command=$(sed -n 's/.*Regenerate: nmbcgen //p' "$scratch/first")
+expect "the command in the banner" test "$command" = \
+    "--family nopd1d --order 2 --horizon 2 --stride 2 --G 3/4"
+# shellcheck disable=SC2086
+try $command --stdout
+expect_exit 0
+expect_same "$scratch/stdout" "$scratch/first"
+
+try --version
+expect_exit 0
+expect "name and version" grep -qxE 'nmbcgen [0-9]+\.[0-9]+\.[0-9]+' "$scratch/stdout"
+try --help
+expect_exit 0
+expect_no_stderr
+for option in --family --order --horizon --stride --G --format --stdout --out --all --check; do
+    expect "$option in the help" grep -qF -- "$option" "$scratch/stdout"
+done
+expect_nothing_written
+
+# The largest of the committed set, and the whole set: printed as written, one line a file.
+try --order 4 --horizon 3 --stdout
+expect_exit 0
+try --all --out all
+expect_exit 0
+expect_no_stderr
+expect "every file is printed once" test \
+    "$(LC_ALL=C sort "$scratch/stdout")" = "$(find all -type f | LC_ALL=C sort)"
+expect_stdout_line all/nopd1d_n3_order4.hpp
+expect_stdout_line all/tables.hpp
+expect_stdout_line all/tables.json
+expect "14 tables, tables.hpp and tables.json" test "$(files_in all)" -eq 16
+
+finish

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# A boundary condition that does not exist: exit code 3, one line with the reason and what to do
+# instead, nothing on stdout, nothing written. Usage: run_nmbcgen_no_boundary.sh NMBCGEN
+source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+
+# does_not_exist ORDER HORIZON G REASON..: in each format, and with --stdout.
+does_not_exist() {
+    local request=(--order "$1" --horizon "$2" --G "$3")
+    shift 3
+    local way
+    for way in "--format=header" "--format=json" "--stdout"; do
+        try "${request[@]}" "$way"
+        expect_exit 3
+        expect_stderr_lines 1
+        expect_no_stdout
+        expect_nothing_written
+        for text in "does not exist" "$@"; do
+            expect_stderr "$text"
+        done
+    done
+}
+
+# The paper's admissible condition: at G = 0 (49) is singular for N >= 2n.
+for horizon in 1 2 3; do
+    for more in 0 1 2; do
+        does_not_exist $((2 * horizon + more)) "$horizon" 0 "G = 0" "block of the Pade table" \
+            "every order N >= $((2 * horizon))" "Use an order below $((2 * horizon))"
+    done
+    try --order $((2 * horizon - 1)) --horizon "$horizon" --G 0 --stdout
+    expect_exit 0
+done
+does_not_exist 2 1 0/5 "G = 0"
+does_not_exist 2 1 0.0 "G = 0"
+
+# NMBC1 gains an order.
+for case in "1 1" "2 208/85" "3 405/98"; do
+    read -r horizon G <<<"$case"
+    does_not_exist 2 "$horizon" "$G" "G = $G" "NMBC1 meets its conditions already" singular \
+        "Use order 1"
+    does_not_exist 3 "$horizon" "$G" "G = $G" "(z-1)^2 times NMBC1" "C(1) = 0" "Use order 1"
+    try --order 4 --horizon "$horizon" --G "$G" --stdout
+    expect_exit 0
+done
+
+does_not_exist 2 2 128/85 "pole" "G = 128/85" "Use order 1"
+
+# With a stride, G = 0 has no such block; with G left open the condition exists.
+try --order 2 --horizon 1 --G 0 --stride 2 --stdout
+expect_exit 0
+try --order 2 --horizon 1 --stdout
+expect_exit 0
+expect_nothing_written
+
+finish
