@@ -55,7 +55,10 @@ void EnergyCsv::publish() {
 }
 
 void EnergyCsv::fail() const {
-    throw FileError(fmt::format("cannot write {}: {}", path_.string(), std::strerror(errno)));
+    const int reason = errno;
+    std::error_code ignored;
+    std::filesystem::remove(temporary_, ignored);  // a constructor that throws has no destructor
+    throw FileError(fmt::format("cannot write {}: {}", path_.string(), std::strerror(reason)));
 }
 
 }  // namespace nmbcrun

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <numeric>
 #include <sstream>
@@ -31,11 +32,13 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
 
 std::string read_text(const std::string& path) {
     std::ifstream stream(path, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream || stream.bad()) {
-        throw FileError(fmt::format("cannot read the scene {}: {}", path, std::strerror(errno)));
+    std::ostringstream text;
+    if (!stream || std::filesystem::is_directory(path)) {  // which a stream opens without a word
+        throw FileError(fmt::format("cannot read the scene {}: {}", path,
+                                    std::strerror(stream ? EISDIR : errno)));
     }
-    return text;
+    text << stream.rdbuf();
+    return text.str();
 }
 
 std::string as_written(const toml::node& node) {

@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# nmbcrun: a good run, and every mistake of a scene, an override or the file system.
+# Usage: run_nmbcrun.sh NMBCRUN SOURCE_FOLDER (absolute)
+source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
+scene=$2/tools/scenes/bar1d.toml
+short=(--set time.end=2)
+
+# A run: the table and the files on stdout, nothing on stderr, which is no terminal.
+try run "$scene" "${short[@]}"
+expect_exit 0
+expect_no_stderr
+expect_stdout_line "scene     bar of Nicely 2018, section 5"
+expect_stdout_line "energies     results/bar1d.csv"
+expect "a header line" grep -qx 'time,kinetic,strain,stabilisation,total,staggered' \
+    results/bar1d.csv
+expect "10 rows for 100 steps" test "$(wc -l <results/bar1d.csv)" -eq 11
+expect "the last row at t - dt/2" grep -q '^1.99,' results/bar1d.csv
+# kinetic + strain + stabilisation = total, in every row
+expect "the ledger adds up" awk -F, 'NR > 1 && ($2 + $3 + $4 - $5)^2 > (1e-14 * $5)^2 { exit 1 }' \
+    results/bar1d.csv
+
+try run "$scene" "${short[@]}" --quiet --out elsewhere --set output.name=again
+expect_exit 0
+expect "two lines only" test "$(wc -l <"$scratch/stdout")" -eq 2
+expect_same results/bar1d.csv elsewhere/again.csv
+
+# cfl instead of step
+sed 's/^step = 0.02.*/cfl = 0.5/' "$scene" >cfl.toml
+try run cfl.toml "${short[@]}"
+expect_exit 0
+expect "the cfl is reported" grep -q 'cfl = 0.5)' "$scratch/stdout"
+rm -r results elsewhere cfl.toml
+
+# refuses CODE TEXT ARGUMENT..: that exit code, that text, nothing written.
+refuses() {
+    local expected=$1 text=$2
+    shift 2
+    try run "$@"
+    expect_exit "$expected"
+    expect_stderr "$text"
+    expect_stderr_lines 3
+    expect_no_stdout
+    expect_nothing_written
+}
+
+setting() { refuses "$1" "$2" "$scene" --set "$3"; }
+setting 2 "model.horizn is not a key of a scene; the nearest one is model.horizon" model.horizn=2
+setting 2 "must be a whole number from 1 to 1000, not 0" model.horizon=0
+setting 2 "must be a whole number from 1 to 1000, not 1.5" model.horizon=1.5
+setting 2 "must be a whole number from 1 to 1000, not 'abc'" model.horizon=abc
+setting 2 "there is no table for family nopd1d, horizon 7" model.horizon=7
+setting 2 "must be a table" model=3
+setting 2 "there is no table for family nopd9" model.family=nopd9
+for bad in -1 nan inf 1e400 true '"1"'; do
+    setting 2 "model.G must be a number not below 0" "model.G=$bad"
+done
+setting 2 "must be \"midpoint\" or \"explicit\", not \"implicit\"" boundary.ghosts=implicit
+setting 2 "needs exactly one of time.step and time.cfl" time.cfl=0.3
+setting 2 "above the interior's limit" time.step=0.6
+setting 2 "select no node" drive.centre=-99
+setting 2 "whole number from 1 to 100000000, not 0" domain.nodes=0
+setting 2 "steps; at most 1e15" time.step=1e-300
+setting 2 "file name" output.name=a/b
+setting 2 "--set needs KEY=VALUE" time.step
+setting 2 "--set needs KEY=VALUE" =3
+setting 3 "pole of a coefficient at G = 0" boundary.order=4
+refuses 3 "C(1) = 0" "$scene" --set model.horizon=1 --set model.G=1 --set boundary.order=3
+refuses 5 "No such file" nowhere.toml
+refuses 5 "Is a directory" /
+refuses 2 "SCENE is required"
+
+# Mistakes in the file itself are named with their line.
+sed 's/^density/densty/' "$scene" >"$scratch/misspelt.toml"
+refuses 2 "misspelt.toml:11: material.densty is not a key" "$scratch/misspelt.toml"
+sed '/^horizon/d' "$scene" >"$scratch/missing.toml"
+refuses 2 "model.horizon is missing" "$scratch/missing.toml"
+printf 'a = = 1\n' >"$scratch/garbled.toml"
+refuses 2 "garbled.toml:1:" "$scratch/garbled.toml"
+: >"$scratch/empty.toml"
+refuses 2 "model.horizon is missing" "$scratch/empty.toml"
+
+# Files that cannot be written; a full disk is a limit of file size here.
+refuses 5 "cannot" "$scene" "${short[@]}" --out /proc/nowhere
+refuses 5 "cannot" "$scene" "${short[@]}" --out /dev/null/folder
+(
+    trap '' XFSZ
+    ulimit -f 0
+    "$program" run "$scene" "${short[@]}" --quiet --out full >/dev/null 2>&1
+) && fail "a full disk is noticed"
+expect_no_leftovers full
+rm -r full
+
+# A run that blows up: exit code 4, with step, node and cause, and the energies up to there.
+# (The paper's scalar criterion holds here.)
+try run "$scene" --set boundary.order=2 --set model.G=1
+expect_exit 4
+expect_stderr "the state is not finite at step"
+expect_stderr "NMBC2 is not stable at G = 1"
+expect_file results/bar1d.csv
+try run "$scene" --set model.horizon=1 --set model.G=0.5 --set boundary.order=2 \
+    --set boundary.ghosts=explicit --set time.step=0.1 --set time.end=500
+expect_exit 4
+expect_stderr "explicit ghosts"
+
+finish
