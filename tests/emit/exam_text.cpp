@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <regex>
 #include <sstream>
 
@@ -102,6 +104,24 @@ TEST_CASE("JSON at a fixed G: every exact number is one string p/q") {
     }
     CHECK(json["energy"][1]["weight"] == "1/16");
     CHECK(objection(json).empty());
+}
+
+TEST_CASE("the example in docs/json.md is what is emitted") {
+    std::ifstream file(NMBC_JSON_PAGE);
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    const std::string fence = "```json\n";
+    const std::size_t begin = page.find(fence) + fence.size();
+    const Json example = Json::parse(page.substr(begin, page.find("```", begin) - begin));
+    const Json emitted = Json::parse(emit_json(nopd1d_table(1, 1)));
+    CHECK(example.dump() == emitted.dump());  // order of keys included
+    for (const std::string& key : keys(emitted)) {
+        CHECK(page.find("| `" + key + "` |") != std::string::npos);
+    }
+    // "With --G 1/2 the same table has": the atom chain, omega^2 = 2 - z - 1/z.
+    const Json fixed = Json::parse(emit_json(nopd1d_table(1, 1, 1, Rational(1, 2))));
+    CHECK(fixed["G"] == "1/2");
+    CHECK(fixed["symbol"] == Json{"2", "-1", "0"});
+    CHECK(fixed["taylor"] == Json{"1", "0", "1/24"});
 }
 
 TEST_CASE("JSON of tables outside the committed set reads back and proves") {

@@ -200,3 +200,21 @@ TEST_CASE("n = 1: omega^2 = sin^2 + 2G(1 - cos)^2, and at G = 1/2 the atom chain
     // (2 sin(xi/2))^2 = 2 - 2 cos(xi) = -z + 2 - 1/z: (56) with k = m = 1.
     CHECK(identical(model_symbol(1, numeric(1, 2)), 2 - z - 1 / z));
 }
+
+TEST_CASE("(59): an edge node whose outer neighbour has one neighbour only") {
+    // Node 0 sees node 1 alone, so that its shape (13) is 1 and not A_1 = 2: the states (3) are
+    // T_J<j> = j eps_J / (shape_J dX^2), eps_J = sum j (u_{J+j} - u_J) / (shape_J dX), V = dX.
+    const GiNaC::symbol u0("u_0"), u1("u_1"), u2("u_2"), u3("u_3");
+    const ex strain_0 = (u1 - u0) / dX;
+    const ex strain_1 = (u2 - u0) / (2 * dX);
+    const ex strain_2 = (u3 - u1) / (2 * dX);
+    const auto state = [](const ex& strain, int bond, int own_shape) {
+        return bond * strain / (own_shape * pow(dX, 2));
+    };
+    const ex acceleration = dX * (state(strain_1, -1, 2) - state(strain_0, 1, 1) +  // J = 0
+                                  state(strain_1, 1, 2) - state(strain_2, -1, 2));  // J = 2
+    CHECK(identical(acceleration, (4 * u0 - 5 * u1 + u3) / (4 * pow(dX, 2))));
+    CHECK_FALSE(identical(acceleration, (3 * u0 - 4 * u2 + u3) / (4 * pow(dX, 2))));  // printed
+    // No u_2: node 1's own states cancel, and no other strain has it.
+    CHECK(acceleration.expand().coeff(u2, 1).is_zero());
+}
