@@ -43,13 +43,12 @@ bool even(double value) {
 /// The definition: no neighbour is nearer, and at equal distance the rounded one is even.
 bool is_nearest(const Rational& exact, double rounded) {
     const Rational distance = abs(exact - exactly(rounded));
-    for (const double direction : {-infinity, infinity}) {
-        const Rational other = abs(exact - exactly(std::nextafter(rounded, direction)));
-        if (other < distance || (other == distance && !even(rounded))) {
-            return false;
-        }
-    }
-    return true;
+    const auto is_nearer = [&](double neighbour) {
+        const Rational other = abs(exact - exactly(neighbour));
+        return other < distance || (other == distance && !even(rounded));
+    };
+    return !is_nearer(std::nextafter(rounded, -infinity)) &&
+           !is_nearer(std::nextafter(rounded, infinity));
 }
 
 /// CLN's rounding: the second way, where the result is normal. (CLN flushes subnormals to zero.)

@@ -41,7 +41,7 @@ ex difference(int a, int b) {
 
 /// A_n of (16), summed as in (15) rather than by the printed closed form.
 ex shape(int n) {
-    return over_bonds(n, [](int i) { return i * i; });
+    return over_bonds(n, [](int i) { return numeric(i) * i; });
 }
 
 /// sum_i i u_{J,J+i}, the sum in (16) to (19), at node J.
@@ -204,7 +204,10 @@ TEST_CASE("n = 1: omega^2 = sin^2 + 2G(1 - cos)^2, and at G = 1/2 the atom chain
 TEST_CASE("(59): an edge node whose outer neighbour has one neighbour only") {
     // Node 0 sees node 1 alone, so that its shape (13) is 1 and not A_1 = 2: the states (3) are
     // T_J<j> = j eps_J / (shape_J dX^2), eps_J = sum j (u_{J+j} - u_J) / (shape_J dX), V = dX.
-    const GiNaC::symbol u0("u_0"), u1("u_1"), u2("u_2"), u3("u_3");
+    const GiNaC::symbol u0("u_0");
+    const GiNaC::symbol u1("u_1");
+    const GiNaC::symbol u2("u_2");
+    const GiNaC::symbol u3("u_3");
     const ex strain_0 = (u1 - u0) / dX;
     const ex strain_1 = (u2 - u0) / (2 * dX);
     const ex strain_2 = (u3 - u1) / (2 * dX);

@@ -30,6 +30,7 @@ std::vector<Rational> random_taylor(unsigned order) {
 
 MatchingPolynomials matched(const std::vector<Rational>& a, const Rational& dX, unsigned order) {
     std::vector<GiNaC::ex> taylor;
+    taylor.reserve(a.size());
     for (const Rational& coefficient : a) {
         taylor.emplace_back(to_ginac(coefficient));
     }

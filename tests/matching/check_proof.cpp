@@ -127,6 +127,7 @@ TEST_CASE("C(1) = 0 is refused even where the residual vanishes") {
     table.taylor.resize(7);
     const auto list = [](const std::vector<int>& numbers) {
         std::vector<RationalFunction> functions;
+        functions.reserve(numbers.size());
         for (const int number : numbers) {
             functions.push_back(to_rational_function(constant(number)));
         }

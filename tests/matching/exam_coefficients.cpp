@@ -76,7 +76,8 @@ TEST_CASE("n = 1, N = 3: functions of G") {
 }
 
 TEST_CASE("(52) and (53): the system for N = 1 as printed") {
-    const GiNaC::symbol a1("a_1"), dX("dX");
+    const GiNaC::symbol a1("a_1");
+    const GiNaC::symbol dX("dX");
     const std::vector<GiNaC::ex> taylor{0, a1, 0};
     using Rows = Matrix<GiNaC::ex>;
     const auto same = [](const Rows& found, const Rows& printed) {

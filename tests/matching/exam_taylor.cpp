@@ -16,7 +16,9 @@ using namespace nmbcgen::test;
 
 namespace {
 
-const GiNaC::symbol c("c"), dX("dX"), G("G");
+const GiNaC::symbol c("c");
+const GiNaC::symbol dX("dX");
+const GiNaC::symbol G("G");
 
 /// a_k from the symbol, in the paper's units: omega = (c/dX) f(xi dX; G/dX).
 ex derived(int n, unsigned k, const ex& stabilisation) {

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck disable=SC1091,SC2034,SC2154  # assert.sh defines and reads what is not used here
 # Wrong arguments: exit code 2, two lines of error that name the option and say what is allowed,
 # nothing on stdout, nothing written. Usage: run_nmbcgen_bad_input.sh NMBCGEN
 source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck disable=SC1091,SC2034,SC2154  # assert.sh defines and reads what is not used here
 # The whole program, 20 times: the same bytes each time, however the system lays out memory.
 # Usage: run_nmbcgen_determinism.sh NMBCGEN
 source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck disable=SC1091,SC2034,SC2154  # assert.sh defines and reads what is not used here
 # Output that cannot be written: exit code 5, the file and the reason on stderr, older files as
 # they were, no temporary file left. Usage: run_nmbcgen_files.sh NMBCGEN
 source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"

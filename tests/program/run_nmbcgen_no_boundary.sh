@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck disable=SC1091,SC2034,SC2154  # assert.sh defines and reads what is not used here
 # A boundary condition that does not exist: exit code 3, one line with the reason and what to do
 # instead, nothing on stdout, nothing written. Usage: run_nmbcgen_no_boundary.sh NMBCGEN
 source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck disable=SC1091,SC2034,SC2154  # assert.sh defines and reads what is not used here
 # nmbcgen --check on a copy of the committed tables: it notices every way of being stale, names
 # the file, and the command it prints mends it.
 # Usage: run_nmbcgen_staleness.sh NMBCGEN COMMITTED_FOLDER
@@ -46,7 +47,8 @@ is_up_to_date
 
 # One changed byte in a table, shown with the line as it is and as it should be.
 sed -i 's/"576 -170"/"576 -171"/' tables/nopd1d_n2_order2.hpp
-is_stale "differs: nopd1d_n2_order2.hpp" '-    {"576 -171", "-128 85"},' '+    {"576 -170", "-128 85"},'
+is_stale "differs: nopd1d_n2_order2.hpp" \
+    '-    {"576 -171", "-128 85"},' '+    {"576 -170", "-128 85"},'
 mend
 is_up_to_date
 expect "mended to the committed set" diff -r "$committed" tables

@@ -16,13 +16,13 @@ inline bool identical(const GiNaC::ex& left, const GiNaC::ex& right) {
 }
 
 inline GiNaC::numeric to_ginac(const Rational& value) {
-    return GiNaC::numeric(value.str().c_str());
+    return {value.str().c_str()};
 }
 
 /// Reads formulas over a fixed set of names, each a symbol or a value.
 class Reader {
   public:
-    explicit Reader(GiNaC::symtab names) : parser_(std::move(names), true) {}
+    explicit Reader(const GiNaC::symtab& names) : parser_(names, true) {}
     GiNaC::ex operator()(const std::string& formula) { return parser_(formula); }
 
   private:

@@ -36,7 +36,7 @@ Rational read_rational(const std::string& text) {
     const Integer bottom =
         slash == std::string::npos ? Integer(1) : read_integer(text.substr(slash + 1));
     require(bottom > 0, "a positive denominator");
-    const Rational value(top, bottom);
+    Rational value(top, bottom);
     require(to_string(value) == text, "'" + text + "' is in lowest terms");
     return value;
 }
@@ -57,7 +57,7 @@ RationalFunction make_function(const std::vector<Integer>& top,
         require(!list->empty() && (list->size() == 1 || list->back() != 0),
                 "the leading coefficient is not zero");
     }
-    const RationalFunction function{IntegerPolynomial(top), IntegerPolynomial(bottom)};
+    RationalFunction function{IntegerPolynomial(top), IntegerPolynomial(bottom)};
     require(!function.denominator.is_zero(), "a denominator");
     require(reduce(over_rationals(function.numerator), over_rationals(function.denominator)) ==
                 function,

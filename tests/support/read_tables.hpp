@@ -16,13 +16,13 @@ using Json = nlohmann::ordered_json;
 /// The table of a header, or one element of "tables" in tables.json.
 /// Throws std::runtime_error where the text is not in the one form it has to have: integers
 /// without leading zeros, lowest terms, positive leading denominator, a known set of keys.
-Table read_table(const nmbc::MatchingTable& table);
-Table read_table(const Json& table);
+Table read_table(const nmbc::MatchingTable& from);
+Table read_table(const Json& from);
 
 /// What is wrong with a table, empty if nothing: it is read, proved by prove(), and compared
 /// with the family it names; its name, source and proof must be those the generator gives.
-std::string objection(const nmbc::MatchingTable& table);
-std::string objection(const Json& table);
+std::string objection(const nmbc::MatchingTable& from);
+std::string objection(const Json& from);
 
 /// The whole tables.json.
 std::string file_objection(const Json& file);

@@ -33,6 +33,7 @@ inline std::vector<GiNaC::ex> nopd1d_taylor(unsigned horizon, const GiNaC::ex& G
 inline std::vector<Rational> to_rationals(const std::vector<GiNaC::ex>& numbers) {
     const GiNaC::symbol none("none");
     std::vector<Rational> result;
+    result.reserve(numbers.size());
     for (const GiNaC::ex& number : numbers) {
         result.push_back(evaluate(freeze(number, none), 0));
     }
