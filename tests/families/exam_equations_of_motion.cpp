@@ -109,7 +109,7 @@ ex cosine_sum(int n) {
 
 TEST_CASE("A_n of (16) in closed form") {
     for (int n = 1; n <= 6; ++n) {
-        CHECK(shape(n) == numeric(n * (n + 1) * (2 * n + 1), 3));
+        CHECK(shape(n) == numeric(long(n) * (n + 1) * (2 * n + 1), 3));
     }
 }
 
