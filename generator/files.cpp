@@ -18,11 +18,13 @@ namespace {
     throw FileError("cannot " + action + " " + path.string() + ": " + std::strerror(error));
 }
 
-/// Writes and flushes to disk: a full disk shows at the latest when the data are forced out.
-void write_through(const std::filesystem::path& path, const std::string& text) {
+/// Writes `text` to `path`, on behalf of `target`, and flushes it to disk: a full disk shows at
+/// the latest when the data are forced out.
+void write_through(const std::filesystem::path& path, const std::string& text,
+                   const std::filesystem::path& target) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file < 0) {
-        fail("write", path, errno);
+        fail("write", target, errno);
     }
     std::size_t written = 0;
     while (written < text.size()) {
@@ -30,14 +32,14 @@ void write_through(const std::filesystem::path& path, const std::string& text) {
         if (count < 0 && errno != EINTR) {
             const int error = errno;
             ::close(file);
-            fail("write", path, error);
+            fail("write", target, error);
         }
         written += count > 0 ? std::size_t(count) : 0;
     }
     const bool synchronised = ::fsync(file) == 0;
     const int error = errno;
     if (::close(file) != 0 || !synchronised) {
-        fail("write", path, synchronised ? errno : error);
+        fail("write", target, synchronised ? errno : error);
     }
 }
 
@@ -51,7 +53,10 @@ void write_files(const std::vector<TextFile>& files) {
     try {
         for (const TextFile& file : files) {
             std::filesystem::create_directories(file.path.parent_path());
-            write_through(temporary(file), file.text);
+            if (std::filesystem::is_directory(file.path)) {
+                fail("write", file.path, EISDIR);  // renaming would find out only half-way
+            }
+            write_through(temporary(file), file.text, file.path);
         }
         for (const TextFile& file : files) {
             std::filesystem::rename(temporary(file), file.path);
