@@ -61,6 +61,7 @@ Table derive(const Specification& specification) {
 
     const auto freeze_all = [&G](const std::vector<GiNaC::ex>& expressions) {
         std::vector<Polynomial> frozen;
+        frozen.reserve(expressions.size());
         for (const GiNaC::ex& expression : expressions) {
             frozen.push_back(freeze(expression, G));
         }

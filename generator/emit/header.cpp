@@ -19,7 +19,7 @@ std::string coefficient_list(const IntegerPolynomial& polynomial) {
 }
 
 std::string initialiser(const RationalFunction& function) {
-    return fmt::format("{{\"{}\", \"{}\"}}", coefficient_list(function.numerator),
+    return fmt::format(R"({{"{}", "{}"}})", coefficient_list(function.numerator),
                        coefficient_list(function.denominator));
 }
 
@@ -33,7 +33,7 @@ std::string initialiser(const EnergySquare& square) {
         to_rational_function(Polynomial(square.stencil.begin(), square.stencil.end()));
     IntegerPolynomial padded = stencil.numerator;
     padded.data().resize(square.stencil.size(), Integer(0));  // Polynomial drops zeros at the end
-    return fmt::format("{{EnergyPart::{}, {}, \"{}\", \"{}\"}}", square.part,
+    return fmt::format(R"({{EnergyPart::{}, {}, "{}", "{}"}})", square.part,
                        initialiser(square.weight), coefficient_list(padded),
                        coefficient_list(stencil.denominator));
 }

@@ -75,7 +75,7 @@ void add_factors(std::vector<ex>& polynomial, const ex& weight, unsigned a, unsi
     std::vector<numeric> product{1};
     for (unsigned factor = 0; factor < a + b; ++factor) {
         const numeric constant = factor < a ? -1 : 1;
-        product.push_back(0);
+        product.emplace_back(0);
         for (std::size_t j = product.size() - 1; j > 0; --j) {
             product[j] = product[j] * constant + product[j - 1];
         }
