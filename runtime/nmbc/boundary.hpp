@@ -2,7 +2,9 @@
 /// The nonlocal matching boundary condition (60) on arrays of the user's own.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <nmbc/coefficients.hpp>
 #include <span>
 #include <stdexcept>
@@ -24,8 +26,9 @@ class MatchingBoundary {
   public:
     /// ghost_layers: nodes outside each end that the interior stencil reaches (2n for NOPD).
     /// wave_speed [length/time], spacing [length] and time_step [time] in the user's units.
-    /// Throws std::invalid_argument where one of them is not positive and finite, or where this
-    /// time step makes the midpoint rule singular (b_0 dt/2 = c_0).
+    /// Throws std::invalid_argument where one of them is not positive and finite, where the
+    /// coefficients are not N+1 of each at a stride of 1 or more, or where this time step makes the
+    /// midpoint rule singular (b_0 dt/2 = c_0).
     MatchingBoundary(const BoundaryCoefficients& coefficients, std::size_t ghost_layers,
                      double wave_speed, double spacing, double time_step,
                      GhostRule rule = GhostRule::midpoint)
@@ -35,6 +38,11 @@ class MatchingBoundary {
                 throw std::invalid_argument(
                     "wave speed, spacing and time step must be positive and finite");
             }
+        }
+        if (coefficients.c.empty() || coefficients.b.size() != coefficients.c.size() ||
+            coefficients.stride < 1) {
+            throw std::invalid_argument(
+                "boundary coefficients: c and b need the same size, and a stride of 1 or more");
         }
         const double rate = wave_speed / spacing;
         const double implicit_time = rule == GhostRule::midpoint ? time_step / 2 : 0;

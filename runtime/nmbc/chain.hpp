@@ -2,12 +2,15 @@
 /// A uniform chain between two matching boundaries, stepped by leapfrog.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <nmbc/boundary.hpp>
 #include <nmbc/lattice.hpp>
 #include <span>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace nmbc {
@@ -36,6 +39,9 @@ class Chain {
           parameters_(parameters),
           boundary_(coefficients, lattice_.reach(), parameters.wave_speed(), parameters.spacing,
                     parameters.time_step, parameters.ghost_rule) {
+        if (!(parameters.youngs_modulus > 0) || !(parameters.density > 0)) {
+            throw std::invalid_argument("Young's modulus and density must be positive");
+        }
         const std::size_t smallest = boundary_.reach() - boundary_.ghost_layers();
         if (parameters.nodes < std::max<std::size_t>(smallest, 1)) {
             throw std::invalid_argument("the chain needs at least " + std::to_string(smallest) +

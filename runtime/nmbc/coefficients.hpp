@@ -64,6 +64,17 @@ struct BinaryFraction {
     int exponent = 0;
 };
 
+/// Calls use(k, text of the k-th integer) for each integer of a list with one space between.
+template <class Use>
+void for_each_integer(std::string_view list, Use use) {
+    std::size_t k = 0;
+    for (std::size_t start = 0; start < list.size(); ++k) {
+        const std::size_t end = std::min(list.find(' ', start), list.size());
+        use(k, list.substr(start, end - start));
+        start = end + 1;
+    }
+}
+
 /// 2^shift * polynomial(G), an integer, with shift = max(0, -exponent of G) * degree;
 /// degree must not be less than the polynomial's own.
 inline Difference evaluate_scaled(std::string_view coefficients, const BinaryFraction& G,
@@ -71,14 +82,9 @@ inline Difference evaluate_scaled(std::string_view coefficients, const BinaryFra
     Difference sum;
     Natural power(1);  // mantissa^k
     const auto bits = static_cast<std::size_t>(std::abs(G.exponent));
-    std::size_t k = 0;
-    for (std::size_t start = 0; start < coefficients.size(); ++k) {
-        const std::size_t end = std::min(coefficients.find(' ', start), coefficients.size());
-        std::string_view digits = coefficients.substr(start, end - start);
-        start = end + 1;
+    for_each_integer(coefficients, [&](std::size_t k, std::string_view digits) {
         const bool negative = digits.front() == '-';
         digits.remove_prefix(negative ? 1 : 0);
-
         Natural term;
         for (const char digit : digits) {
             term.multiply_add(10, static_cast<std::uint32_t>(digit - '0'));
@@ -87,7 +93,7 @@ inline Difference evaluate_scaled(std::string_view coefficients, const BinaryFra
         term <<= bits * (G.exponent < 0 ? degree - k : k);
         (negative ? sum.minus : sum.plus) += term;
         power = power * G.mantissa;
-    }
+    });
     return sum;
 }
 
@@ -133,7 +139,8 @@ inline double nearest_quotient(Natural numerator, Natural denominator) {
 
 }  // namespace detail
 
-/// function at G >= 0, correctly rounded (within 1/2 ulp, however near to a pole).
+/// function at G >= 0, correctly rounded where the value is in the normal range of doubles
+/// (within 1/2 ulp, however near to a pole).
 /// Throws CoefficientError at a pole or where the value overflows, and std::invalid_argument where
 /// G is negative or not finite.
 inline double evaluate(const RationalFunction& function, double G) {
@@ -170,23 +177,37 @@ inline std::vector<double> evaluate(std::span<const RationalFunction> functions,
     return values;
 }
 
+namespace detail {
+
+/// Throws std::invalid_argument where the table was made for one G, and this is another.
+inline void require_own_G(const MatchingTable& table, double G) {
+    if (table.fixed_G.empty()) {
+        return;
+    }
+    const std::size_t slash = std::min(table.fixed_G.find('/'), table.fixed_G.size());
+    const bool whole = slash == table.fixed_G.size();
+    const RationalFunction own{table.fixed_G.substr(0, slash),
+                               whole ? "1" : table.fixed_G.substr(slash + 1)};
+    if (evaluate(own, 0) != G) {
+        throw std::invalid_argument(std::string(table.name) +
+                                    " was made for G = " + std::string(table.fixed_G) + " only");
+    }
+}
+
+}  // namespace detail
+
 /// The boundary coefficients of a table at G >= 0; at the table's own G where that is fixed.
 /// Throws CoefficientError where there is no boundary condition at this G (a pole, or C(1) = 0,
 /// which would let a constant grow like t^2), std::invalid_argument for a bad G or for a G other
 /// than the one the table was made for.
+///
+/// Where the coefficients of order N are z + 1 times those of order N - 1 (n = 1, N = 2, G = 1, for
+/// one), the generator refuses the table at this G, since (49) is singular; its limit is returned
+/// here: the same condition, asked of two neighbouring nodes.
 inline BoundaryCoefficients boundary_coefficients(const MatchingTable& table, double G) {
+    detail::require_own_G(table, G);
     const std::string where =
         "NMBC" + std::to_string(table.order) + " (" + std::string(table.name) + ")";
-    if (!table.fixed_G.empty()) {
-        const std::size_t slash = table.fixed_G.find('/');
-        const RationalFunction own{
-            table.fixed_G.substr(0, slash),
-            slash == std::string_view::npos ? "1" : table.fixed_G.substr(slash + 1)};
-        if (evaluate(own, 0) != G) {
-            throw std::invalid_argument(where + " was made for G = " + std::string(table.fixed_G) +
-                                        " only");
-        }
-    }
     BoundaryCoefficients result;
     try {
         result = {evaluate(table.c, G), evaluate(table.b, G), table.stride};
@@ -199,8 +220,9 @@ inline BoundaryCoefficients boundary_coefficients(const MatchingTable& table, do
         sum += c;
         magnitude += std::abs(c);
     }
-    // At the double nearest to a degenerate G, C(1) is not 0 but a few roundings of its terms.
-    if (std::abs(sum) <= 16 * std::numeric_limits<double>::epsilon() * magnitude) {
+    // At the double nearest to a degenerate G, C(1) is not 0 but what one rounding of G, and one
+    // of each c_j, make of it: coefficients can change 1000 times as fast as G.
+    if (std::abs(sum) <= 1e-12 * magnitude) {
         throw CoefficientError(where + " is degenerate at G = " + detail::to_text(G) +
                                ": C(1) = 0, a constant would grow like t^2; use order " +
                                std::to_string(table.order - 2) + " or another G");

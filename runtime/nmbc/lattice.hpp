@@ -25,8 +25,10 @@ struct Lattice {
     std::size_t reach() const { return symbol.size() - 1; }
 };
 
-/// The lattice of a table at G >= 0. Throws as evaluate does.
+/// The lattice of a table at G >= 0. Throws std::invalid_argument for a bad G, and for another one
+/// than the table was made for.
 inline Lattice make_lattice(const MatchingTable& table, double G) {
+    detail::require_own_G(table, G);
     Lattice lattice{evaluate(table.symbol, G), {}};
     for (const EnergySquare& square : table.energy) {
         const double weight = evaluate(square.weight, G);
@@ -34,13 +36,9 @@ inline Lattice make_lattice(const MatchingTable& table, double G) {
             continue;
         }
         std::vector<double> stencil;
-        for (std::size_t start = 0; start < square.stencil.size();) {
-            const std::size_t end =
-                std::min(square.stencil.find(' ', start), square.stencil.size());
-            stencil.push_back(
-                evaluate({square.stencil.substr(start, end - start), square.divisor}, 0));
-            start = end + 1;
-        }
+        detail::for_each_integer(square.stencil, [&](std::size_t, std::string_view entry) {
+            stencil.push_back(evaluate(RationalFunction{entry, square.divisor}, 0));
+        });
         lattice.energy.push_back({square.part, weight, std::move(stencil)});
     }
     return lattice;

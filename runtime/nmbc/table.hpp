@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -25,7 +26,8 @@ struct RationalFunction {
 /// The ledger entry an energy is counted in.
 enum class EnergyPart { strain, stabilisation };
 
-/// One square of the lattice's potential energy per node I (in E/dX^2 times displacement^2),
+/// One square of the lattice's potential energy density at node I (in E/dX^2 times
+/// displacement^2),
 ///     (1/2) weight(G) * ( sum_{i = -r..r} stencil_i u_{I+i} / divisor )^2,
 /// stencil: 2r+1 integers as in RationalFunction; divisor: one integer.
 struct EnergySquare {

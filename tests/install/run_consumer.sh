@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # A separate project (docs/example) builds and runs against the installed headers, with every
 # package of the generator hidden from it.
 # Usage: run_consumer.sh CMAKE BUILD_FOLDER SOURCE_FOLDER COMPILER

@@ -104,6 +104,12 @@ TEST_CASE("wrong parameters are refused") {
     // 1 - (dt/2) b_0 = 0
     CHECK_THROWS_AS(nmbc::MatchingBoundary({{1, 1}, {2, -2}, 1}, 2, 1, 1, 1),
                     std::invalid_argument);
+    const auto reject = [](const nmbc::BoundaryCoefficients& coefficients) {
+        CHECK_THROWS_AS(nmbc::MatchingBoundary(coefficients, 2, 1, 1, 0.1), std::invalid_argument);
+    };
+    reject({{}, {}, 1});
+    reject({{1, 1}, {-2}, 1});
+    reject({{1, 1}, {-2, 2}, -1});
     const nmbc::MatchingBoundary boundary(nmbc1, 2, 1, 1, 0.1);
     CHECK(boundary.reach() == 3);
     std::vector<double> two(2);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <limits>
-#include <nmbc/coefficients.hpp>
+#include <nmbc/lattice.hpp>
 #include <nmbc/tables/tables.hpp>
 #include <random>
 #include <sstream>
@@ -125,6 +125,49 @@ TEST_CASE("a pole, a degenerate G and a bad G are refused by name") {
         CHECK_THROWS_AS(nmbc::boundary_coefficients(*third, G), nmbc::CoefficientError);
         CHECK_NOTHROW(nmbc::boundary_coefficients(*third, G * (1 + 1e-9)));
     }
+}
+
+TEST_CASE("every double next to a zero of C(1) is refused") {
+    for (const auto* table : nmbc::generated::tables) {
+        const auto negative = [table](double G) {  // the sign of C(1), exactly
+            Rational sum = 0;
+            for (const auto& c : table->c) {
+                sum += exactly(c.numerator, G) / exactly(c.denominator, G);
+            }
+            return sum < 0;
+        };
+        for (double G = 1.0 / 32; G < 6; G += 1.0 / 16) {  // no pole lies on this grid
+            double low = G;
+            double high = G + 1.0 / 16;
+            if (negative(low) == negative(high)) {
+                continue;
+            }
+            while (std::nextafter(low, high) < high) {
+                const double middle = low + (high - low) / 2;
+                (negative(middle) == negative(low) ? low : high) = middle;
+            }
+            // A pole, where C(1) jumps from one infinity to the other, is not refused beside it.
+            const auto size = [table](double at) {
+                return std::abs(nmbc::evaluate(table->c[1], at));
+            };
+            if (size(low) > 1e10) {
+                continue;
+            }
+            CAPTURE(table->name);
+            CHECK_THROWS_AS(nmbc::boundary_coefficients(*table, low), nmbc::CoefficientError);
+            CHECK_THROWS_AS(nmbc::boundary_coefficients(*table, high), nmbc::CoefficientError);
+        }
+    }
+}
+
+TEST_CASE("a table made for one G is for no other") {
+    nmbc::MatchingTable table = *nmbc::find_table(nmbc::generated::tables, "nopd1d", 1, 1);
+    table.fixed_G = "1/4";
+    CHECK_NOTHROW(nmbc::boundary_coefficients(table, 0.25));
+    CHECK_THROWS_AS(nmbc::boundary_coefficients(table, 7), std::invalid_argument);
+    CHECK_THROWS_AS(nmbc::make_lattice(table, 7), std::invalid_argument);
+    table.fixed_G = "3";
+    CHECK_NOTHROW(nmbc::make_lattice(table, 3));
 }
 
 TEST_CASE("known coefficients") {

@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "tools/nmbcrun/scene_reader.hpp"
+#include "tools/nmbcrun/errors.hpp"
 
 namespace nmbcrun {
 
@@ -33,10 +33,9 @@ EnergyCsv::~EnergyCsv() {
 }
 
 void EnergyCsv::append(double time, const nmbc::Energies& energies) {
-    // 17 digits: the numbers read back as they were.
-    stream_ << fmt::format("{:.10g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", time,
-                           energies.kinetic, energies.strain, energies.stabilisation,
-                           energies.total(), energies.staggered);
+    // The time is a rounded multiple of the step, which ten digits hide; the energies read back.
+    stream_ << fmt::format("{:.10g},{},{},{},{},{}\n", time, energies.kinetic, energies.strain,
+                           energies.stabilisation, energies.total(), energies.staggered);
     if (!stream_) {
         fail();
     }

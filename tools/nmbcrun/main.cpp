@@ -3,11 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iostream>
+#include <new>
 #include <nmbc/coefficients.hpp>
+#include <system_error>
 
 #include "tools/nmbcrun/run.hpp"
 #include "tools/nmbcrun/scene.hpp"
-#include "tools/nmbcrun/scene_reader.hpp"
 
 namespace {
 
@@ -49,14 +50,16 @@ int run(const Arguments& arguments) {
         return failed(error, bad_input);
     } catch (const std::invalid_argument& error) {
         return failed(error, bad_input);
-    } catch (const nmbcrun::NoTable& error) {
-        return failed(error, bad_input);
     } catch (const nmbc::CoefficientError& error) {
         return failed(error, no_such_boundary);
     } catch (const nmbcrun::Unstable& error) {
         return failed(error, unstable);
     } catch (const nmbcrun::FileError& error) {
         return failed(error, file_failed);
+    } catch (const std::system_error& error) {  // standard output cannot be written
+        return failed(error, file_failed);
+    } catch (const std::bad_alloc&) {
+        return failed(nmbcrun::SceneError("not enough memory for this scene"), bad_input);
     }
 }
 

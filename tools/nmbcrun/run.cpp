@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nmbc/nmbc.hpp>
 #include <nmbc/tables/tables.hpp>
@@ -10,7 +11,6 @@
 
 #include "tools/nmbcrun/csv.hpp"
 #include "tools/nmbcrun/progress.hpp"
-#include "tools/nmbcrun/scene_reader.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -23,7 +23,7 @@ const nmbc::MatchingTable& table_of(const Scene& scene) {
         for (const auto* other : nmbc::generated::tables) {
             known += fmt::format(" {}", other->name);
         }
-        throw NoTable(fmt::format(
+        throw SceneError(fmt::format(
             "there is no table for family {}, horizon {}, order {}, stride {}; there are:{}",
             scene.family, scene.horizon, scene.order, scene.stride, known));
     }
@@ -33,7 +33,8 @@ const nmbc::MatchingTable& table_of(const Scene& scene) {
 /// The drive's velocities for one step: u reaches its prescribed value at the new time.
 class Driver {
   public:
-    Driver(const Scene& scene, std::size_t ghosts) : drive_(scene.drive), step_(0) {
+    Driver(const Scene& scene, std::size_t ghosts, double time_step)
+        : drive_(scene.drive), time_step_(time_step) {
         const double reach = drive_.half_width * scene.horizon * scene.spacing;
         // Positions are rounded; a billionth of a spacing decides nothing on purpose.
         const double slack = 1e-9 * scene.spacing;
@@ -43,26 +44,28 @@ class Driver {
                 driven_.push_back(node + scene.extension + ghosts);
             }
         }
+        if (driven_.empty()) {
+            throw SceneError("drive.centre and drive.half_width select no node");
+        }
     }
 
-    bool empty() const { return driven_.empty(); }
-
-    void set_time_step(double time_step) { step_ = time_step; }
+    /// Whether the nodes are driven in the step that ends at this time.
+    bool drives(double time) const { return time <= drive_.duration + time_step_ / 2; }
 
     void operator()(std::span<const double> u, std::span<double> v, double time) const {
-        if (time > drive_.duration + step_ / 2) {
+        if (!drives(time)) {
             return;
         }
         const double phase = std::numbers::pi * std::min(time / drive_.duration, 1.0);
         const double value = drive_.amplitude / 2 * (1 - std::cos(phase));
         for (const std::size_t node : driven_) {
-            v[node] = (value - u[node]) / step_;
+            v[node] = (value - u[node]) / time_step_;
         }
     }
 
   private:
     Drive drive_;
-    double step_;
+    double time_step_;
     std::vector<std::size_t> driven_;
 };
 
@@ -81,7 +84,81 @@ std::string likely_cause(const Scene& scene, double cfl) {
         scene.order, scene.G, cfl);
 }
 
-void print_heading(const Scene& scene, const nmbc::Chain& chain, double cfl, std::size_t steps) {
+/// How long a run is, in steps, and how its step compares with the interior's limit.
+struct Duration {
+    std::size_t steps;
+    double cfl;
+};
+
+Duration duration_of(const Scene& scene, double time_step, double omega_max) {
+    const double cfl = time_step * omega_max / 2;
+    if (cfl > 1) {
+        throw SceneError(
+            fmt::format("{}: cfl = {:.4g} is above the interior's limit of 1, a step of {:.6g}",
+                        scene.step ? "time.step" : "time.cfl", cfl, 2 / omega_max));
+    }
+    const double exact_steps = scene.end / time_step;
+    if (exact_steps > 1e15) {
+        throw SceneError(fmt::format("time.end asks for {:.3g} steps; at most 1e15", exact_steps));
+    }
+    // A last step that is a millionth of a step is a rounding of time.end / dt.
+    return {std::size_t(std::max(1.0, std::ceil(exact_steps - 1e-6))), cfl};
+}
+
+std::string name_of(std::size_t node, const nmbc::Chain& chain) {
+    return fmt::format("node {} of {} (interior and ghosts, from 0)", node, chain.nodes());
+}
+
+/// The node with the largest velocity, where an instability shows most.
+std::string fastest_node(const nmbc::Chain& chain) {
+    const auto fastest =
+        std::ranges::max_element(chain.velocity(), {}, [](double v) { return std::abs(v); });
+    return name_of(std::size_t(fastest - chain.velocity().begin()), chain);
+}
+
+/// Steps the chain to the end. After the drive nothing feeds the chain any more: an energy that
+/// grows tenfold from there is as unstable as one that is not finite.
+std::vector<Sample> simulate(const Scene& scene, nmbc::Chain& chain, const Driver& driver,
+                             const Duration& duration, EnergyCsv& csv, bool quiet) {
+    const double time_step = chain.parameters().time_step;
+    Progress progress(duration.steps, quiet);
+    std::vector<Sample> samples;
+    double driven_peak = 0;
+    const auto unstable = [&](const std::string& what) {
+        return Unstable(fmt::format("{} at step {} (t = {:.6g}): {}. Energies up to there: {}",
+                                    what, chain.steps(), chain.time(),
+                                    likely_cause(scene, duration.cfl), csv.path().string()));
+    };
+    while (chain.steps() < duration.steps) {
+        chain.step(driver);
+        progress.update(chain.steps());
+        if (!chain.is_finite()) {
+            throw unstable(name_of(chain.first_not_finite(), chain) + " is not finite");
+        }
+        if (chain.steps() % scene.every != 0 && chain.steps() != duration.steps) {
+            continue;
+        }
+        const double time = chain.time() - time_step / 2;
+        const nmbc::Energies energies =
+            nmbc::energies(chain, scene.extension, scene.extension + scene.nodes);
+        samples.push_back({time, energies});
+        csv.append(time, energies);
+        const double total = energies.total();
+        if (!std::isfinite(total)) {
+            throw unstable(fmt::format("the energy of {} is not finite", fastest_node(chain)));
+        }
+        if (driver.drives(chain.time())) {
+            driven_peak = std::max(driven_peak, total);
+        } else if (driven_peak > 0 && total > 10 * driven_peak) {
+            throw unstable(fmt::format(
+                "the energy has grown to {:.3g} times its peak of the drive, most at {},",
+                total / driven_peak, fastest_node(chain)));
+        }
+    }
+    return samples;
+}
+
+void print_heading(const Scene& scene, const nmbc::Chain& chain, const Duration& duration) {
     const nmbc::ChainParameters& p = chain.parameters();
     const bool midpoint = p.ghost_rule == nmbc::GhostRule::midpoint;
     fmt::print("scene     {}\n", scene.title);
@@ -91,7 +168,8 @@ void print_heading(const Scene& scene, const nmbc::Chain& chain, double cfl, std
     fmt::print("chain     {} nodes{}, dX = {}, c = {:.6g}\n", scene.nodes,
                scene.extension > 0 ? fmt::format(" (+ {} at each end)", scene.extension) : "",
                p.spacing, p.wave_speed());
-    fmt::print("time      {} steps of {:.6g} (cfl = {:.3g})\n\n", steps, p.time_step, cfl);
+    fmt::print("time      {} steps of {:.6g} (cfl = {:.3g})\n\n", duration.steps, p.time_step,
+               duration.cfl);
 }
 
 /// About twelve of the samples, and the last.
@@ -115,61 +193,32 @@ void print_samples(const std::vector<Sample>& samples, double peak) {
 void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
     const nmbc::MatchingTable& table = table_of(scene);
     nmbc::Lattice lattice = nmbc::make_lattice(table, scene.G);
-    nmbc::ChainParameters parameters{.nodes = scene.nodes + 2 * scene.extension,
-                                     .spacing = scene.spacing,
-                                     .youngs_modulus = scene.youngs_modulus,
-                                     .density = scene.density,
-                                     .time_step = 0,
-                                     .ghost_rule = scene.ghosts};
-    const double omega_max =
-        nmbc::maximum_frequency(lattice) * parameters.wave_speed() / parameters.spacing;
-    parameters.time_step = scene.step ? *scene.step : 2 * *scene.cfl / omega_max;
-    const double cfl = parameters.time_step * omega_max / 2;
-    if (cfl > 1) {
-        throw SceneError(fmt::format(
-            "time.step: cfl = {:.4g} is above the interior's limit of 1, a step of {:.6g}", cfl,
-            2 / omega_max));
-    }
-    nmbc::Chain chain(std::move(lattice), nmbc::boundary_coefficients(table, scene.G), parameters);
-    const double exact_steps = scene.end / parameters.time_step;
-    if (exact_steps > 1e15) {
-        throw SceneError(fmt::format("time.end asks for {:.3g} steps; at most 1e15", exact_steps));
-    }
-    const auto steps = std::size_t(std::ceil(exact_steps - 1e-6));
-
-    Driver driver(scene, chain.ghosts());
-    driver.set_time_step(parameters.time_step);
-    if (driver.empty()) {
-        throw SceneError("drive.centre and drive.half_width select no node");
-    }
+    const double omega_max = nmbc::maximum_frequency(lattice) *
+                             std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
+    const double time_step = scene.step ? *scene.step : 2 * *scene.cfl / omega_max;
+    const Duration duration = duration_of(scene, time_step, omega_max);
+    nmbc::Chain chain(std::move(lattice), nmbc::boundary_coefficients(table, scene.G),
+                      {.nodes = scene.nodes + 2 * scene.extension,
+                       .spacing = scene.spacing,
+                       .youngs_modulus = scene.youngs_modulus,
+                       .density = scene.density,
+                       .time_step = time_step,
+                       .ghost_rule = scene.ghosts});
+    const Driver driver(scene, chain.ghosts(), time_step);
     EnergyCsv csv(folder / (scene.name + ".csv"));
     std::vector<Sample> samples;
-    double peak = 0;
-    {
-        Progress progress(steps, quiet);
-        while (chain.steps() < steps) {
-            chain.step(driver);
-            progress.update(chain.steps());
-            if (!chain.is_finite()) {
-                csv.publish();
-                throw Unstable(fmt::format(
-                    "the state is not finite at step {} (t = {:.6g}), node {} of {} (interior and "
-                    "ghosts, from 0): {}. Energies up to there: {}",
-                    chain.steps(), chain.time(), chain.first_not_finite(), chain.nodes(),
-                    likely_cause(scene, cfl), csv.path().string()));
-            }
-            if (chain.steps() % scene.every == 0 || chain.steps() == steps) {
-                const double time = chain.time() - parameters.time_step / 2;
-                samples.push_back(
-                    {time, nmbc::energies(chain, scene.extension, scene.extension + scene.nodes)});
-                csv.append(time, samples.back().energies);
-                peak = std::max(peak, samples.back().energies.total());
-            }
-        }
+    try {
+        samples = simulate(scene, chain, driver, duration, csv, quiet);
+    } catch (const Unstable&) {
+        csv.publish();  // the energies up to there
+        throw;
     }
     csv.publish();
+    const double peak = std::ranges::max(samples, {}, [](const Sample& s) {
+                            return s.energies.total();
+                        }).energies.total();
     if (!quiet) {
-        print_heading(scene, chain, cfl, steps);
+        print_heading(scene, chain, duration);
         print_samples(samples, peak);
     }
     fmt::print("energy left  {:.3e} of the peak\nenergies     {}\n",

@@ -32,6 +32,9 @@ Drive read_drive(SceneReader& reader) {
     Drive drive;
     drive.amplitude =
         reader.required("drive.amplitude", reader.number("drive.amplitude", any_number));
+    if (drive.amplitude == 0) {
+        reader.fail("drive.amplitude", "must not be 0");
+    }
     drive.duration = reader.required("drive.duration", reader.number("drive.duration", positive));
     drive.centre = reader.required("drive.centre", reader.number("drive.centre", any_number));
     drive.half_width = reader.number("drive.half_width", not_negative).value_or(drive.half_width);

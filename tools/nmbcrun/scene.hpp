@@ -44,7 +44,7 @@ struct Scene {
 /// KEY=VALUE of --set, not parsed yet.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
-/// Reads a scene file, with overrides applied. Throws SceneError (scene_reader.hpp) naming the
+/// Reads a scene file, with overrides applied. Throws SceneError naming the
 /// file and line, or the override, what is wrong and what is allowed; FileError where the file
 /// cannot be read.
 Scene read_scene(const std::string& path, const Overrides& overrides);

@@ -160,6 +160,9 @@ void SceneReader::refuse_unknown_keys_in(const toml::table& table,
                                          const std::string& prefix) const {
     for (const auto& [name, node] : table) {
         const std::string key = prefix + std::string(name.str());
+        if (name.str().find('.') != std::string_view::npos) {
+            fail(key, "is one quoted name; a dot between two names goes without quotes");
+        }
         const bool is_group = std::ranges::any_of(
             known_, [&](const std::string& known) { return known.starts_with(key + "."); });
         if (is_group && node.is_table()) {

@@ -6,25 +6,15 @@
 #define TOML_EXCEPTIONS 1
 #include <toml++/toml.h>
 
-#include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "tools/nmbcrun/errors.hpp"
+
 namespace nmbcrun {
-
-/// The scene is wrong; what() says where and how.
-struct SceneError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-/// A file could not be read or written.
-struct FileError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 /// Bounds of a number, and the words for them.
 struct Bounds {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+/// What can be wrong with a run, by the exit code it ends with.
+#pragma once
+
+#include <stdexcept>
+
+namespace nmbcrun {
+
+/// The scene, or what it asks for, is wrong (2); what() says where and how.
+struct SceneError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The run became non-finite or grew without a cause (4); what() says at which step and node.
+struct Unstable : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A file could not be read or written (5).
+struct FileError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace nmbcrun
