@@ -55,10 +55,15 @@ std::string changed_lines(const std::string& before, const std::string& after) {
     return diff;
 }
 
-/// The text that belongs into a file with this name, where it is the name of a table.
-std::optional<std::string> text_by_name(const std::string& file_name) {
+std::string compare(const std::string& name, const std::string& found, const std::string& fresh) {
+    return found == fresh ? "" : fmt::format("differs: {}\n{}", name, changed_lines(found, fresh));
+}
+
+/// The table a file of this name holds, where it is the name of one. More than two digits of
+/// order or horizon are no table that anybody could have made.
+std::optional<Specification> specification_of(const std::string& file_name) {
     static const std::regex pattern(
-        R"((\w+?)_n(\d{1,4})_order(\d{1,4})(?:_s(\d{1,4}))?(?:_G(\d+)o(\d+))?\.(hpp|json))");
+        R"((\w+?)_n(\d{1,2})_order(\d{1,2})(?:_s(\d{1,2}))?(?:_G(\d+)o(\d+))?\.(hpp|json))");
     std::smatch match;
     if (!std::regex_match(file_name, match, pattern)) {
         return std::nullopt;
@@ -68,24 +73,42 @@ std::optional<std::string> text_by_name(const std::string& file_name) {
                        .order = unsigned(std::stoul(match[3])),
                        .stride = match[4].matched ? unsigned(std::stoul(match[4])) : 1,
                        .stabilisation = {}};
-    try {
-        if (match[5].matched) {
-            what.stabilisation = parse_rational(match[5].str() + "/" + match[6].str());
-        }
-        const Table table = derive(what);
-        return match[7] == "hpp" ? emit_header(table) : emit_json(table);
-    } catch (const std::exception&) {
-        return std::nullopt;  // no table by this name exists
+    if (match[5].matched) {
+        what.stabilisation = parse_rational(match[5].str() + "/" + match[6].str());
     }
+    return what;
 }
 
-std::string compare(const std::string& name, const std::string& found, const std::string& fresh) {
-    return found == fresh ? "" : fmt::format("differs: {}\n{}", name, changed_lines(found, fresh));
+/// A table outside the set, which a user wrote: stale where it is not what its name asks for.
+std::string compare_own_table(const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    const std::string left_over = "left over: " + name + " (no table has this name: delete it)\n";
+    try {
+        const auto what = specification_of(name);
+        if (!what) {
+            return left_over;
+        }
+        const Table table = derive(*what);
+        const bool header = file.extension() == ".hpp";
+        const std::string report = compare(name, read_file(file).value_or(""),
+                                           header ? emit_header(table) : emit_json(table));
+        return report.empty()
+                   ? ""
+                   : report + "  outside the committed set; to write it anew: " +
+                         regenerating_command(*what) + (header ? "" : " --format json") + "\n";
+    } catch (const NoSuchBoundary&) {
+        return left_over;
+    } catch (const std::invalid_argument&) {  // a family or a G that does not exist
+        return left_over;
+    }
 }
 
 }  // namespace
 
 std::string staleness(const std::filesystem::path& folder, const std::vector<TextFile>& fresh) {
+    if (!std::filesystem::is_directory(folder)) {
+        throw FileError("cannot read " + folder.string() + ": there is no such folder");
+    }
     std::string report;
     std::set<std::string> expected;
     for (const TextFile& file : fresh) {
@@ -95,18 +118,19 @@ std::string staleness(const std::filesystem::path& folder, const std::vector<Tex
         report += found ? compare(name, *found, file.text) : "missing: " + name + "\n";
     }
 
+    std::set<std::filesystem::path> others;  // in order: a folder lists its files in any
     std::error_code error;
-    std::set<std::string> others;  // in order: a folder lists its files in any
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        const std::string name = entry.path().filename().string();
-        if (!expected.contains(name)) {
-            others.insert(name);
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (!expected.contains(entry->path().filename().string())) {
+            others.insert(entry->path());
         }
     }
-    for (const std::string& name : others) {
-        const auto text = text_by_name(name);
-        report += text ? compare(name, read_file(folder / name).value_or(""), *text)
-                       : "left over: " + name + " (no table has this name: delete it)\n";
+    if (error) {
+        throw FileError("cannot read " + folder.string() + ": " + error.message());
+    }
+    for (const std::filesystem::path& other : others) {
+        report += compare_own_table(other);
     }
     return report;
 }

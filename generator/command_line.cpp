@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <cstdio>
 #include <iostream>
 #include <stdexcept>
 
@@ -15,19 +14,28 @@
 namespace nmbcgen {
 namespace {
 
-constexpr unsigned highest_count = 1000;  // a guard against typing errors, not a limit of method
+constexpr unsigned highest_count = 99;  // far beyond what finishes in a day, with G open
 
-unsigned parse_count(const std::string& text) {
+unsigned parse_whole_number(const std::string& text, unsigned highest) {
     unsigned value = 0;
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || stop != end || value < 1 || value > highest_count ||
+    if (error != std::errc() || stop != end || value < 1 || value > highest ||
         text.front() == '0') {
         throw std::invalid_argument(
             fmt::format("'{}' is not a whole number from 1 to {} (no leading zeros)",
-                        text.substr(0, 60), highest_count));
+                        text.substr(0, 60), highest));
     }
     return value;
+}
+
+unsigned parse_count(const std::string& text) {
+    return parse_whole_number(text, highest_count);
+}
+
+unsigned parse_samples(const std::string& text) {
+    constexpr unsigned most_samples = 1'000'000;
+    return parse_whole_number(text, most_samples);
 }
 
 std::string family_names() {
@@ -79,11 +87,47 @@ std::string parse_folder(const std::string& text) {
     return text;
 }
 
+struct SpecificationOptions {
+    CLI::Option* family;
+    CLI::Option* order;
+    CLI::Option* horizon;
+    CLI::Option* stride;
+    CLI::Option* G;
+};
+
+SpecificationOptions add_specification(CLI::App& app, Specification& what) {
+    return {
+        .family = add_parsed(app, "--family", what.family, parse_family,
+                             "lattice model: " + family_names() + " (default nopd1d)"),
+        .order =
+            add_parsed(app, "--order", what.order, parse_count, "order N of the condition, >= 1"),
+        .horizon = add_parsed(app, "--horizon", what.horizon, parse_count,
+                              "horizon n in units of dX, >= 1"),
+        .stride = add_parsed(app, "--stride", what.stride, parse_count,
+                             "node offsets of the condition are 0, s, 2s, .. Ns (default 1)"),
+        .G = add_parsed(app, "--G", what.stabilisation, parse_rational,
+                        "fix the stabilisation G, an exact number such as 1/2 or 0.3 "
+                        "(default: coefficients are functions of G)"),
+    };
+}
+
+/// nmbcgen reflect, with the same options for the condition.
+CLI::App* add_reflect(CLI::App& app, Request& request) {
+    auto* const reflect = app.add_subcommand(
+        "reflect", "print the true reflection over the band as CSV (docs/reflection.md)");
+    const SpecificationOptions options = add_specification(*reflect, request.specification);
+    for (CLI::Option* needed : {options.order, options.horizon, options.G}) {
+        needed->required();
+    }
+    add_parsed(*reflect, "--samples", request.samples, parse_samples,
+               "wave numbers in (0, pi) (default 200)");
+    return reflect;
+}
+
 }  // namespace
 
 std::variant<Request, int> parse_command_line(int argc, char** argv) {
     Request request;
-    Specification& what = request.specification;
     bool all = false;
     bool check = false;
 
@@ -92,18 +136,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         "it as a table.\nExample: nmbcgen --order 3 --horizon 2",
         "nmbcgen");
     app.set_version_flag("--version", "nmbcgen " NMBC_VERSION);
-    auto* const family = add_parsed(app, "--family", what.family, parse_family,
-                                    "lattice model: " + family_names() + " (default nopd1d)");
-    auto* const order =
-        add_parsed(app, "--order", what.order, parse_count, "order N of the condition, >= 1");
-    auto* const horizon =
-        add_parsed(app, "--horizon", what.horizon, parse_count, "horizon n in units of dX, >= 1");
-    auto* const stride =
-        add_parsed(app, "--stride", what.stride, parse_count,
-                   "node offsets of the condition are 0, s, 2s, .. Ns (default 1)");
-    auto* const G = add_parsed(app, "--G", what.stabilisation, parse_rational,
-                               "fix the stabilisation G, an exact number such as 1/2 or 0.3 "
-                               "(default: coefficients are functions of G)");
+    const SpecificationOptions single = add_specification(app, request.specification);
     auto* const format = add_parsed(app, "--format", request.format, parse_format,
                                     "header or json (default header)");
     auto* const to_stdout =
@@ -116,19 +149,22 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         "--check", check,
         "compare the committed set in the folder with a fresh one; exit code 1 if it is stale");
     for (CLI::Option* whole_set : {all_flag, check_flag}) {
-        for (CLI::Option* single : {family, order, horizon, stride, G, format, to_stdout}) {
-            whole_set->excludes(single);
+        for (CLI::Option* other : {single.family, single.order, single.horizon, single.stride,
+                                   single.G, format, to_stdout}) {
+            whole_set->excludes(other);
         }
     }
     all_flag->excludes(check_flag);
     to_stdout->excludes(folder);
+    auto* const reflect = add_reflect(app, request);
     app.footer(
         "Exit codes: 0 done; 1 the committed set is stale; 2 wrong arguments; 3 there is no such "
         "boundary\ncondition; 5 a file could not be read or written.");
 
     try {
         app.parse(argc, argv);
-        if (!all && !check && (order->count() == 0 || horizon->count() == 0)) {
+        if (!all && !check && !reflect->parsed() &&
+            (single.order->count() == 0 || single.horizon->count() == 0)) {
             throw CLI::RequiredError("--order and --horizon (or --all, or --check)");
         }
     } catch (const CLI::Success& help) {
@@ -141,6 +177,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         request.action = Action::all_tables;
     } else if (check) {
         request.action = Action::check;
+    } else if (reflect->parsed()) {
+        request.action = Action::reflect;
     }
     return request;
 }

@@ -10,13 +10,14 @@
 namespace nmbcgen {
 
 enum class Format { header, json };
-enum class Action { one_table, all_tables, check };
+enum class Action { one_table, all_tables, check, reflect };
 
 struct Request {
     Action action = Action::one_table;
     Specification specification;
     Format format = Format::header;
     bool to_stdout = false;
+    unsigned samples = 200;  ///< wave numbers of Action::reflect
     std::filesystem::path folder = "generated/nmbc/tables";
 };
 

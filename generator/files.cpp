@@ -50,32 +50,43 @@ void write_files(const std::vector<TextFile>& files) {
     const auto temporary = [&suffix](const TextFile& file) {
         return std::filesystem::path(file.path).concat(suffix);
     };
+    const auto clean_up = [&] {
+        for (const TextFile& file : files) {
+            std::error_code ignored;
+            std::filesystem::remove(temporary(file), ignored);
+        }
+    };
     try {
         for (const TextFile& file : files) {
             std::filesystem::create_directories(file.path.parent_path());
             if (std::filesystem::is_directory(file.path)) {
                 fail("write", file.path, EISDIR);  // renaming would find out only half-way
             }
+            if (read_file(file.path) == file.text) {
+                continue;  // unchanged: what is built from it stays up to date
+            }
             write_through(temporary(file), file.text, file.path);
         }
         for (const TextFile& file : files) {
-            std::filesystem::rename(temporary(file), file.path);
+            if (std::filesystem::exists(temporary(file))) {
+                std::filesystem::rename(temporary(file), file.path);
+            }
         }
-    } catch (const std::exception& error) {
-        for (const TextFile& file : files) {
-            std::error_code ignored;
-            std::filesystem::remove(temporary(file), ignored);
-        }
-        if (const auto* system = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
-            throw FileError("cannot write " + system->path1().string() + ": " +
-                            system->code().message());
-        }
+    } catch (const std::filesystem::filesystem_error& error) {
+        clean_up();
+        fail("write", error.path1(), error.code().value());
+    } catch (...) {
+        clean_up();
         throw;
     }
 }
 
 std::optional<std::string> read_file(const std::filesystem::path& path) {
-    if (!std::filesystem::exists(path)) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) {
+        if (error) {
+            fail("read", path, error.value());
+        }
         return std::nullopt;
     }
     std::ifstream stream(path, std::ios::binary);

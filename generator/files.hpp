@@ -20,9 +20,9 @@ struct TextFile {
     std::string text;
 };
 
-/// Writes all files, making folders as needed. Each goes to a temporary neighbour first, and
-/// none takes its own name before all are on disk, so a failure leaves what was there.
-/// Throws FileError.
+/// Writes all files, making folders as needed. Each goes to a temporary neighbour first, and none
+/// takes its own name before all are on disk, so a full disk or a folder that cannot be written
+/// leaves what was there. Throws FileError.
 void write_files(const std::vector<TextFile>& files);
 
 /// The file's text; none where there is no such file. Throws FileError where it cannot be read.

@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// nmbcgen: exact mathematics to text. The stages are in pipeline.hpp.
-#include <fmt/format.h>
-
 #include <iostream>
+#include <new>
+#include <stdexcept>
 
 #include "generator/check.hpp"
 #include "generator/command_line.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/files.hpp"
 #include "generator/pipeline.hpp"
+#include "generator/reflect.hpp"
 
 namespace nmbcgen {
 namespace {
 
-// The project's exit codes; 2 is parse_command_line's, 4 (unstable) no stage here can return.
-enum ExitCode { done = 0, comparison_failed = 1, no_such_boundary = 3, file_failed = 5 };
+// The project's exit codes; 4 (unstable) no stage here can return.
+enum ExitCode {
+    done = 0,
+    comparison_failed = 1,
+    bad_input = 2,
+    no_such_boundary = 3,
+    file_failed = 5
+};
 
 std::vector<TextFile> committed_files(const std::filesystem::path& folder) {
     std::vector<Table> tables;
@@ -71,6 +78,9 @@ int run(const Request& request) {
         case Action::all_tables:
             write_and_name(committed_files(request.folder));
             return done;
+        case Action::reflect:
+            print(reflection_csv(derive(request.specification), request.samples));
+            return done;
     }
     return done;
 }
@@ -91,5 +101,15 @@ int main(int argc, char** argv) {
     } catch (const nmbcgen::FileError& error) {
         std::cerr << "nmbcgen: " << error.what() << "\n";
         return nmbcgen::file_failed;
+    } catch (const std::overflow_error& error) {
+        std::cerr << "nmbcgen: a coefficient has no double at this G (" << error.what()
+                  << "); --format json keeps it exact\n";
+        return nmbcgen::bad_input;
+    } catch (const std::bad_alloc&) {
+        std::cerr << "nmbcgen: not enough memory for this order and horizon\n";
+        return nmbcgen::bad_input;
+    } catch (const std::logic_error& error) {
+        std::cerr << "nmbcgen: a defect of nmbcgen, nothing was written: " << error.what() << "\n";
+        return nmbcgen::comparison_failed;
     }
 }

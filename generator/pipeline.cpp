@@ -87,6 +87,16 @@ std::vector<Specification> committed_set() {
                            .stabilisation = {}});
         }
     }
+    // A stride of n makes orders 2 and 3 stable at G of order 1, where stride 1 is not.
+    for (const unsigned horizon : {2U, 3U, 4U}) {
+        for (const unsigned order : {2U, 3U}) {
+            set.push_back({.family = "nopd1d",
+                           .horizon = horizon,
+                           .order = order,
+                           .stride = horizon,
+                           .stabilisation = {}});
+        }
+    }
     return set;
 }
 

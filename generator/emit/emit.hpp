@@ -10,6 +10,10 @@
 
 namespace nmbcgen {
 
+/// Of the JSON and of runtime/nmbc/table.hpp: raised by any change that an old reader would
+/// misread.
+inline constexpr int schema = 1;
+
 /// FAMILY_nH_orderN[_sS][_GPoQ], the name of the table and of its files.
 std::string table_name(const Specification& specification);
 

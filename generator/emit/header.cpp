@@ -8,8 +8,6 @@
 namespace nmbcgen {
 namespace {
 
-constexpr int schema = 1;  // of runtime/nmbc/table.hpp
-
 std::string coefficient_list(const IntegerPolynomial& polynomial) {
     std::string list;
     for (const Integer& coefficient : polynomial.data()) {
@@ -33,7 +31,7 @@ std::string initialiser(const EnergySquare& square) {
         to_rational_function(Polynomial(square.stencil.begin(), square.stencil.end()));
     IntegerPolynomial padded = stencil.numerator;
     padded.data().resize(square.stencil.size(), Integer(0));  // Polynomial drops zeros at the end
-    return fmt::format(R"({{EnergyPart::{}, {}, "{}", "{}"}})", square.part,
+    return fmt::format(R"({{EnergyPart::{}, {}, "{}", "{}"}})", name_of(square.part),
                        initialiser(square.weight), coefficient_list(padded),
                        coefficient_list(stencil.denominator));
 }
@@ -48,7 +46,7 @@ std::string array(const std::string& type, const std::string& name,
     return text + "};\n";
 }
 
-/// The coefficients of a table at a fixed G, rounded once, for use without the runtime.
+/// The coefficients of a table at a fixed G, rounded once: for copying into other programs.
 std::string rounded_array(const std::string& name, const std::vector<RationalFunction>& items) {
     std::string text = fmt::format("inline constexpr double {}[]{{\n", name);
     for (const RationalFunction& item : items) {
@@ -87,7 +85,8 @@ std::string emit_header(const Table& table) {
     text += fmt::format("// source  {}\n", table.source);
     text +=
         "// units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension\n"
-        "// sign    sum_j c_j v_{M+j} = sum_j b_j u_{M+j}, j counted inwards from the ghost node\n";
+        "// sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the "
+        "ghost node M, s the stride\n";
     text += fmt::format("// proved  {}\n", table.proved);
     text += "#pragma once\n\n#include <nmbc/table.hpp>\n\n" + schema_check() + "\n";
     text += fmt::format("namespace nmbc::generated {{\n\nnamespace {}_data {{\n\n", name);

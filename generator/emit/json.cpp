@@ -50,7 +50,7 @@ Json energy_array(const std::vector<EnergySquare>& energy, bool at_fixed_G) {
         for (const Rational& entry : square.stencil) {
             stencil.push_back(to_string(entry));
         }
-        array.push_back({{"part", square.part},
+        array.push_back({{"part", name_of(square.part)},
                          {"weight", exact(square.weight, at_fixed_G)},
                          {"stencil", stencil}});
     }
@@ -60,7 +60,7 @@ Json energy_array(const std::vector<EnergySquare>& energy, bool at_fixed_G) {
 Json table_object(const Table& table) {
     const Specification& what = table.specification;
     const bool fixed = what.stabilisation.has_value();
-    return {{"schema", 1},
+    return {{"schema", schema},
             {"family", what.family},
             {"order", what.order},
             {"horizon", what.horizon},
@@ -90,7 +90,7 @@ std::string emit_json(std::span<const Table> tables) {
     for (const Table& table : tables) {
         list.push_back(table_object(table));
     }
-    return to_text({{"schema", 1}, {"tables", list}});
+    return to_text({{"schema", schema}, {"tables", list}});
 }
 
 }  // namespace nmbcgen

@@ -67,7 +67,7 @@ double nearest_double(const Rational& value) {
     const Integer numerator = abs(boost::multiprecision::numerator(value));
     const Integer denominator = boost::multiprecision::denominator(value);
 
-    // Scale by 2^-exponent so that the quotient has at least 55 bits; below the normal range
+    // Scale by 2^-exponent so that the quotient has 53 or 54 bits; below the normal range
     // fewer bits are kept, so that a subnormal result is rounded once, too.
     constexpr int precision = std::numeric_limits<double>::digits;
     constexpr int smallest_exponent = std::numeric_limits<double>::min_exponent - precision;

@@ -72,6 +72,14 @@ Rational evaluate(const Polynomial& polynomial, const Rational& argument) {
     return sum;
 }
 
+Rational evaluate(const RationalFunction& function, const Rational& argument) {
+    const Rational bottom = evaluate(over_rationals(function.denominator), argument);
+    if (bottom == 0) {
+        throw std::domain_error("pole of a rational function at " + argument.str());
+    }
+    return evaluate(over_rationals(function.numerator), argument) / bottom;
+}
+
 Polynomial common_denominator(const std::vector<RationalFunction>& functions) {
     std::vector<IntegerPolynomial> distinct;
     Polynomial product = constant(1);

@@ -21,8 +21,9 @@ Polynomial over_rationals(const IntegerPolynomial& polynomial);
 /// The constant polynomial.
 Polynomial constant(const Rational& value);
 
-/// value at the given argument.
+/// The value at the given argument. The second throws std::domain_error at a pole.
 Rational evaluate(const Polynomial& polynomial, const Rational& argument);
+Rational evaluate(const RationalFunction& function, const Rational& argument);
 
 /// The product of the distinct denominators, so that every member times it is a polynomial;
 /// not always the least such polynomial.

@@ -3,7 +3,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "generator/exact/rational_function.hpp"
+#include "generator/exact/symbol.hpp"
 #include "generator/families/family.hpp"
 
 namespace nmbcgen {
@@ -24,27 +24,6 @@ Model make_model(std::string_view family, unsigned horizon) {
     Model model = found->describe(horizon);
     model.symbol = symbol_of(model.energy);
     return model;
-}
-
-std::vector<Polynomial> symbol_of(std::span<const EnergySquare> energy) {
-    if (energy.empty()) {
-        throw std::logic_error("a lattice model needs an energy");
-    }
-    std::size_t widest = 0;
-    for (const EnergySquare& square : energy) {
-        widest = std::max(widest, square.stencil.size());
-    }
-    std::vector<Polynomial> symbol(widest);
-    for (const EnergySquare& square : energy) {
-        for (std::size_t m = 0; m < square.stencil.size(); ++m) {
-            Rational autocorrelation = 0;
-            for (std::size_t i = 0; i + m < square.stencil.size(); ++i) {
-                autocorrelation += square.stencil[i] * square.stencil[i + m];
-            }
-            symbol[m] += square.weight * constant(autocorrelation);
-        }
-    }
-    return symbol;
 }
 
 }  // namespace nmbcgen

@@ -25,10 +25,6 @@ std::span<const Family> families();
 /// Throws std::invalid_argument where there is no such family.
 Model make_model(std::string_view family, unsigned horizon);
 
-/// The symbol of an energy: omega^2 = sum over its squares of weight * |stencil(z)|^2, since the
-/// equations of motion are u_tt = -d(energy)/du. Throws std::logic_error for an empty energy.
-std::vector<Polynomial> symbol_of(std::span<const EnergySquare> energy);
-
 Model nopd1d(unsigned horizon);
 
 }  // namespace nmbcgen

@@ -17,22 +17,22 @@ Model nopd1d(unsigned horizon) {
     for (int j = -n; j <= n; ++j) {
         strain.push_back(j / shape);
     }
-    std::vector<EnergySquare> energy{{"strain", constant(1), strain}};
+    std::vector<EnergySquare> energy{{EnergyPart::strain, constant(1), strain}};
 
     // Stabilisation state (34): z_IJ = u_{I+j} - u_I - j eps_I on every bond. Its factor
     // G C_BB / (2n) of (38) is G/n^4 in the project's units, with C_BB = 2E/(h_1 delta^3) (10).
     // Printed, (41) mixes 1/dX^2 with G/dX^3; the dimensionless G here is the printed G over dX.
-    const Rational micromodulus = Rational(Integer(1), pow(Integer(n), 4));
+    const Rational weight = Rational(Integer(1), pow(Integer(n), 4));
     for (int bond = -n; bond <= n; ++bond) {
         if (bond == 0) {
             continue;
         }
-        std::vector<Rational> stretch;
+        std::vector<Rational> state;
         for (int j = -n; j <= n; ++j) {
-            stretch.push_back(int(j == bond) - int(j == 0) - bond * strain[std::size_t(j + n)]);
+            state.push_back(int(j == bond) - int(j == 0) - bond * strain[std::size_t(j + n)]);
         }
-        energy.push_back({"stabilisation", Polynomial(std::vector<Rational>{0, micromodulus}),
-                          std::move(stretch)});
+        energy.push_back({EnergyPart::stabilisation, Polynomial(std::vector<Rational>{0, weight}),
+                          std::move(state)});
     }
     return {.description = fmt::format("1D non-ordinary peridynamics, constant influence, "
                                        "horizon {} dX, stabilisation G",

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "generator/exact/rational_function.hpp"
-#include "generator/families/family.hpp"
+#include "generator/exact/symbol.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -28,6 +28,7 @@ Rational power_over_factorial(const Rational& base, std::size_t power) {
 
 void prove_taylor(const Table& table) {
     const auto& a = table.taylor;  // a[k-1] is a_k
+    require(!a.empty() && a.front() == constant(1), "Taylor coefficients: a_1 = c = 1");
     for (std::size_t k = 0; k <= a.size() + 1; ++k) {
         Polynomial square;
         for (std::size_t i = 1; i < k && i <= a.size(); ++i) {

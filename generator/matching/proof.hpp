@@ -11,6 +11,7 @@ namespace nmbcgen {
 
 /// Establishes, exactly and identically in G, that
 ///   - the symbol is the one that follows from the energy,
+///   - a_1 = 1 (the root of omega^2 that (47) means: a wave coming in is one with +omega),
 ///   - (sum a_k x^k)^2 is -omega^2 as a power series in x = i xi, through x^{2N+2} (47),
 ///   - the residual of (49) vanishes in every row k = 0 .. 2N, and c_0 = 1,
 ///   - C(1) is not zero, and every rational function is in its normal form.

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "generator/table/exact.hpp"
@@ -20,11 +21,19 @@ struct Specification {
     std::optional<Rational> stabilisation;  ///< G; none: G stays symbolic.
 };
 
-/// One square of a lattice model's potential energy,
-///     (1/2) weight(G) * (sum_i stencil[i] u_{I + i - reach})^2   per node I,
+/// The ledger entry an energy is counted in.
+enum class EnergyPart { strain, stabilisation };
+
+/// Its name in every format.
+constexpr std::string_view name_of(EnergyPart part) {
+    return part == EnergyPart::strain ? "strain" : "stabilisation";
+}
+
+/// One square of a lattice model's potential energy density,
+///     (1/2) weight(G) * (sum_i stencil[i] u_{I + i - reach})^2   at node I,
 /// where stencil has 2*reach + 1 entries.
 struct EnergySquare {
-    std::string part;  ///< "strain" or "stabilisation": the ledger entry it is counted in.
+    EnergyPart part;
     Polynomial weight;
     std::vector<Rational> stencil;
 };

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "generator/exact/rational_function.hpp"
+#include "generator/exact/symbol.hpp"
 #include "generator/families/family.hpp"
 #include "generator/matching/freeze.hpp"
 #include "tests/support/printed.hpp"
@@ -64,7 +65,7 @@ TEST_CASE("the squares are the strain (16) and one stabilisation state (34) for 
         const Model model = make_model("nopd1d", n);
         REQUIRE(model.energy.size() == 1 + 2 * n);
         REQUIRE(model.symbol.size() == 2 * n + 1);  // reaches 2n neighbours
-        CHECK(model.energy.front().part == "strain");
+        CHECK(model.energy.front().part == EnergyPart::strain);
         CHECK(model.energy.front().weight == constant(1));
         // A unit strain u_{I+i} = i has strain 1 and leaves no stabilisation state; a rigid
         // shift has neither.
@@ -77,7 +78,7 @@ TEST_CASE("the squares are the strain (16) and one stabilisation state (34) for 
             }
             CHECK(unit_strain == int(k == 0));
             CHECK(sum_of(square.stencil) == 0);
-            CHECK(square.part == (k == 0 ? "strain" : "stabilisation"));
+            CHECK(square.part == (k == 0 ? EnergyPart::strain : EnergyPart::stabilisation));
         }
     }
 }

@@ -93,6 +93,16 @@ TEST_CASE("a table changed in one place is refused, and the place is named") {
     refused("c_j", "not proved", [](Table& table) { nudge(any_of(table.c)); });
     refused("b_j", "residual of (49)", [](Table& table) { nudge(any_of(table.b)); });
     refused("a_k", "Taylor coefficients", [](Table& table) { nudge(any_of(table.taylor)); });
+    refused("the other root of omega^2", "Taylor coefficients", [](Table& table) {
+        // a_k only enters squared or together with b: all signs turned is another solution, whose
+        // boundary absorbs what goes in and emits what should come in.
+        for (Polynomial& a : table.taylor) {
+            a = -a;
+        }
+        for (RationalFunction& b : table.b) {
+            b.numerator = -b.numerator;
+        }
+    });
     refused("symbol", "symbol", [](Table& table) { nudge(any_of(table.model.symbol)); });
     refused("weight", "symbol follows from the energy",
             [](Table& table) { nudge(any_of(table.model.energy).weight); });

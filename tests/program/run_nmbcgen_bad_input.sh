@@ -26,13 +26,13 @@ refuses() {
 
 for option in --order --horizon --stride; do
     # 4294967297 is 1 in 32 bits, 18446744073709551617 in 64.
-    for bad in 0 -1 +1 010 01 1001 9999999999 4294967297 18446744073709551617 1.5 1e1 0x1 three \
+    for bad in 0 -1 +1 010 01 100 1000 9999999999 4294967297 18446744073709551617 1.5 1e1 0x1 three \
         "" " 1" "1 " 1,2; do
         others=()
         for other in --order --horizon; do
             [ "$other" = "$option" ] || others+=("$other" 1)
         done
-        refuses "$option" "'$bad'" "whole number from 1 to 1000" -- "${others[@]}" "$option" "$bad"
+        refuses "$option" "'$bad'" "whole number from 1 to 99" -- "${others[@]}" "$option" "$bad"
         [ -z "$bad" ] ||
             refuses "$option" "'$bad'" "whole number" -- "${others[@]}" "$option=$bad"
     done

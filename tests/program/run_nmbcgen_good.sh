@@ -80,6 +80,6 @@ expect "every file is printed once" test \
 expect_stdout_line all/nopd1d_n3_order4.hpp
 expect_stdout_line all/tables.hpp
 expect_stdout_line all/tables.json
-expect "14 tables, tables.hpp and tables.json" test "$(files_in all)" -eq 16
+expect "20 tables, tables.hpp and tables.json" test "$(files_in all)" -eq 22
 
 finish

@@ -118,8 +118,9 @@ EnergySquare read_square(const nmbc::EnergySquare& square) {
         stencil.emplace_back(entry, divisor);
     }
     require(content == 1, "stencil and divisor without common factor");
-    return {square.part == nmbc::EnergyPart::strain ? "strain" : "stabilisation",
-            to_polynomial(read_function(square.weight)), std::move(stencil)};
+    return {
+        square.part == nmbc::EnergyPart::strain ? EnergyPart::strain : EnergyPart::stabilisation,
+        to_polynomial(read_function(square.weight)), std::move(stencil)};
 }
 
 EnergySquare read_square(const Json& json) {
@@ -129,8 +130,10 @@ EnergySquare read_square(const Json& json) {
         stencil.push_back(read_rational(entry.get<std::string>()));
     }
     const auto part = json.at("part").get<std::string>();
-    require(part == "strain" || part == "stabilisation", "a known part of the energy");
-    return {part, to_polynomial(read_function(json.at("weight"))), std::move(stencil)};
+    const bool strain = part == name_of(EnergyPart::strain);
+    require(strain || part == name_of(EnergyPart::stabilisation), "a known part of the energy");
+    return {strain ? EnergyPart::strain : EnergyPart::stabilisation,
+            to_polynomial(read_function(json.at("weight"))), std::move(stencil)};
 }
 
 template <class List>

@@ -2,16 +2,34 @@
 #include "tools/nmbcrun/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
+#include <string_view>
 
 namespace nmbcrun {
+namespace {
+
+constexpr int longest_line = 70;
+
+/// Columns of the terminal on stderr; 0 where it is none, or one that cannot clear a line.
+int terminal_width() {
+    const char* kind = std::getenv("TERM");
+    winsize size{};
+    const bool terminal = ::isatty(STDERR_FILENO) == 1 && kind != nullptr &&
+                          std::string_view(kind) != "dumb" &&
+                          ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0;
+    return terminal ? size.ws_col : 0;
+}
+
+}  // namespace
 
 Progress::Progress(std::size_t total, bool quiet)
-    : total_(total), shown_(!quiet && ::isatty(STDERR_FILENO) == 1) {}
+    : total_(total), shown_(!quiet && terminal_width() >= longest_line) {}
 
 Progress::~Progress() {
     if (shown_) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A progress bar on stderr; nothing where stderr is no terminal.
+/// A progress bar on stderr; nothing where stderr is no terminal, or too narrow for it.
 #pragma once
 
 #include <chrono>

@@ -24,7 +24,8 @@ const nmbc::MatchingTable& table_of(const Scene& scene) {
             known += fmt::format(" {}", other->name);
         }
         throw SceneError(fmt::format(
-            "there is no table for family {}, horizon {}, order {}, stride {}; there are:{}",
+            "nmbcrun has no table for family {}, horizon {}, order {}, stride {}; it knows the "
+            "committed set (others: docs/example):{}",
             scene.family, scene.horizon, scene.order, scene.stride, known));
     }
     return *table;
@@ -84,6 +85,12 @@ std::string likely_cause(const Scene& scene, double cfl) {
         scene.order, scene.G, cfl);
 }
 
+/// What was written of a run, and the largest total energy of every tenth step.
+struct Record {
+    std::vector<Sample> samples;
+    double peak = 0;
+};
+
 /// How long a run is, in steps, and how its step compares with the interior's limit.
 struct Duration {
     std::size_t steps;
@@ -118,11 +125,11 @@ std::string fastest_node(const nmbc::Chain& chain) {
 
 /// Steps the chain to the end. After the drive nothing feeds the chain any more: an energy that
 /// grows tenfold from there is as unstable as one that is not finite.
-std::vector<Sample> simulate(const Scene& scene, nmbc::Chain& chain, const Driver& driver,
-                             const Duration& duration, EnergyCsv& csv, bool quiet) {
+Record simulate(const Scene& scene, nmbc::Chain& chain, const Driver& driver,
+                const Duration& duration, EnergyCsv& csv, bool quiet) {
     const double time_step = chain.parameters().time_step;
     Progress progress(duration.steps, quiet);
-    std::vector<Sample> samples;
+    Record record;
     double driven_peak = 0;
     const auto unstable = [&](const std::string& what) {
         return Unstable(fmt::format("{} at step {} (t = {:.6g}): {}. Energies up to there: {}",
@@ -135,14 +142,20 @@ std::vector<Sample> simulate(const Scene& scene, nmbc::Chain& chain, const Drive
         if (!chain.is_finite()) {
             throw unstable(name_of(chain.first_not_finite(), chain) + " is not finite");
         }
-        if (chain.steps() % scene.every != 0 && chain.steps() != duration.steps) {
+        const bool to_be_written =
+            chain.steps() % scene.every == 0 || chain.steps() == duration.steps;
+        constexpr std::size_t look_every = 10;  // whatever is written, the peak is the same
+        if (!to_be_written && chain.steps() % look_every != 0) {
             continue;
         }
         const double time = chain.time() - time_step / 2;
         const nmbc::Energies energies =
             nmbc::energies(chain, scene.extension, scene.extension + scene.nodes);
-        samples.push_back({time, energies});
-        csv.append(time, energies);
+        if (to_be_written) {
+            record.samples.push_back({time, energies});
+            csv.append(time, energies);
+        }
+        record.peak = std::max(record.peak, energies.total());
         const double total = energies.total();
         if (!std::isfinite(total)) {
             throw unstable(fmt::format("the energy of {} is not finite", fastest_node(chain)));
@@ -155,7 +168,7 @@ std::vector<Sample> simulate(const Scene& scene, nmbc::Chain& chain, const Drive
                 total / driven_peak, fastest_node(chain)));
         }
     }
-    return samples;
+    return record;
 }
 
 void print_heading(const Scene& scene, const nmbc::Chain& chain, const Duration& duration) {
@@ -206,23 +219,22 @@ void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
                        .ghost_rule = scene.ghosts});
     const Driver driver(scene, chain.ghosts(), time_step);
     EnergyCsv csv(folder / (scene.name + ".csv"));
-    std::vector<Sample> samples;
+    if (!quiet) {
+        print_heading(scene, chain, duration);
+    }
+    Record record;
     try {
-        samples = simulate(scene, chain, driver, duration, csv, quiet);
+        record = simulate(scene, chain, driver, duration, csv, quiet);
     } catch (const Unstable&) {
         csv.publish();  // the energies up to there
         throw;
     }
     csv.publish();
-    const double peak = std::ranges::max(samples, {}, [](const Sample& s) {
-                            return s.energies.total();
-                        }).energies.total();
     if (!quiet) {
-        print_heading(scene, chain, duration);
-        print_samples(samples, peak);
+        print_samples(record.samples, record.peak);
     }
     fmt::print("energy left  {:.3e} of the peak\nenergies     {}\n",
-               samples.back().energies.total() / peak, csv.path().string());
+               record.samples.back().energies.total() / record.peak, csv.path().string());
 }
 
 }  // namespace nmbcrun

@@ -70,8 +70,14 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
     scene.every =
         std::size_t(reader.whole_number("output.every", 1, most_nodes).value_or(long(scene.every)));
     reader.refuse_unknown_keys();
+    // An override of one replaces the other of the file.
+    if (scene.step && scene.cfl &&
+        reader.is_overridden("time.step") != reader.is_overridden("time.cfl")) {
+        (reader.is_overridden("time.cfl") ? scene.step : scene.cfl).reset();
+    }
     if (scene.step.has_value() == scene.cfl.has_value()) {
-        reader.fail(scene.cfl ? "time.cfl" : "time", "needs exactly one of time.step and time.cfl");
+        reader.fail("time", scene.cfl ? "has both step and cfl; one of them is needed"
+                                      : "has neither step nor cfl; one of them is needed");
     }
     return scene;
 }

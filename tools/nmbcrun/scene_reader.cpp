@@ -94,8 +94,12 @@ const toml::node* SceneReader::find(std::string_view key) {
     return document_.at_path(key).node();
 }
 
+bool SceneReader::is_overridden(std::string_view key) const {
+    return std::ranges::find(overridden_, key) != overridden_.end();
+}
+
 std::string SceneReader::place(std::string_view key) const {
-    if (std::ranges::find(overridden_, key) != overridden_.end()) {
+    if (is_overridden(key)) {
         return fmt::format("--set {}", key);
     }
     const auto node = document_.at_path(key);
@@ -172,7 +176,11 @@ void SceneReader::refuse_unknown_keys_in(const toml::table& table,
         } else if (std::ranges::find(known_, key) == known_.end()) {
             const auto nearest = std::ranges::min_element(
                 known_, {}, [&](const auto& known) { return edit_distance(key, known); });
-            fail(key, fmt::format("is not a key of a scene; the nearest one is {}", *nearest));
+            // One that shares less than half its letters is no help.
+            const bool near = 2 * edit_distance(key, *nearest) <= key.size();
+            fail(key,
+                 "is not a key of a scene" + (near ? "; the nearest one is " + *nearest
+                                                   : std::string("; docs/scenes.md lists them")));
         }
     }
 }

@@ -49,6 +49,9 @@ class SceneReader {
         return *value;
     }
 
+    /// Whether an override set the key.
+    bool is_overridden(std::string_view key) const;
+
     /// Throws for the key if it is there, for the whole file if not.
     [[noreturn]] void fail(std::string_view key, const std::string& problem) const;
 

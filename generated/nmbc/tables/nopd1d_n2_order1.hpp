@@ -3,7 +3,7 @@
 // model   1D non-ordinary peridynamics, constant influence, horizon 2 dX, stabilisation G
 // source  Nicely 2018: strain (16), stabilisation (34), symbol (41); Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
-// sign    sum_j c_j v_{M+j} = sum_j b_j u_{M+j}, j counted inwards from the ghost node
+// sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
 #pragma once
 

@@ -16,6 +16,12 @@
 #include <nmbc/tables/nopd1d_n3_order4.hpp>
 #include <nmbc/tables/nopd1d_n4_order1.hpp>
 #include <nmbc/tables/nopd1d_n5_order1.hpp>
+#include <nmbc/tables/nopd1d_n2_order2_s2.hpp>
+#include <nmbc/tables/nopd1d_n2_order3_s2.hpp>
+#include <nmbc/tables/nopd1d_n3_order2_s3.hpp>
+#include <nmbc/tables/nopd1d_n3_order3_s3.hpp>
+#include <nmbc/tables/nopd1d_n4_order2_s4.hpp>
+#include <nmbc/tables/nopd1d_n4_order3_s4.hpp>
 
 namespace nmbc::generated {
 
@@ -35,6 +41,12 @@ inline constexpr const MatchingTable* tables[]{
     &nopd1d_n3_order4,
     &nopd1d_n4_order1,
     &nopd1d_n5_order1,
+    &nopd1d_n2_order2_s2,
+    &nopd1d_n2_order3_s2,
+    &nopd1d_n3_order2_s3,
+    &nopd1d_n3_order3_s3,
+    &nopd1d_n4_order2_s4,
+    &nopd1d_n4_order3_s4,
 };
 
 }  // namespace nmbc::generated

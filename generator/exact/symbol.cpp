@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/exact/symbol.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "generator/exact/rational_function.hpp"
+
+namespace nmbcgen {
+
+std::vector<Polynomial> symbol_of(std::span<const EnergySquare> energy) {
+    if (energy.empty()) {
+        throw std::logic_error("a lattice model needs an energy");
+    }
+    std::size_t widest = 0;
+    for (const EnergySquare& square : energy) {
+        widest = std::max(widest, square.stencil.size());
+    }
+    std::vector<Polynomial> symbol(widest);
+    for (const EnergySquare& square : energy) {
+        for (std::size_t m = 0; m < square.stencil.size(); ++m) {
+            Rational autocorrelation = 0;
+            for (std::size_t i = 0; i + m < square.stencil.size(); ++i) {
+                autocorrelation += square.stencil[i] * square.stencil[i + m];
+            }
+            symbol[m] += square.weight * constant(autocorrelation);
+        }
+    }
+    return symbol;
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// The fully discrete chain: leapfrog between two like matching boundaries, as the runtime steps
+/// it.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "generator/stability/half_space.hpp"
+
+namespace nmbcgen {
+
+/// Time level of u in (60) when ghost velocities at k+1/2 are found.
+enum class GhostLevel { midpoint, old };
+
+/// The map of one time step on (u on all nodes, v on the interior nodes), u at level k, v at
+/// k-1/2. nodes: interior ones; time_step in dX/c.
+/// Throws std::invalid_argument where the chain is shorter than the condition reaches.
+Eigen::MatrixXd one_step_map(const HalfSpace& half_space, std::size_t nodes, double time_step,
+                             GhostLevel level);
+
+/// The spectral radius of the one-step map.
+double spectral_radius(const HalfSpace& half_space, std::size_t nodes, double time_step,
+                       GhostLevel level);
+
+/// The top of the band, omega_max [c/dX].
+double maximum_frequency(const HalfSpace& half_space);
+
+/// The largest cfl = dt omega_max / 2 in steps of 0.01 up to which every smaller one is stable on
+/// chains of several lengths of both parities: spectral radius below 1 + 1e-9. 0 where none is.
+double largest_cfl(const HalfSpace& half_space, GhostLevel level);
+
+}  // namespace nmbcgen

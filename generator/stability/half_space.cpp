@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/stability/half_space.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "generator/exact/rational.hpp"
+#include "generator/exact/rational_function.hpp"
+
+namespace nmbcgen {
+namespace {
+
+/// (1 + sign y)^power as a polynomial in y.
+Polynomial binomial(int sign, std::size_t power) {
+    std::vector<Rational> coefficients{1};
+    for (std::size_t k = 0; k < power; ++k) {
+        coefficients.push_back(coefficients[k] * sign * Rational(power - k) / Rational(k + 1));
+    }
+    return Polynomial(std::move(coefficients));
+}
+
+/// Every second coefficient of a polynomial in y, from y^first on: a polynomial in w = y^2.
+Polynomial every_second(const Polynomial& in_y, std::size_t first) {
+    std::vector<Rational> coefficients;
+    for (std::size_t k = first; k < in_y.size(); k += 2) {
+        coefficients.push_back(in_y[k]);
+    }
+    return Polynomial(std::move(coefficients));
+}
+
+/// k^{sj} times (1-y)^{Ns}, a polynomial in y.
+Polynomial power_in_y(std::size_t j, std::size_t order, std::size_t stride) {
+    return binomial(1, j * stride) * binomial(-1, (order - j) * stride);
+}
+
+/// sum_j coefficients_j k^{sj} times (1-y)^{Ns}, a polynomial in y.
+Polynomial in_y(const std::vector<Rational>& coefficients, std::size_t stride) {
+    const std::size_t order = coefficients.size() - 1;
+    Polynomial sum;
+    for (std::size_t j = 0; j <= order; ++j) {
+        sum += constant(coefficients[j]) * power_in_y(j, order, stride);
+    }
+    return sum;
+}
+
+/// Likewise for coefficients in Q[G]: every second power of y from y^first on, by power of w.
+std::vector<Polynomial> every_second_in_y(const std::vector<Polynomial>& coefficients,
+                                          std::size_t stride, std::size_t first) {
+    const std::size_t order = coefficients.size() - 1;
+    std::vector<Polynomial> sum(order * stride / 2 + 1);
+    for (std::size_t j = 0; j <= order; ++j) {
+        const Polynomial powers = every_second(power_in_y(j, order, stride), first);
+        for (std::size_t i = 0; i < powers.size(); ++i) {
+            sum[i] += coefficients[j] * constant(powers[i]);
+        }
+    }
+    while (sum.back().is_zero()) {
+        sum.pop_back();
+    }
+    return sum;
+}
+
+std::vector<Rational> evaluate_all(const std::vector<RationalFunction>& functions,
+                                   const Rational& G) {
+    std::vector<Rational> values;
+    values.reserve(functions.size());
+    for (const RationalFunction& function : functions) {
+        values.push_back(evaluate(function, G));
+    }
+    return values;
+}
+
+std::vector<double> rounded(const std::vector<Rational>& exact) {
+    std::vector<double> values;
+    values.reserve(exact.size());
+    for (const Rational& value : exact) {
+        values.push_back(nearest_double(value));
+    }
+    return values;
+}
+
+std::complex<double> horner(const std::vector<double>& coefficients, std::complex<double> z) {
+    std::complex<double> sum = 0;
+    for (std::size_t j = coefficients.size(); j-- > 0;) {
+        sum = sum * z + coefficients[j];
+    }
+    return sum;
+}
+
+}  // namespace
+
+HalfSpace make_half_space(const Table& table, const Rational& G) {
+    const std::vector<Rational> c = evaluate_all(table.c, G);
+    const std::vector<Rational> b = evaluate_all(table.b, G);
+    std::vector<Rational> symbol;
+    for (const Polynomial& coefficient : table.model.symbol) {
+        symbol.push_back(evaluate(coefficient, G));
+    }
+    // At a few G the stencil is shorter (n = 1, G = 1/2: the atom chain). A mode k = 0 is lost,
+    // and the amplitudes of the others are the limits, since its factors in them tend to 1.
+    while (symbol.back() == 0) {
+        symbol.pop_back();
+    }
+
+    // k^m + k^-m = ((1+y)^{2m} + (1-y)^{2m}) / (1-w)^m
+    const std::size_t reach = symbol.size() - 1;
+    Polynomial L = constant(-symbol[0]) * binomial(-1, reach);
+    for (std::size_t m = 1; m <= reach; ++m) {
+        const Polynomial pair = binomial(1, 2 * m) + binomial(-1, 2 * m);
+        L -= constant(symbol[m]) * every_second(pair, 0) * binomial(-1, reach - m);
+    }
+    const auto stride = table.specification.stride;
+    return {.L = L,
+            .E = every_second(in_y(c, stride), 0),
+            .O = every_second(in_y(b, stride), 1),
+            .symbol = rounded(symbol),
+            .c = rounded(c),
+            .b = rounded(b),
+            .stride = int(stride)};
+}
+
+EvenAndOddParts even_and_odd_parts(const Table& table) {
+    std::vector<RationalFunction> all = table.c;
+    all.insert(all.end(), table.b.begin(), table.b.end());
+    const Polynomial denominator = common_denominator(all);
+    std::vector<Polynomial> c;
+    std::vector<Polynomial> b;
+    for (std::size_t j = 0; j < table.c.size(); ++j) {
+        c.push_back(times_multiple(table.c[j], denominator));
+        b.push_back(times_multiple(table.b[j], denominator));
+    }
+    const auto stride = table.specification.stride;
+    return {every_second_in_y(c, stride, 0), every_second_in_y(b, stride, 1), denominator};
+}
+
+std::complex<double> evaluate_C(const HalfSpace& half_space, std::complex<double> k) {
+    return horner(half_space.c, std::pow(k, half_space.stride));
+}
+
+std::complex<double> evaluate_B(const HalfSpace& half_space, std::complex<double> k) {
+    return horner(half_space.b, std::pow(k, half_space.stride));
+}
+
+double omega_squared(const HalfSpace& half_space, double xi) {
+    double sum = half_space.symbol[0];
+    for (std::size_t m = 1; m < half_space.symbol.size(); ++m) {
+        sum += 2 * half_space.symbol[m] * std::cos(double(m) * xi);
+    }
+    return sum;
+}
+
+double omega_squared_slope(const HalfSpace& half_space, double xi) {
+    double sum = 0;
+    for (std::size_t m = 1; m < half_space.symbol.size(); ++m) {
+        sum -= 2 * half_space.symbol[m] * double(m) * std::sin(double(m) * xi);
+    }
+    return sum;
+}
+
+std::vector<double> omega_squared_in_cosine(const HalfSpace& half_space) {
+    const std::vector<double>& symbol = half_space.symbol;
+    std::vector<double> before(symbol.size(), 0.0);  // T_{m-1}
+    std::vector<double> now(symbol.size(), 0.0);     // T_m
+    std::vector<double> sum(symbol.size(), 0.0);
+    before[0] = 1;
+    now[1] = 1;
+    sum[0] = symbol[0];
+    for (std::size_t m = 1; m < symbol.size(); ++m) {
+        for (std::size_t i = 0; i < symbol.size(); ++i) {
+            sum[i] += 2 * symbol[m] * now[i];
+        }
+        std::vector<double> next(symbol.size(), 0.0);  // 2 x T_m - T_{m-1}
+        for (std::size_t i = 0; i < symbol.size(); ++i) {
+            next[i] = (i > 0 ? 2 * now[i - 1] : 0) - before[i];
+        }
+        before = std::exchange(now, next);
+    }
+    return sum;
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// A lattice with a matching boundary at its left end, at one exact value of G, seen as the
+/// initial boundary value problem of a half space. Units dX = c = 1.
+///
+/// Waves are u_j = k^j exp(s t), j counted inwards. In the interior s^2 = -omega^2(k), on the
+/// ghost layers s C(k) = B(k). With y = (k-1)/(k+1) and w = y^2, |k| < 1 is Re y < 0, and all of
+/// it is even or odd in y:
+///     -omega^2 = L(w) / (1-w)^r,   C = E(w) / (1-y)^{Ns},   B = y O(w) / (1-y)^{Ns},
+/// r the reach of the stencil, N the order and s the stride of the condition.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "generator/table/table.hpp"
+
+namespace nmbcgen {
+
+struct HalfSpace {
+    Polynomial L;  ///< in w, exact; see above
+    Polynomial E;
+    Polynomial O;
+    std::vector<double> symbol;  ///< symbol[m], m = 0 .. r, rounded
+    std::vector<double> c;       ///< c_0 .. c_N, rounded
+    std::vector<double> b;       ///< b_0 .. b_N, rounded
+    int stride = 1;
+
+    std::size_t reach() const { return symbol.size() - 1; }
+};
+
+/// The half space of a table at an exact G >= 0.
+/// Throws std::domain_error at a pole of the coefficients.
+HalfSpace make_half_space(const Table& table, const Rational& G);
+
+/// E and O of a table whose G is open, times the common denominator of its coefficients: by
+/// ascending powers of w, with coefficients in Q[G], the last one not zero.
+struct EvenAndOddParts {
+    std::vector<Polynomial> E;
+    std::vector<Polynomial> O;
+    Polynomial denominator;
+};
+
+EvenAndOddParts even_and_odd_parts(const Table& table);
+
+/// C(k) and B(k).
+std::complex<double> evaluate_C(const HalfSpace& half_space, std::complex<double> k);
+std::complex<double> evaluate_B(const HalfSpace& half_space, std::complex<double> k);
+
+/// omega^2 at real wave number xi, and its derivative by xi.
+double omega_squared(const HalfSpace& half_space, double xi);
+double omega_squared_slope(const HalfSpace& half_space, double xi);
+
+/// omega^2 as a polynomial in x = cos xi, ascending: symbol_0 + 2 sum symbol_m T_m(x).
+std::vector<double> omega_squared_in_cosine(const HalfSpace& half_space);
+
+}  // namespace nmbcgen

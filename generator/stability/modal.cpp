@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/stability/modal.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "generator/exact/rational.hpp"
+#include "generator/exact/rational_function.hpp"
+#include "generator/stability/reflection.hpp"
+
+namespace nmbcgen {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// An exact polynomial rounded, scaled to a largest coefficient of 1, zeros at w = 0 divided out.
+std::vector<double> rounded_without_zeros(const Polynomial& polynomial) {
+    std::size_t first = 0;
+    while (first < polynomial.size() && polynomial[first] == 0) {
+        ++first;
+    }
+    Rational largest = 0;
+    for (std::size_t i = first; i < polynomial.size(); ++i) {
+        largest = std::max(largest, Rational(abs(polynomial[i])));
+    }
+    std::vector<double> coefficients;
+    for (std::size_t i = first; i < polynomial.size(); ++i) {
+        coefficients.push_back(nearest_double(polynomial[i] / largest));
+    }
+    return coefficients;
+}
+
+/// (w - 1)^power
+Polynomial power_of_one_minus_w(std::size_t power) {
+    Polynomial result = constant(1);
+    const Polynomial factor(std::vector<Rational>{1, -1});
+    for (std::size_t i = 0; i < power; ++i) {
+        result *= factor;
+    }
+    return result;
+}
+
+/// s^2 C^2 - B^2 = 0 as a polynomial in w, without its zeros at w = 0 (k = 1), which matching
+/// puts there.
+std::vector<double> boundary_mode_polynomial(const HalfSpace& h) {
+    const Polynomial w(std::vector<Rational>{0, 1});
+    return rounded_without_zeros(h.L * h.E * h.E - w * h.O * h.O * power_of_one_minus_w(h.reach()));
+}
+
+/// y O(w) / E(w), which is s where s C = B.
+Complex boundary_rate(const HalfSpace& h, Complex y) {
+    const Complex k = (1.0 + y) / (1.0 - y);
+    return evaluate_B(h, k) / evaluate_C(h, k);
+}
+
+bool on_unit_circle(Complex w) {
+    // k = (1+y)/(1-y) has |k| = 1 where y = sqrt(w) is imaginary.
+    return w.real() < 0 && std::abs(w.imag()) < 1e-9 * std::abs(w);
+}
+
+double wave_number_of(Complex w) {
+    return 2 * std::atan(std::sqrt(-w.real()));
+}
+
+/// An outgoing travelling wave with Delta = 0, other than at a band edge.
+std::optional<double> resonance(const HalfSpace& h) {
+    for (const Complex w : polynomial_roots(boundary_mode_polynomial(h))) {
+        if (!on_unit_circle(w)) {
+            continue;
+        }
+        const double xi = wave_number_of(w);
+        // i omega C = B at k = exp(i xi) for omega of either sign; at omega > 0 the wave is
+        // k = exp(i sign xi), with group velocity -sign omega'(xi) inwards.
+        const double omega = boundary_rate(h, Complex(0, std::tan(xi / 2))).imag();
+        const double velocity = -omega_squared_slope(h, xi) / (2 * omega);
+        if (velocity > 1e-6) {
+            return xi;
+        }
+    }
+    return std::nullopt;
+}
+
+struct Peak {
+    double value = 0;
+    double omega = 0;
+};
+
+/// The largest phase supremum in (low, high): samples dense at both ends, then golden-section
+/// search around the best. `norm` takes sigma_max on its way.
+Peak largest_supremum(const HalfSpace& h, double low, double high, double& norm) {
+    const auto supremum_at = [&](double omega) {
+        const Eigen::MatrixXcd R = reflection(h, omega).matrix;
+        if (R.rows() == 0) {
+            return 0.0;
+        }
+        norm = std::max(norm, Eigen::JacobiSVD<Eigen::MatrixXcd>(R).singularValues()(0));
+        return phase_supremum(R);
+    };
+    std::vector<double> samples;
+    for (double distance = 1e-7; distance < 0.02; distance *= 2) {
+        samples.push_back(distance);
+        samples.push_back(1 - distance);
+    }
+    constexpr int count = 60;
+    for (int i = 1; i < count; ++i) {
+        samples.push_back((1 - std::cos(std::numbers::pi * i / count)) / 2);
+    }
+    std::ranges::sort(samples);
+    std::vector<double> values;
+    for (double& sample : samples) {
+        sample = low + (high - low) * sample;
+        values.push_back(supremum_at(sample));
+    }
+    const auto best = std::ranges::max_element(values) - values.begin();
+    Peak peak{values[std::size_t(best)], samples[std::size_t(best)]};
+    double left = best > 0 ? samples[std::size_t(best - 1)] : low;
+    double right = best + 1 < std::ssize(samples) ? samples[std::size_t(best + 1)] : high;
+    for (int i = 0; i < 30; ++i) {
+        const double inset = (right - left) * (1 - 1 / std::numbers::phi);
+        const double at_left = supremum_at(left + inset);
+        const double at_right = supremum_at(right - inset);
+        if (at_left > peak.value) {
+            peak = {at_left, left + inset};
+        }
+        if (at_right > peak.value) {
+            peak = {at_right, right - inset};
+        }
+        (at_left > at_right ? right : left) = at_left > at_right ? right - inset : left + inset;
+    }
+    return peak;
+}
+
+}  // namespace
+
+std::optional<Complex> growing_mode(const HalfSpace& half_space) {
+    std::optional<Complex> fastest;
+    for (const Complex w : polynomial_roots(boundary_mode_polynomial(half_space))) {
+        if (on_unit_circle(w)) {
+            continue;
+        }
+        const Complex rate = boundary_rate(half_space, -std::sqrt(w));  // Re y < 0: |k| < 1
+        // s^2 C^2 = B^2 holds, so s is +-B/C; a decaying wave obeys s C = B with s = B/C.
+        if (rate.real() > 1e-9 && (!fastest || rate.real() > fastest->real())) {
+            fastest = rate;
+        }
+    }
+    return fastest;
+}
+
+std::vector<double> critical_frequencies(const HalfSpace& half_space) {
+    std::vector<double> wave_numbers{std::numbers::pi};
+    for (const Polynomial* polynomial : {&half_space.E, &half_space.O}) {
+        for (const Complex w : polynomial_roots(rounded_without_zeros(*polynomial))) {
+            if (on_unit_circle(w)) {
+                wave_numbers.push_back(wave_number_of(w));
+            }
+        }
+    }
+    // Extrema of omega: zeros of its slope in x = cos xi. Two about to meet may have become a
+    // complex pair by roundings; they count all the same.
+    const std::vector<double> band = omega_squared_in_cosine(half_space);
+    std::vector<double> slope;
+    for (std::size_t i = 1; i < band.size(); ++i) {
+        slope.push_back(double(i) * band[i]);
+    }
+    for (const Complex x : polynomial_roots(slope)) {
+        if (std::abs(x.imag()) < 1e-7 && std::abs(x.real()) < 1) {
+            wave_numbers.push_back(std::acos(x.real()));
+        }
+    }
+    std::vector<double> frequencies{0};
+    for (const double xi : wave_numbers) {
+        frequencies.push_back(std::sqrt(std::max(0.0, omega_squared(half_space, xi))));
+    }
+    std::ranges::sort(frequencies);
+    return frequencies;
+}
+
+ModalVerdict modal_verdict(const HalfSpace& half_space) {
+    if (const auto growth = growing_mode(half_space)) {
+        return {.failure = ModalFailure::growing_mode, .growth = *growth};
+    }
+    if (const auto xi = resonance(half_space)) {
+        return {.failure = ModalFailure::resonance, .wave_number = *xi};
+    }
+    ModalVerdict verdict;
+    Peak highest;
+    double norm = 0;
+    const std::vector<double> frequencies = critical_frequencies(half_space);
+    for (std::size_t i = 0; i + 1 < frequencies.size(); ++i) {
+        // Two waves of a band this narrow are still 1e-6 apart in wave number.
+        constexpr double narrowest = 1e-12;
+        if (frequencies[i + 1] - frequencies[i] > narrowest) {
+            const Peak peak =
+                largest_supremum(half_space, frequencies[i], frequencies[i + 1], norm);
+            if (peak.value > highest.value) {
+                highest = peak;
+            }
+        }
+    }
+    verdict.supremum = highest.value;
+    verdict.contractive = norm <= amplification_limit;
+    if (highest.value > amplification_limit) {
+        verdict.failure = ModalFailure::amplified_wave;
+    }
+    if (highest.omega > 0) {
+        const auto modes = outgoing_modes(half_space, highest.omega);
+        verdict.wave_number = std::abs(std::arg(modes.front().k));
+        verdict.backward = std::arg(modes.front().k) > 0;
+    }
+    return verdict;
+}
+
+}  // namespace nmbcgen

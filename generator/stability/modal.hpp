@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Stability of a matching boundary on a half space and on chains of any length with two such
+/// ends (theory of Gustafsson, Kreiss and Sundstrom, at one value of G).
+///
+/// A growing boundary mode is a wave k, |k| < 1, of s C(k) = B(k), s^2 = -omega^2(k), Re s > 0.
+/// Without one, a chain with two like ends is stable at every length if and only if no sequence of
+/// reflections is amplified: sup over diagonal phase matrices D of rho(R(omega) D) <= 1 for every
+/// omega, D being the phases that travelling waves pick up on their way.
+#pragma once
+
+#include <optional>
+
+#include "generator/stability/half_space.hpp"
+
+namespace nmbcgen {
+
+enum class ModalFailure {
+    none,
+    growing_mode,    ///< a boundary mode with Re s > 0
+    resonance,       ///< an outgoing travelling wave that needs no incident one: Delta(k_o) = 0
+    amplified_wave,  ///< sup rho > 1 at some wave number
+};
+
+struct ModalVerdict {
+    ModalFailure failure = ModalFailure::none;
+    double supremum = 0;              ///< of rho(R D) over the band, 0 where a mode decides
+    double wave_number = 0;           ///< where it is reached, or of the resonance
+    bool backward = false;            ///< that wave's group and phase velocity are opposed
+    bool contractive = false;         ///< sigma_max(R) <= 1 on the whole band
+    std::complex<double> growth = 0;  ///< s [c/dX] of the fastest growing mode
+};
+
+/// supremum above this counts as more than 1: the exact 1 of NMBC1 is found to about 1e-9.
+inline constexpr double amplification_limit = 1 + 1e-8;
+
+/// The fastest growing boundary mode: s [c/dX] with the largest Re s > 0, if there is one.
+std::optional<std::complex<double>> growing_mode(const HalfSpace& half_space);
+
+/// The frequencies at which R(omega) can change its character: extrema of omega(xi), zeros of B
+/// and of C on the unit circle, and 0; ascending, the largest is the top of the band.
+std::vector<double> critical_frequencies(const HalfSpace& half_space);
+
+ModalVerdict modal_verdict(const HalfSpace& half_space);
+
+}  // namespace nmbcgen

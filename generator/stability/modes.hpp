@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Waves of the lattice at one frequency.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "generator/stability/half_space.hpp"
+
+namespace nmbcgen {
+
+/// A solution u_j = k^j exp(i omega t) of the interior. group_velocity: of a travelling wave
+/// (|k| = 1), positive inwards; 0 for a wave that decays inwards (|k| < 1).
+struct Mode {
+    std::complex<double> k;
+    double group_velocity = 0;
+
+    bool travels() const { return group_velocity != 0; }
+};
+
+/// The waves a boundary can send into the half space at frequency omega > 0: travelling inwards,
+/// or decaying inwards; `reach` of them, travelling ones first, by ascending wave number. What
+/// comes in are their mirror images, 1/k, one for each that travels.
+std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega);
+
+/// All complex roots of a polynomial with real coefficients, ascending powers, leading one not 0.
+std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& coefficients);
+
+}  // namespace nmbcgen

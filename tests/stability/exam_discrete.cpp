@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// The fully discrete chain: largest cfl, against known values and against the runtime itself.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <nmbc/chain.hpp>
+#include <nmbc/tables/nopd1d_n2_order3.hpp>
+
+#include "generator/pipeline.hpp"
+#include "generator/stability/discrete.hpp"
+
+namespace {
+
+using nmbcgen::GhostLevel;
+using nmbcgen::Rational;
+
+nmbcgen::HalfSpace half_space(unsigned horizon, unsigned order, unsigned stride,
+                              const Rational& G) {
+    return make_half_space(nmbcgen::derive({"nopd1d", horizon, order, stride, std::nullopt}), G);
+}
+
+TEST_CASE("largest cfl") {
+    struct Known {
+        unsigned horizon, order, stride;
+        Rational G;
+        double midpoint;
+    };
+    const Rational half = Rational(1) / 2;
+    // Found before by assembled spectra of 21 to 100 nodes, within .01.
+    for (const Known& known :
+         {Known{1, 1, 1, half, .98}, Known{1, 2, 1, half, .70}, Known{1, 3, 1, half, .50},
+          Known{1, 4, 1, half, .38}, Known{2, 1, 1, 1, .82}, Known{2, 2, 2, 1, .74},
+          Known{3, 1, 1, 0, .60}}) {
+        const auto h = half_space(known.horizon, known.order, known.stride, known.G);
+        CAPTURE(known.horizon);
+        CAPTURE(known.order);
+        CHECK(std::abs(largest_cfl(h, GhostLevel::midpoint) - known.midpoint) < 0.0101);
+    }
+    CHECK(std::abs(largest_cfl(half_space(1, 2, 1, half), GhostLevel::old) - 0.38) < 0.0101);
+    CHECK(std::abs(largest_cfl(half_space(2, 2, 2, 1), GhostLevel::old) - 0.28) < 0.0101);
+}
+
+TEST_CASE("the map is the runtime's step") {
+    constexpr double G = 1.85;
+    const auto& table = nmbc::generated::nopd1d_n2_order3;
+    const auto h = half_space(2, 3, 1, Rational(G));
+    for (const auto& [rule, level] : {std::pair{nmbc::GhostRule::midpoint, GhostLevel::midpoint},
+                                      std::pair{nmbc::GhostRule::explicit_rule, GhostLevel::old}}) {
+        constexpr std::size_t nodes = 12;
+        constexpr double dt = 0.3;
+        const auto map = nmbcgen::one_step_map(h, nodes, dt, level);
+        nmbc::Chain chain(nmbc::make_lattice(table, G), nmbc::boundary_coefficients(table, G),
+                          {.nodes = nodes, .time_step = dt, .ghost_rule = rule});
+        Eigen::VectorXd state(map.cols());
+        for (Eigen::Index i = 0; i < state.size(); ++i) {
+            state(i) = std::sin(1.7 * double(i * i));
+        }
+        const auto all = std::size_t(chain.nodes());
+        for (std::size_t i = 0; i < all; ++i) {
+            chain.displacement()[i] = state(Eigen::Index(i));
+        }
+        for (std::size_t i = 0; i < nodes; ++i) {
+            chain.velocity()[i + chain.ghosts()] = state(Eigen::Index(all + i));
+        }
+        chain.step();
+        const Eigen::VectorXd after = map * state;
+        for (std::size_t i = 0; i < all; ++i) {
+            // Coefficients up to 20, a cascade of 4 ghost layers: some thousand roundings.
+            CHECK(chain.displacement()[i] ==
+                  doctest::Approx(after(Eigen::Index(i))).scale(100).epsilon(1e-13));
+        }
+        for (std::size_t i = 0; i < nodes; ++i) {
+            CHECK(chain.velocity()[i + chain.ghosts()] ==
+                  doctest::Approx(after(Eigen::Index(all + i))).epsilon(1e-13));
+        }
+    }
+}
+
+}  // namespace
