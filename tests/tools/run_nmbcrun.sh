@@ -123,6 +123,18 @@ expect_exit 4
 expect_stderr "explicit ghosts"
 expect_stderr "times its peak of the drive"  # found long before anything overflows
 
+# Stopped on the way: the energies so far under their own name, and nothing else.
+rm -rf results
+"$program" run "$scene" --quiet --set time.end=1e7 >"$scratch/stdout" 2>"$scratch/stderr" &
+sleep 0.5
+kill -TERM $!
+code=0
+wait $! || code=$?
+expect_exit 130
+expect_stderr "stopped at step"
+expect_file results/bar1d.csv
+expect "one file only" test "$(files_in results)" -eq 1
+
 # The shortest run is one step.
 try run "$scene" --set time.end=1e-9
 expect_exit 0

@@ -16,6 +16,11 @@ struct Unstable : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The user ended the run (130, as shells count Ctrl-C).
+struct Interrupted : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// A file could not be read or written (5).
 struct FileError : std::runtime_error {
     using std::runtime_error::runtime_error;

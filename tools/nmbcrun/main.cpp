@@ -7,13 +7,21 @@
 #include <nmbc/coefficients.hpp>
 #include <system_error>
 
+#include "tools/nmbcrun/interrupt.hpp"
 #include "tools/nmbcrun/run.hpp"
 #include "tools/nmbcrun/scene.hpp"
 
 namespace {
 
 // The project's exit codes; 1 (a comparison did not hold) is not for `run`.
-enum ExitCode { done = 0, bad_input = 2, no_such_boundary = 3, unstable = 4, file_failed = 5 };
+enum ExitCode {
+    done = 0,
+    bad_input = 2,
+    no_such_boundary = 3,
+    unstable = 4,
+    file_failed = 5,
+    stopped = 130
+};
 
 struct Arguments {
     std::string scene;
@@ -54,6 +62,8 @@ int run(const Arguments& arguments) {
         return failed(error, no_such_boundary);
     } catch (const nmbcrun::Unstable& error) {
         return failed(error, unstable);
+    } catch (const nmbcrun::Interrupted& error) {
+        return failed(error, stopped);
     } catch (const nmbcrun::FileError& error) {
         return failed(error, file_failed);
     } catch (const std::system_error& error) {  // standard output cannot be written
@@ -90,5 +100,6 @@ int main(int argc, char** argv) {
         std::cerr << "nmbcrun: " << error.what() << "\nSee nmbcrun --help.\n";
         return bad_input;
     }
+    nmbcrun::note_interrupts();
     return run(arguments);
 }

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "tools/nmbcrun/csv.hpp"
+#include "tools/nmbcrun/interrupt.hpp"
 #include "tools/nmbcrun/progress.hpp"
 
 namespace nmbcrun {
@@ -139,6 +140,12 @@ Record simulate(const Scene& scene, nmbc::Chain& chain, const Driver& driver,
     while (chain.steps() < duration.steps) {
         chain.step(driver);
         progress.update(chain.steps());
+        if (interrupted()) {
+            throw Interrupted(
+                fmt::format("stopped at step {} of {} (t = {:.6g}). Energies up to "
+                            "there: {}",
+                            chain.steps(), duration.steps, chain.time(), csv.path().string()));
+        }
         if (!chain.is_finite()) {
             throw unstable(name_of(chain.first_not_finite(), chain) + " is not finite");
         }
@@ -227,6 +234,9 @@ void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
         record = simulate(scene, chain, driver, duration, csv, quiet);
     } catch (const Unstable&) {
         csv.publish();  // the energies up to there
+        throw;
+    } catch (const Interrupted&) {
+        csv.publish();
         throw;
     }
     csv.publish();
