@@ -126,7 +126,10 @@ expect_stderr "times its peak of the drive"  # found long before anything overfl
 # Stopped on the way: the energies so far under their own name, and nothing else.
 rm -rf results
 "$program" run "$scene" --quiet --set time.end=1e7 >"$scratch/stdout" 2>"$scratch/stderr" &
-sleep 0.5
+for _ in {1..200}; do  # until it is under way
+    compgen -G 'results/*.new-*' >/dev/null && break
+    sleep 0.1
+done
 kill -TERM $!
 code=0
 wait $! || code=$?
