@@ -82,7 +82,7 @@ std::optional<Specification> specification_of(const std::string& file_name) {
 /// A table outside the set, which a user wrote: stale where it is not what its name asks for.
 std::string compare_own_table(const std::filesystem::path& file) {
     const std::string name = file.filename().string();
-    const std::string left_over = "left over: " + name + " (no table has this name: delete it)\n";
+    std::string left_over = "left over: " + name + " (no table has this name: delete it)\n";
     try {
         const auto what = specification_of(name);
         if (!what) {
