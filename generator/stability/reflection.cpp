@@ -106,7 +106,7 @@ double phase_supremum(const Eigen::MatrixXcd& matrix) {
     double best = norm.value;
     constexpr double radius = 10;  // in D, about the balanced one
     Eigen::MatrixXd shape = radius * radius * Eigen::MatrixXd::Identity(free, free);
-    const double d = double(free);
+    const auto d = double(free);
     constexpr double precision = 1e-10;
     constexpr double not_above_one = 1 + precision;
     for (int step = 0; step < 2000 && free > 0 && best > not_above_one; ++step) {

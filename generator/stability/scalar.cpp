@@ -61,11 +61,6 @@ bool not_negative_below_zero(const Polynomial& in_w) {
 
 }  // namespace
 
-std::vector<AlgebraicNumber> scalar_critical_values(const Table& table) {
-    const auto [E, O, common] = even_and_odd_parts(table);
-    return critical_values(E, O, common);
-}
-
 ScalarWindows scalar_windows(const Table& table) {
     if (table.specification.stabilisation) {
         throw std::invalid_argument("scalar_windows: the table is for one value of G only");

@@ -21,10 +21,6 @@ struct ScalarWindows {
         poles;  ///< G > 0 where a coefficient has a pole, in windows or not
 };
 
-/// Where E, O or the coefficients of a table change their character: every real G > 0 at which a
-/// root of E or O reaches w = 0 or infinity, two of them meet, or a coefficient has a pole.
-std::vector<AlgebraicNumber> scalar_critical_values(const Table& table);
-
 /// All G >= 0 with |R| <= 1 on the whole band, isolated points left out. For a stride above 1 t
 /// changes sign within the band, where the two halves ask for opposite signs: no window.
 /// Throws std::invalid_argument for a table at a fixed G.
