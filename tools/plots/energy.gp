@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The energy left in the chain against time, each curve over its own peak:
 #     gnuplot -c tools/plots/energy.gp results/bar1d results/bar1d.csv [CSV..]
 # writes results/bar1d.svg and results/bar1d.png. The CSV files are nmbcrun's.
