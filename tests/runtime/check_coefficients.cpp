@@ -118,7 +118,9 @@ TEST_CASE("a pole, a degenerate G and a bad G are refused by name") {
         CHECK_THROWS_AS(nmbc::boundary_coefficients(*table, G), std::invalid_argument);
     }
     // The nearest doubles of 208/85 and 405/98 are not these numbers, but as good as.
-    for (const auto& [horizon, G] : {std::pair{2, 208.0 / 85}, std::pair{3, 405.0 / 98}}) {
+    for (const auto& degenerate : {std::pair{2, 208.0 / 85}, std::pair{3, 405.0 / 98}}) {
+        const int horizon = degenerate.first;
+        const double G = degenerate.second;
         CAPTURE(horizon);
         const auto* third = nmbc::find_table(nmbc::generated::tables, "nopd1d", horizon, 3);
         REQUIRE(third != nullptr);

@@ -67,7 +67,9 @@ TEST_CASE("a stride above 1 has no scalar window") {
 }
 
 TEST_CASE("the exact windows agree with |R| <= 1 by sampling") {
-    for (const auto& [horizon, order] : {std::pair{1U, 4U}, std::pair{2U, 4U}, std::pair{3U, 3U}}) {
+    for (const auto& which : {std::pair{1U, 4U}, std::pair{2U, 4U}, std::pair{3U, 3U}}) {
+        const unsigned horizon = which.first;
+        const unsigned order = which.second;
         const auto table = nmbcgen::derive({"nopd1d", horizon, order, 1, std::nullopt});
         const auto exact = nmbcgen::scalar_windows(table);
         for (int i = 1; i < 160; ++i) {

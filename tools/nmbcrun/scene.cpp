@@ -13,8 +13,7 @@ constexpr long most_nodes = 100'000'000;
 nmbc::GhostRule read_ghosts(SceneReader& reader) {
     const std::string rule = reader.text("boundary.ghosts").value_or("midpoint");
     if (rule != "midpoint" && rule != "explicit") {
-        reader.fail("boundary.ghosts",
-                    "must be \"midpoint\" or \"explicit\", not \"" + rule + "\"");
+        reader.fail("boundary.ghosts", R"(must be "midpoint" or "explicit", not ")" + rule + '"');
     }
     return rule == "midpoint" ? nmbc::GhostRule::midpoint : nmbc::GhostRule::explicit_rule;
 }
