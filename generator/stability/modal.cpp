@@ -91,12 +91,12 @@ struct Peak {
 /// search around the best. `norm` takes sigma_max on its way.
 Peak largest_supremum(const HalfSpace& h, double low, double high, double& norm) {
     const auto supremum_at = [&](double omega) {
-        const Eigen::MatrixXcd R = reflection(h, omega).matrix;
-        if (R.rows() == 0) {
+        const Reflection R = reflection(h, omega);
+        if (R.matrix.rows() == 0) {
             return 0.0;
         }
-        norm = std::max(norm, Eigen::JacobiSVD<Eigen::MatrixXcd>(R).singularValues()(0));
-        return phase_supremum(R);
+        norm = std::max(norm, Eigen::JacobiSVD<Eigen::MatrixXcd>(R.matrix).singularValues()(0));
+        return std::sqrt(round_trip_supremum(R, R));
     };
     std::vector<double> samples;
     for (double distance = 1e-7; distance < 0.02; distance *= 2) {

@@ -31,9 +31,18 @@ Reflection reflection(const HalfSpace& half_space, double omega);
 /// The paper's scalar -Delta(xi)/Delta(-xi) at real wave number xi, omega > 0.
 std::complex<double> scalar_reflection(const HalfSpace& half_space, double xi);
 
-/// An upper bound of sup over diagonal phase matrices D of rho(R D): the smallest sigma_max of
-/// S R S^-1 found over diagonal S > 0. With at most three travelling waves it is the supremum
-/// itself (the structured singular value of up to three complex blocks).
-double phase_supremum(const Eigen::MatrixXcd& matrix);
+/// sup over diagonal phase matrices D, D' of rho(R_1 D R_2 D'), the largest amplification of a
+/// round trip between two ends of one lattice, both at the same frequency; exact for any number of
+/// travelling waves. Like ends: the square of sup over D of rho(R D).
+///
+/// A factor of row o and one of column i apart, each R is the Cauchy matrix
+///     C_oi = 1/(eta_o + eta_i), eta = tan(arg(k)/2),
+/// since 1/k_i - 1/k_l = 2 (y_l - y_i)/((1+y_i)(1+y_l)), y = (k-1)/(k+1) = i eta, and the incident
+/// wave of column i is the mirror image of row i. So R_1 = g_1 C f_1 and R_2 = g_2 C f_2 with
+/// diagonal g, f. Diagonal scalings S, T that make |S g_1| = |f_2 S^-1| = a and
+/// |T g_2| = |f_1 T^-1| = b turn R_1 into phases times X = a C b and R_2 into phases times X^T:
+/// rho <= sigma_max(X)^2 for every D, D', with equality where they undo the phases. The entries
+/// of X are those of C in sign and sqrt(|R_1,oi R_2,io|) in size.
+double round_trip_supremum(const Reflection& one, const Reflection& other);
 
 }  // namespace nmbcgen
