@@ -134,6 +134,16 @@ EvenAndOddParts even_and_odd_parts(const Table& table) {
     return {every_second_in_y(c, stride, 0), every_second_in_y(b, stride, 1), denominator};
 }
 
+HalfSpace stepped(HalfSpace half_space, double time_step) {
+    half_space.time_step = time_step;
+    return half_space;
+}
+
+double boundary_frequency(const HalfSpace& half_space, double omega) {
+    const double half_angle_sine = omega * half_space.time_step / 2;
+    return omega / std::sqrt(1 - half_angle_sine * half_angle_sine);
+}
+
 std::complex<double> evaluate_C(const HalfSpace& half_space, std::complex<double> k) {
     return horner(half_space.c, std::pow(k, half_space.stride));
 }

@@ -42,11 +42,14 @@ Polynomial power_of_one_minus_w(std::size_t power) {
     return result;
 }
 
-/// s^2 C^2 - B^2 = 0 as a polynomial in w, without its zeros at w = 0 (k = 1), which matching
+/// sigma^2 C^2 - B^2 = 0 as a polynomial in w, without its zeros at w = 0 (k = 1), which matching
 /// puts there.
 std::vector<double> boundary_mode_polynomial(const HalfSpace& h) {
     const Polynomial w(std::vector<Rational>{0, 1});
-    return rounded_without_zeros(h.L * h.E * h.E - w * h.O * h.O * power_of_one_minus_w(h.reach()));
+    const Rational half_step = Rational(h.time_step) / 2;
+    const Polynomial slowed =
+        power_of_one_minus_w(h.reach()) + constant(half_step * half_step) * h.L;
+    return rounded_without_zeros(h.L * h.E * h.E - w * h.O * h.O * slowed);
 }
 
 /// y O(w) / E(w), which is s where s C = B.
