@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/stability/modal.hpp"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
+#include "generator/stability/band_search.hpp"
 #include "generator/stability/reflection.hpp"
 
 namespace nmbcgen {
@@ -85,54 +86,15 @@ std::optional<double> resonance(const HalfSpace& h) {
     return std::nullopt;
 }
 
-struct Peak {
-    double value = 0;
-    double omega = 0;
-};
+double like_ends_supremum(const Reflection& reflection) {
+    return std::sqrt(round_trip_supremum(reflection, reflection));
+}
 
-/// The largest phase supremum in (low, high): samples dense at both ends, then golden-section
-/// search around the best. `norm` takes sigma_max on its way.
-Peak largest_supremum(const HalfSpace& h, double low, double high, double& norm) {
-    const auto supremum_at = [&](double omega) {
-        const Reflection R = reflection(h, omega);
-        if (R.matrix.rows() == 0) {
-            return 0.0;
-        }
-        norm = std::max(norm, Eigen::JacobiSVD<Eigen::MatrixXcd>(R.matrix).singularValues()(0));
-        return std::sqrt(round_trip_supremum(R, R));
-    };
-    std::vector<double> samples;
-    for (double distance = 1e-7; distance < 0.02; distance *= 2) {
-        samples.push_back(distance);
-        samples.push_back(1 - distance);
-    }
-    constexpr int count = 60;
-    for (int i = 1; i < count; ++i) {
-        samples.push_back((1 - std::cos(std::numbers::pi * i / count)) / 2);
-    }
-    std::ranges::sort(samples);
-    std::vector<double> values;
-    for (double& sample : samples) {
-        sample = low + (high - low) * sample;
-        values.push_back(supremum_at(sample));
-    }
-    const auto best = std::ranges::max_element(values) - values.begin();
-    Peak peak{values[std::size_t(best)], samples[std::size_t(best)]};
-    double left = best > 0 ? samples[std::size_t(best - 1)] : low;
-    double right = best + 1 < std::ssize(samples) ? samples[std::size_t(best + 1)] : high;
-    for (int i = 0; i < 30; ++i) {
-        const double inset = (right - left) * (1 - 1 / std::numbers::phi);
-        const double at_left = supremum_at(left + inset);
-        const double at_right = supremum_at(right - inset);
-        if (at_left > peak.value) {
-            peak = {at_left, left + inset};
-        }
-        if (at_right > peak.value) {
-            peak = {at_right, right - inset};
-        }
-        (at_left > at_right ? right : left) = at_left > at_right ? right - inset : left + inset;
-    }
-    return peak;
+/// sigma_max(R).
+double norm_of(const Eigen::MatrixXcd& R) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> squared(R.adjoint() * R,
+                                                                  Eigen::EigenvaluesOnly);
+    return std::sqrt(squared.eigenvalues()(R.rows() - 1));
 }
 
 }  // namespace
@@ -181,6 +143,18 @@ std::vector<double> critical_frequencies(const HalfSpace& half_space) {
     return frequencies;
 }
 
+bool is_stable(const HalfSpace& half_space) {
+    if (growing_mode(half_space) || resonance(half_space)) {
+        return false;
+    }
+    const auto supremum = [&](double omega) {
+        return like_ends_supremum(reflection(half_space, omega));
+    };
+    const Peak peak =
+        largest_over_band(critical_frequencies(half_space), supremum, amplification_limit);
+    return peak.value <= amplification_limit;
+}
+
 ModalVerdict modal_verdict(const HalfSpace& half_space) {
     if (const auto growth = growing_mode(half_space)) {
         return {.failure = ModalFailure::growing_mode, .growth = *growth};
@@ -188,21 +162,17 @@ ModalVerdict modal_verdict(const HalfSpace& half_space) {
     if (const auto xi = resonance(half_space)) {
         return {.failure = ModalFailure::resonance, .wave_number = *xi};
     }
-    ModalVerdict verdict;
-    Peak highest;
     double norm = 0;
-    const std::vector<double> frequencies = critical_frequencies(half_space);
-    for (std::size_t i = 0; i + 1 < frequencies.size(); ++i) {
-        // Two waves of a band this narrow are still 1e-6 apart in wave number.
-        constexpr double narrowest = 1e-12;
-        if (frequencies[i + 1] - frequencies[i] > narrowest) {
-            const Peak peak =
-                largest_supremum(half_space, frequencies[i], frequencies[i + 1], norm);
-            if (peak.value > highest.value) {
-                highest = peak;
-            }
+    const auto supremum = [&](double omega) {
+        const Reflection R = reflection(half_space, omega);
+        if (R.matrix.rows() == 0) {
+            return 0.0;
         }
-    }
+        norm = std::max(norm, norm_of(R.matrix));
+        return like_ends_supremum(R);
+    };
+    const Peak highest = largest_over_band(critical_frequencies(half_space), supremum);
+    ModalVerdict verdict;
     verdict.supremum = highest.value;
     verdict.contractive = norm <= amplification_limit;
     if (highest.value > amplification_limit) {

@@ -42,4 +42,7 @@ std::vector<double> critical_frequencies(const HalfSpace& half_space);
 
 ModalVerdict modal_verdict(const HalfSpace& half_space);
 
+/// Whether modal_verdict() finds no failure; quicker, as it stops at the first one.
+bool is_stable(const HalfSpace& half_space);
+
 }  // namespace nmbcgen

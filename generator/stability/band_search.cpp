@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/stability/band_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace nmbcgen {
+namespace {
+
+/// Where in (0, 1) a piece is sampled, ascending: to a ten-millionth of its ends.
+std::vector<double> sample_places() {
+    std::vector<double> places;
+    for (double distance = 1e-7; distance < 0.002; distance *= 4) {
+        places.push_back(distance);
+        places.push_back(1 - distance);
+    }
+    constexpr int count = 40;
+    for (int i = 1; i < count; ++i) {
+        places.push_back((1 - std::cos(std::numbers::pi * i / count)) / 2);
+    }
+    std::ranges::sort(places);
+    return places;
+}
+
+/// Golden-section search for a maximum near `peak`, between left and right.
+Peak refined(const std::function<double(double)>& function, Peak peak, double left, double right) {
+    for (int i = 0; i < 20; ++i) {
+        const double inset = (right - left) * (1 - 1 / std::numbers::phi);
+        const Peak one{function(left + inset), left + inset};
+        const Peak other{function(right - inset), right - inset};
+        const bool left_is_higher = one.value > other.value;
+        const Peak& higher = left_is_higher ? one : other;
+        if (higher.value > peak.value) {
+            peak = higher;
+        }
+        (left_is_higher ? right : left) = left_is_higher ? other.omega : one.omega;
+    }
+    return peak;
+}
+
+Peak largest_in_piece(double low, double high, const std::function<double(double)>& function,
+                      double enough) {
+    static const std::vector<double> places = sample_places();
+    std::vector<Peak> samples;
+    for (const double place : places) {
+        const double omega = low + (high - low) * place;
+        samples.push_back({function(omega), omega});
+        if (samples.back().value > enough) {
+            return samples.back();
+        }
+    }
+    const auto best = std::size_t(std::ranges::max_element(samples, {}, &Peak::value) -
+                                  samples.begin());
+    const Peak& before = samples[best > 0 ? best - 1 : 0];
+    const Peak& after = samples[std::min(best + 1, samples.size() - 1)];
+    // A plateau, such as the exact 1 of NMBC1, has no summit to look for.
+    constexpr double roundings = 1e-12;
+    const double lower = std::min(before.value, after.value);
+    if (samples[best].value - lower <= roundings * samples[best].value) {
+        return samples[best];
+    }
+    return refined(function, samples[best], before.omega, after.omega);
+}
+
+}  // namespace
+
+Peak largest_over_band(const std::vector<double>& frequencies,
+                       const std::function<double(double)>& function, double enough) {
+    constexpr double narrowest = 1e-12;
+    Peak highest;
+    for (std::size_t i = 0; i + 1 < frequencies.size() && highest.value <= enough; ++i) {
+        if (frequencies[i + 1] - frequencies[i] > narrowest) {
+            const Peak peak =
+                largest_in_piece(frequencies[i], frequencies[i + 1], function, enough);
+            if (peak.value > highest.value) {
+                highest = peak;
+            }
+        }
+    }
+    return highest;
+}
+
+}  // namespace nmbcgen

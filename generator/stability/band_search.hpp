@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// The largest value of a function of frequency over a band whose narrow parts matter.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace nmbcgen {
+
+struct Peak {
+    double value = 0;
+    double omega = 0;
+};
+
+/// The largest value found in the pieces between neighbouring frequencies (ascending): samples,
+/// dense at both ends of a piece, where waves meet and a square root of the distance counts, then
+/// golden-section search around the best of the piece. Pieces narrower than 1e-12 are skipped.
+/// The search ends at the first value above `enough`.
+Peak largest_over_band(const std::vector<double>& frequencies,
+                       const std::function<double(double)>& function,
+                       double enough = std::numeric_limits<double>::infinity());
+
+}  // namespace nmbcgen
