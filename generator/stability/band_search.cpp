@@ -42,16 +42,28 @@ Peak refined(const std::function<double(double)>& function, Peak peak, double le
 Peak largest_in_piece(double low, double high, const std::function<double(double)>& function,
                       double enough) {
     static const std::vector<double> places = sample_places();
+    // Roundings that send a value astray, where two wave numbers are hard to tell apart, do not do
+    // so at the next frequency, too: a value above `enough` has to be so there as well.
+    const auto confirmed = [&](double place, double value) {
+        const double next = place + 1e-3 * (place < 0.5 ? place : place - 1);
+        return std::min(value, function(low + (high - low) * next));
+    };
+    // Nearer to an end frequencies are not told apart by doubles well enough.
+    const double nearest = 1e-13 * high;
     std::vector<Peak> samples;
     for (const double place : places) {
         const double omega = low + (high - low) * place;
-        samples.push_back({function(omega), omega});
+        if (omega - low < nearest || high - omega < nearest) {
+            continue;
+        }
+        const double value = function(omega);
+        samples.push_back({value > enough ? confirmed(place, value) : value, omega});
         if (samples.back().value > enough) {
             return samples.back();
         }
     }
-    const auto best = std::size_t(std::ranges::max_element(samples, {}, &Peak::value) -
-                                  samples.begin());
+    const auto best =
+        std::size_t(std::ranges::max_element(samples, {}, &Peak::value) - samples.begin());
     const Peak& before = samples[best > 0 ? best - 1 : 0];
     const Peak& after = samples[std::min(best + 1, samples.size() - 1)];
     // A plateau, such as the exact 1 of NMBC1, has no summit to look for.
@@ -67,7 +79,7 @@ Peak largest_in_piece(double low, double high, const std::function<double(double
 
 Peak largest_over_band(const std::vector<double>& frequencies,
                        const std::function<double(double)>& function, double enough) {
-    constexpr double narrowest = 1e-12;
+    const double narrowest = 1e-9 * frequencies.back();
     Peak highest;
     for (std::size_t i = 0; i + 1 < frequencies.size() && highest.value <= enough; ++i) {
         if (frequencies[i + 1] - frequencies[i] > narrowest) {

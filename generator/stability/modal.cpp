@@ -91,7 +91,11 @@ double like_ends_supremum(const Reflection& reflection) {
 }
 
 /// sigma_max(R).
-double norm_of(const Eigen::MatrixXcd& R) {
+double norm(const Reflection& reflection) {
+    const Eigen::MatrixXcd& R = reflection.matrix;
+    if (R.rows() == 0) {
+        return 0;
+    }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> squared(R.adjoint() * R,
                                                                   Eigen::EigenvaluesOnly);
     return std::sqrt(squared.eigenvalues()(R.rows() - 1));
@@ -143,16 +147,20 @@ std::vector<double> critical_frequencies(const HalfSpace& half_space) {
     return frequencies;
 }
 
-bool is_stable(const HalfSpace& half_space) {
+Grade stability_grade(const HalfSpace& half_space) {
     if (growing_mode(half_space) || resonance(half_space)) {
-        return false;
+        return Grade::none;
     }
-    const auto supremum = [&](double omega) {
-        return like_ends_supremum(reflection(half_space, omega));
+    const std::vector<double> frequencies = critical_frequencies(half_space);
+    const auto holds = [&](double (*size)(const Reflection&)) {
+        const auto size_at = [&](double omega) { return size(reflection(half_space, omega)); };
+        const Peak peak = largest_over_band(frequencies, size_at, amplification_limit);
+        return peak.value <= amplification_limit;
     };
-    const Peak peak =
-        largest_over_band(critical_frequencies(half_space), supremum, amplification_limit);
-    return peak.value <= amplification_limit;
+    if (holds(norm)) {
+        return Grade::contractive;
+    }
+    return holds(like_ends_supremum) ? Grade::paired : Grade::none;
 }
 
 ModalVerdict modal_verdict(const HalfSpace& half_space) {
@@ -162,26 +170,24 @@ ModalVerdict modal_verdict(const HalfSpace& half_space) {
     if (const auto xi = resonance(half_space)) {
         return {.failure = ModalFailure::resonance, .wave_number = *xi};
     }
-    double norm = 0;
+    double largest_norm = 0;
     const auto supremum = [&](double omega) {
         const Reflection R = reflection(half_space, omega);
-        if (R.matrix.rows() == 0) {
-            return 0.0;
-        }
-        norm = std::max(norm, norm_of(R.matrix));
+        largest_norm = std::max(largest_norm, norm(R));
         return like_ends_supremum(R);
     };
     const Peak highest = largest_over_band(critical_frequencies(half_space), supremum);
     ModalVerdict verdict;
     verdict.supremum = highest.value;
-    verdict.contractive = norm <= amplification_limit;
+    verdict.contractive = largest_norm <= amplification_limit;
     if (highest.value > amplification_limit) {
         verdict.failure = ModalFailure::amplified_wave;
     }
     if (highest.omega > 0) {
         const auto modes = outgoing_modes(half_space, highest.omega);
         verdict.wave_number = std::abs(std::arg(modes.front().k));
-        verdict.backward = std::arg(modes.front().k) > 0;
+        verdict.backward = std::ranges::any_of(
+            modes, [](const Mode& mode) { return mode.travels() && std::arg(mode.k) > 0; });
     }
     return verdict;
 }

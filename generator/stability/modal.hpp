@@ -25,7 +25,7 @@ struct ModalVerdict {
     ModalFailure failure = ModalFailure::none;
     double supremum = 0;              ///< of rho(R D) over the band, 0 where a mode decides
     double wave_number = 0;           ///< where it is reached, or of the resonance
-    bool backward = false;            ///< that wave's group and phase velocity are opposed
+    bool backward = false;            ///< waves of opposed group and phase velocity travel there
     bool contractive = false;         ///< sigma_max(R) <= 1 on the whole band
     std::complex<double> growth = 0;  ///< s [c/dX] of the fastest growing mode
 };
@@ -42,7 +42,13 @@ std::vector<double> critical_frequencies(const HalfSpace& half_space);
 
 ModalVerdict modal_verdict(const HalfSpace& half_space);
 
-/// Whether modal_verdict() finds no failure; quicker, as it stops at the first one.
-bool is_stable(const HalfSpace& half_space);
+enum class Grade {
+    none,         ///< not stable
+    paired,       ///< sup rho <= 1: stable at every length with its like at the other end
+    contractive,  ///< sigma_max <= 1, too: stable with any contractive other end
+};
+
+/// The grade alone: quicker than modal_verdict(), as it stops at the first failure.
+Grade stability_grade(const HalfSpace& half_space);
 
 }  // namespace nmbcgen

@@ -1,37 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/stability/scalar.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "generator/exact/rational_function.hpp"
 #include "generator/exact/real_roots.hpp"
-#include "generator/exact/resultant.hpp"
-#include "generator/stability/half_space.hpp"
+#include "generator/stability/critical_values.hpp"
 
 namespace nmbcgen {
 namespace {
 
 using InW = std::vector<Polynomial>;  // ascending in w, coefficients in Q[G]
-
-/// Every G > 0 at which the truth of E O >= 0 on w < 0 can change, ascending.
-std::vector<AlgebraicNumber> critical_values(const InW& E, const InW& O,
-                                             const Polynomial& denominator) {
-    Polynomial product = denominator;
-    for (const InW* f : {&E, &O}) {
-        product *= f->back();
-        product *= *std::ranges::find_if(*f, [](const Polynomial& p) { return !p.is_zero(); });
-        if (f->size() > 2) {
-            product *= discriminant(*f);
-        }
-    }
-    if (E.size() > 1 && O.size() > 1) {
-        product *= resultant(E, O);
-    }
-    auto roots = real_roots(square_free(product), 0);
-    std::erase_if(roots, [](const AlgebraicNumber& root) { return compare(root, 0) == 0; });
-    return roots;
-}
 
 Polynomial at(const InW& polynomial, const Rational& G) {
     std::vector<Rational> coefficients;
@@ -68,21 +47,21 @@ ScalarWindows scalar_windows(const Table& table) {
     if (table.specification.stride != 1) {
         return {};
     }
-    const auto [E, O, common] = even_and_odd_parts(table);
+    const EvenAndOddParts parts = even_and_odd_parts(table);
     ScalarWindows result;
-    for (const AlgebraicNumber& root : real_roots(square_free(common), 0)) {
-        if (compare(root, 0) != 0) {
-            result.poles.push_back(root);
+    for (const AlgebraicNumber& pole : poles(parts)) {
+        if (compare(pole, 0) != 0) {
+            result.poles.push_back(pole);
         }
     }
-    const auto critical = critical_values(E, O, common);
+    const auto critical = scalar_critical_values(parts);
     AlgebraicNumber low = to_algebraic_number(0);
     bool inside = false;
     for (std::size_t i = 0; i <= critical.size(); ++i) {
         const AlgebraicNumber& begin = i == 0 ? low : critical[i - 1];
         const Rational sample =
             i < critical.size() ? rational_between(begin, critical[i]) : rational_above(begin);
-        const bool holds = not_negative_below_zero(at(E, sample) * at(O, sample));
+        const bool holds = not_negative_below_zero(at(parts.E, sample) * at(parts.O, sample));
         if (holds && !inside) {
             low = begin;
         } else if (!holds && inside) {

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "generator/stability/window.hpp"
+#include "generator/table/certificate.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/stability/modal_windows.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "generator/exact/real_roots.hpp"
+#include "generator/stability/critical_values.hpp"
+#include "generator/stability/modal.hpp"
+
+namespace nmbcgen {
+namespace {
+
+struct Sample {
+    double G;
+    Grade grade;
+};
+
+/// Where the grade is asked for: ascending, from 0 on.
+std::vector<double> sampled_values(const std::vector<AlgebraicNumber>& critical) {
+    std::vector<double> splits{0};
+    for (const AlgebraicNumber& value : critical) {
+        splits.push_back(nearest_double(value));
+    }
+    splits.push_back(2 * std::max(4.0, splits.back()));
+    std::vector<double> values{0};
+    constexpr int parts = 24;
+    for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
+        for (int part = 0; part < parts; ++part) {
+            const double fraction = (part + 0.5) / parts;
+            values.push_back(splits[i] + (splits[i + 1] - splits[i]) * fraction);
+        }
+    }
+    constexpr double farthest = 1000;
+    for (double factor = 1; factor < farthest; factor *= 2) {
+        values.push_back(splits.back() * factor);
+    }
+    return values;
+}
+
+class Search {
+  public:
+    explicit Search(const Table& table)
+        : table_(table),
+          parts_(even_and_odd_parts(table)),
+          poles_(poles(parts_)),
+          jordan_values_(jordan_values(parts_)),
+          critical_(modal_critical_values(table, parts_)) {
+        for (const double G : sampled_values(critical_)) {
+            samples_.push_back({G, grade_at(G)});
+        }
+    }
+
+    /// The windows of at least this grade.
+    std::vector<StabilityWindow> windows(Grade least) const {
+        std::vector<StabilityWindow> found;
+        std::optional<Edge> low;
+        if (samples_.front().grade >= least) {
+            low = Edge{.where = to_algebraic_number(0)};
+        }
+        for (std::size_t i = 1; i < samples_.size(); ++i) {
+            const bool opens = samples_[i].grade >= least;
+            if (opens == low.has_value()) {
+                continue;
+            }
+            const Edge edge = edge_between(samples_[i - 1].G, samples_[i].G, least, opens);
+            if (opens) {
+                low = edge;
+            } else {
+                found.push_back({*low, edge});
+                low.reset();
+            }
+        }
+        if (low) {
+            found.push_back({*low, std::nullopt});
+        }
+        std::erase_if(found, is_sliver);
+        return without(jordan_values_, Failure::jordan_block,
+                       without(poles_, Failure::pole, std::move(found)));
+    }
+
+  private:
+    /// At a pole there is no condition: the grade is that of the G just above.
+    Grade grade_at(double G) const {
+        constexpr double above = 1 + 1e-9;
+        constexpr double least = 1e-9;
+        try {
+            return stability_grade(make_half_space(table_, Rational(G)));
+        } catch (const std::domain_error&) {
+            return stability_grade(make_half_space(table_, Rational(std::max(G * above, least))));
+        }
+    }
+
+    Edge edge_between(double left, double right, Grade least, bool opens) const {
+        constexpr double bracket_width = 5e-7;
+        while (right - left > bracket_width * std::max(1.0, left)) {
+            const double middle = left + (right - left) / 2;
+            ((grade_at(middle) >= least) == opens ? right : left) = middle;
+        }
+        Edge edge{.where = Bracket{left, right}};
+        if (const auto exact = exact_edge(left, right, opens)) {
+            edge.where = *exact;
+        }
+        describe(edge, opens ? left : right);
+        return edge;
+    }
+
+    /// The critical value an edge in [low, high] is: one that is as near as the bracket is wide,
+    /// or one that makes the window smaller and lies so near that what is amplified between them
+    /// cannot be told from 1.
+    std::optional<AlgebraicNumber> exact_edge(double low, double high, bool opens) const {
+        constexpr double width = 1e-6;
+        constexpr double indistinct = 1e-4;
+        for (const AlgebraicNumber& value : critical_) {
+            const double candidate = nearest_double(value);
+            const double from = low - (opens ? width : indistinct);
+            const double to = high + (opens ? indistinct : width);
+            if (from <= candidate && candidate <= to) {
+                return value;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// How stability fails at G, just outside of the edge.
+    void describe(Edge& edge, double G) const {
+        if (const auto* exact = std::get_if<AlgebraicNumber>(&edge.where)) {
+            const auto is_edge = [&](const AlgebraicNumber& value) {
+                return compare(value, *exact) == 0;
+            };
+            if (std::ranges::any_of(poles_, is_edge)) {
+                edge.beyond = Failure::pole;
+                return;
+            }
+            if (std::ranges::any_of(jordan_values_, is_edge)) {
+                edge.beyond = Failure::jordan_block;
+                return;
+            }
+        }
+        const ModalVerdict verdict = modal_verdict(make_half_space(table_, Rational(G)));
+        edge.wave_number = verdict.wave_number;
+        switch (verdict.failure) {
+            case ModalFailure::none:
+                edge.wave_number = 0;  // beyond it lies the next lower grade
+                break;
+            case ModalFailure::growing_mode:
+                edge.beyond = Failure::growing_mode;
+                break;
+            case ModalFailure::resonance:
+                edge.beyond = Failure::resonance;
+                break;
+            case ModalFailure::amplified_wave:
+                edge.beyond = verdict.backward ? Failure::backward_band : Failure::amplified_wave;
+                break;
+        }
+    }
+
+    /// The windows, cut in two wherever one of the values lies inside.
+    static std::vector<StabilityWindow> without(const std::vector<AlgebraicNumber>& values,
+                                                Failure failure,
+                                                std::vector<StabilityWindow> windows) {
+        for (const AlgebraicNumber& value : values) {
+            const double at = nearest_double(value);
+            for (std::size_t i = 0; i < windows.size(); ++i) {
+                const bool inside = inner_end(windows[i].low) < at &&
+                                    (!windows[i].high || at < inner_end(*windows[i].high));
+                if (inside) {
+                    const Edge cut{.where = value, .beyond = failure};
+                    windows.insert(windows.begin() + std::ptrdiff_t(i + 1), {cut, windows[i].high});
+                    windows[i].high = cut;
+                    break;
+                }
+            }
+        }
+        return windows;
+    }
+
+    /// Where two extrema of the band change their order, the band between them, with amplified
+    /// waves in it, is for a short while too narrow to be seen.
+    static bool is_sliver(const StabilityWindow& window) {
+        constexpr double narrowest = 5e-3;
+        return window.high && inner_end(*window.high) - inner_end(window.low) < narrowest;
+    }
+
+    static double inner_end(const Edge& edge) {
+        const auto* exact = std::get_if<AlgebraicNumber>(&edge.where);
+        return exact != nullptr ? nearest_double(*exact) : std::get<Bracket>(edge.where).low;
+    }
+
+    const Table& table_;
+    EvenAndOddParts parts_;
+    std::vector<AlgebraicNumber> poles_;
+    std::vector<AlgebraicNumber> jordan_values_;
+    std::vector<AlgebraicNumber> critical_;
+    std::vector<Sample> samples_;
+};
+
+}  // namespace
+
+ModalWindows modal_windows(const Table& table) {
+    if (table.specification.stabilisation) {
+        throw std::invalid_argument("modal_windows: the table is for one value of G only");
+    }
+    const Search search(table);
+    return {search.windows(Grade::paired), search.windows(Grade::contractive)};
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// What is known of the stability of a table, as sets of the stabilisation G.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "generator/table/algebraic.hpp"
+
+namespace nmbcgen {
+
+/// The values from low to high; none: to infinity.
+struct Window {
+    AlgebraicNumber low;
+    std::optional<AlgebraicNumber> high;
+};
+
+/// Why there is no stability beyond an edge.
+enum class Failure {
+    none,
+    growing_mode,    ///< a boundary mode that decays inwards and grows in time
+    resonance,       ///< the boundary sends out a travelling wave without an incident one
+    amplified_wave,  ///< reflections add up to more than came in
+    backward_band,   ///< likewise, with waves of opposed group and phase velocity among them
+    pole,            ///< the coefficients have a pole at the edge
+    jordan_block,    ///< C(1) = 0 at the edge: a constant displacement grows like t^2
+};
+
+/// Its name in every format.
+constexpr std::string_view name_of(Failure failure) {
+    switch (failure) {
+        case Failure::none:
+            return "none";
+        case Failure::growing_mode:
+            return "growing boundary mode";
+        case Failure::resonance:
+            return "resonance";
+        case Failure::amplified_wave:
+            return "amplified wave";
+        case Failure::backward_band:
+            return "backward band";
+        case Failure::pole:
+            return "pole";
+        case Failure::jordan_block:
+            return "Jordan block";
+    }
+    return "";
+}
+
+/// A number known to lie between low and high, at most 1e-6 apart.
+struct Bracket {
+    double low;
+    double high;
+};
+
+/// Where a set of G begins or ends, and how stability fails just beyond.
+struct Edge {
+    std::variant<AlgebraicNumber, Bracket> where;
+    Failure beyond = Failure::none;
+    double wave_number = 0;  ///< |xi| [1/dX] of the resonance or the most amplified wave, else 0
+};
+
+/// A window with its edges; without the upper one it has no end.
+struct StabilityWindow {
+    Edge low;
+    std::optional<Edge> high;
+};
+
+/// For every G from low to high (which may be infinite), steps of this cfl or less are stable.
+struct StableStep {
+    double low;
+    double high;
+    double cfl;  ///< dt omega_max / 2, midpoint ghosts
+};
+
+/// The three levels, for a table whose G is open; ascending, disjoint.
+struct Certificate {
+    std::vector<Window> reflection;      ///< the paper's scalar |R| <= 1 on the whole band; exact
+    std::vector<AlgebraicNumber> poles;  ///< G > 0 where a coefficient has a pole
+    std::vector<StabilityWindow> modal;  ///< stable at every length with both ends alike
+    std::vector<StabilityWindow> contractive;  ///< and with any other contractive end
+    std::vector<StableStep> max_cfl;           ///< covers the modal windows
+};
+
+}  // namespace nmbcgen
