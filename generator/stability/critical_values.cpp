@@ -35,8 +35,8 @@ void trim(InX& polynomial) {
     }
 }
 
-/// d(omega^2)/dx, omega^2 = symbol_0 + 2 sum symbol_m T_m(x).
-InX band_slope(const std::vector<Polynomial>& symbol) {
+/// omega^2 = symbol_0 + 2 sum symbol_m T_m(x).
+InX band(const std::vector<Polynomial>& symbol) {
     InX before{constant(1)};
     InX now{Polynomial(), constant(1)};
     InX omega_squared{symbol[0]};
@@ -45,11 +45,15 @@ InX band_slope(const std::vector<Polynomial>& symbol) {
         const InX next = plus(plus({}, times_x(now), constant(2)), before, constant(-1));
         before = std::exchange(now, next);
     }
+    trim(omega_squared);
+    return omega_squared;
+}
+
+InX derivative(const InX& polynomial) {
     InX slope;
-    for (std::size_t i = 1; i < omega_squared.size(); ++i) {
-        slope.push_back(omega_squared[i] * constant(Rational(i)));
+    for (std::size_t i = 1; i < polynomial.size(); ++i) {
+        slope.push_back(polynomial[i] * constant(Rational(i)));
     }
-    trim(slope);
     return slope;
 }
 
@@ -67,12 +71,28 @@ InX from_w(const std::vector<Polynomial>& in_w) {
     return result;
 }
 
-Polynomial at_minus_one(const InX& polynomial) {
+Polynomial at(const InX& polynomial, int x) {
     Polynomial sum;
-    for (std::size_t i = 0; i < polynomial.size(); ++i) {
-        sum += polynomial[i] * constant(i % 2 == 0 ? 1 : -1);
+    for (std::size_t i = polynomial.size(); i-- > 0;) {
+        sum = sum * constant(x) + polynomial[i];
     }
     return sum;
+}
+
+/// The polynomial without its zeros at x = 1, by Horner's division.
+InX without_zeros_at_one(InX polynomial) {
+    while (at(polynomial, 1).is_zero()) {
+        for (std::size_t i = polynomial.size() - 1; i-- > 1;) {
+            polynomial[i] += polynomial[i + 1];
+        }
+        polynomial.erase(polynomial.begin());
+    }
+    return polynomial;
+}
+
+/// What vanishes at every G says nothing of any.
+Polynomial nonzero_or_one(const Polynomial& polynomial) {
+    return polynomial.is_zero() ? constant(1) : polynomial;
 }
 
 std::vector<AlgebraicNumber> positive_roots(const Polynomial& polynomial) {
@@ -114,16 +134,21 @@ std::vector<AlgebraicNumber> scalar_critical_values(const EvenAndOddParts& parts
 
 std::vector<AlgebraicNumber> modal_critical_values(const Table& table,
                                                    const EvenAndOddParts& parts) {
-    const InX slope = band_slope(table.model.symbol);
-    Polynomial product = slope.back() * at_minus_one(slope);
+    const InX omega_squared = band(table.model.symbol);
+    const InX slope = derivative(omega_squared);
+    Polynomial product = slope.back() * at(slope, -1);
     if (slope.size() > 2) {
         product *= discriminant(slope);
+    }
+    // Where an evanescent wave at rest, omega(k) = 0, gets B(k) = 0, its s = B/C changes sign.
+    const InX still = without_zeros_at_one(omega_squared);
+    if (parts.O.size() > 1) {
+        product *= nonzero_or_one(resultant(still, from_w(parts.O)));
     }
     for (const auto* part : {&parts.E, &parts.O}) {
         const InX in_x = from_w(*part);
         if (in_x.size() > 1 && slope.size() > 1) {
-            const Polynomial meeting = resultant(in_x, slope);
-            product *= meeting.is_zero() ? constant(1) : meeting;
+            product *= nonzero_or_one(resultant(in_x, slope));
         }
     }
     return merged(scalar_critical_values(parts), positive_roots(product));

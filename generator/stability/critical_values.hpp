@@ -15,8 +15,8 @@ namespace nmbcgen {
 std::vector<AlgebraicNumber> scalar_critical_values(const EvenAndOddParts& parts);
 
 /// Those and, ascending, every G > 0 at which the band changes its structure (an extremum of
-/// omega^2 appears, vanishes or reaches xi = pi), or a zero of C or B on the unit circle meets an
-/// extremum.
+/// omega^2 appears, vanishes or reaches xi = pi), a zero of C or B on the unit circle meets an
+/// extremum, or a static evanescent wave, omega(k) = 0, becomes a boundary mode.
 std::vector<AlgebraicNumber> modal_critical_values(const Table& table,
                                                    const EvenAndOddParts& parts);
 

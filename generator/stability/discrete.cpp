@@ -62,19 +62,33 @@ double maximum_frequency(const HalfSpace& half_space) {
     return critical_frequencies(half_space).back();
 }
 
-double largest_cfl(const HalfSpace& half_space, GhostLevel level) {
-    const double top = maximum_frequency(half_space);
+namespace {
+
+bool is_stable(const HalfSpace& half_space, GhostLevel level, double time_step) {
+    if (level == GhostLevel::midpoint) {
+        return stability_grade(stepped(half_space, time_step)) != Grade::none;
+    }
     // The double eigenvalue 1 of a constant and of a uniform velocity splits by roundings only.
     constexpr double stable = 1 + 1e-9;
     const std::size_t shortest = (half_space.c.size() - 1) * std::size_t(half_space.stride);
+    return spectral_radius(half_space, shortest + 11, time_step, level) <= stable &&
+           spectral_radius(half_space, shortest + 20, time_step, level) <= stable;
+}
+
+}  // namespace
+
+double largest_cfl(const HalfSpace& half_space, GhostLevel level) {
+    const double top = maximum_frequency(half_space);
+    const auto stable_at = [&](int hundredths) {
+        return is_stable(half_space, level, 2 * hundredths / (100 * top));
+    };
+    constexpr int coarse = 5;
     int largest = 0;
-    for (int hundredths = 1; hundredths <= 99; ++hundredths) {
-        for (const std::size_t nodes : {shortest + 11, shortest + 20}) {
-            if (spectral_radius(half_space, nodes, 2 * hundredths / (100 * top), level) > stable) {
-                return largest / 100.0;
-            }
-        }
-        largest = hundredths;
+    while (largest + coarse < 100 && stable_at(largest + coarse)) {
+        largest += coarse;
+    }
+    while (largest + 1 < 100 && stable_at(largest + 1)) {
+        ++largest;
     }
     return largest / 100.0;
 }

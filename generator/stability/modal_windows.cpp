@@ -2,6 +2,7 @@
 #include "generator/stability/modal_windows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "generator/exact/real_roots.hpp"
@@ -24,7 +25,7 @@ std::vector<double> sampled_values(const std::vector<AlgebraicNumber>& critical)
     }
     splits.push_back(2 * std::max(4.0, splits.back()));
     std::vector<double> values{0};
-    constexpr int parts = 24;
+    const int parts = std::clamp(400 / int(splits.size()), 8, 24);
     for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
         for (int part = 0; part < parts; ++part) {
             const double fraction = (part + 0.5) / parts;
@@ -56,7 +57,7 @@ class Search {
         std::vector<StabilityWindow> found;
         std::optional<Edge> low;
         if (samples_.front().grade >= least) {
-            low = Edge{.where = to_algebraic_number(0)};
+            low = Edge{.where = to_algebraic_number(0), .inner = 0};
         }
         for (std::size_t i = 1; i < samples_.size(); ++i) {
             const bool opens = samples_[i].grade >= least;
@@ -93,15 +94,18 @@ class Search {
 
     Edge edge_between(double left, double right, Grade least, bool opens) const {
         constexpr double bracket_width = 5e-7;
-        while (right - left > bracket_width * std::max(1.0, left)) {
+        while (right - left > bracket_width) {
             const double middle = left + (right - left) / 2;
             ((grade_at(middle) >= least) == opens ? right : left) = middle;
         }
-        Edge edge{.where = Bracket{left, right}};
+        Edge edge{.where = Bracket{left, right}, .inner = opens ? right : left};
         if (const auto exact = exact_edge(left, right, opens)) {
-            edge.where = *exact;
+            edge = {.where = *exact, .inner = inner_double(*exact, opens)};
         }
-        describe(edge, opens ? left : right);
+        if (stands_for_failure(edge)) {
+            return edge;
+        }
+        describe(edge, opens ? left : right, opens);
         return edge;
     }
 
@@ -122,27 +126,33 @@ class Search {
         return std::nullopt;
     }
 
-    /// How stability fails at G, just outside of the edge.
-    void describe(Edge& edge, double G) const {
-        if (const auto* exact = std::get_if<AlgebraicNumber>(&edge.where)) {
-            const auto is_edge = [&](const AlgebraicNumber& value) {
+    /// Whether the edge is a pole or a Jordan block, which it then says.
+    bool stands_for_failure(Edge& edge) const {
+        const auto* exact = std::get_if<AlgebraicNumber>(&edge.where);
+        const auto holds = [exact](const std::vector<AlgebraicNumber>& values) {
+            return std::ranges::any_of(values, [exact](const AlgebraicNumber& value) {
                 return compare(value, *exact) == 0;
-            };
-            if (std::ranges::any_of(poles_, is_edge)) {
-                edge.beyond = Failure::pole;
-                return;
-            }
-            if (std::ranges::any_of(jordan_values_, is_edge)) {
-                edge.beyond = Failure::jordan_block;
-                return;
-            }
+            });
+        };
+        if (exact != nullptr && holds(poles_)) {
+            edge.beyond = Failure::pole;
+        } else if (exact != nullptr && holds(jordan_values_)) {
+            edge.beyond = Failure::jordan_block;
         }
-        const ModalVerdict verdict = modal_verdict(make_half_space(table_, Rational(G)));
-        edge.wave_number = verdict.wave_number;
+        return edge.beyond != Failure::none;
+    }
+
+    /// How stability fails outside of the edge. Not quite at it: there the amplified wave is only
+    /// just so, and its wave number a matter of roundings.
+    void describe(Edge& edge, double outside, bool opens) const {
+        constexpr double farther = 1e-4;
+        ModalVerdict verdict = verdict_at(std::max(0.0, outside + (opens ? -farther : farther)));
+        if (verdict.failure == ModalFailure::none) {
+            verdict = verdict_at(outside);
+        }
         switch (verdict.failure) {
-            case ModalFailure::none:
-                edge.wave_number = 0;  // beyond it lies the next lower grade
-                break;
+            case ModalFailure::none:  // it is stable there, of a lower grade
+                return;
             case ModalFailure::growing_mode:
                 edge.beyond = Failure::growing_mode;
                 break;
@@ -153,6 +163,11 @@ class Search {
                 edge.beyond = verdict.backward ? Failure::backward_band : Failure::amplified_wave;
                 break;
         }
+        edge.wave_number = verdict.wave_number;
+    }
+
+    ModalVerdict verdict_at(double G) const {
+        return modal_verdict(make_half_space(table_, Rational(G)));
     }
 
     /// The windows, cut in two wherever one of the values lies inside.
@@ -160,14 +175,17 @@ class Search {
                                                 Failure failure,
                                                 std::vector<StabilityWindow> windows) {
         for (const AlgebraicNumber& value : values) {
-            const double at = nearest_double(value);
             for (std::size_t i = 0; i < windows.size(); ++i) {
-                const bool inside = inner_end(windows[i].low) < at &&
-                                    (!windows[i].high || at < inner_end(*windows[i].high));
+                const bool inside =
+                    windows[i].low.inner < inner_double(value, false) &&
+                    (!windows[i].high || inner_double(value, true) < windows[i].high->inner);
                 if (inside) {
-                    const Edge cut{.where = value, .beyond = failure};
-                    windows.insert(windows.begin() + std::ptrdiff_t(i + 1), {cut, windows[i].high});
-                    windows[i].high = cut;
+                    const Edge low{
+                        .where = value, .inner = inner_double(value, true), .beyond = failure};
+                    const Edge high{
+                        .where = value, .inner = inner_double(value, false), .beyond = failure};
+                    windows.insert(windows.begin() + std::ptrdiff_t(i + 1), {low, windows[i].high});
+                    windows[i].high = high;
                     break;
                 }
             }
@@ -179,12 +197,15 @@ class Search {
     /// waves in it, is for a short while too narrow to be seen.
     static bool is_sliver(const StabilityWindow& window) {
         constexpr double narrowest = 5e-3;
-        return window.high && inner_end(*window.high) - inner_end(window.low) < narrowest;
+        return window.high && window.high->inner - window.low.inner < narrowest;
     }
 
-    static double inner_end(const Edge& edge) {
-        const auto* exact = std::get_if<AlgebraicNumber>(&edge.where);
-        return exact != nullptr ? nearest_double(*exact) : std::get<Bracket>(edge.where).low;
+    /// The nearest double not below the value, or not above it.
+    static double inner_double(const AlgebraicNumber& value, bool above) {
+        const double nearest = nearest_double(value);
+        const auto order = compare(value, Rational(nearest));
+        const bool outside = above ? order > 0 : order < 0;
+        return outside ? std::nextafter(nearest, above ? HUGE_VAL : 0) : nearest;
     }
 
     const Table& table_;

@@ -16,10 +16,10 @@ struct ModalWindows {
 
 /// The windows of G >= 0, ascending, of a table whose G is open.
 ///
-/// Between neighbouring critical values (critical_values.hpp) stability_grade() is sampled 24
+/// Between neighbouring critical values (critical_values.hpp) stability_grade() is sampled 8 to 24
 /// times, and beyond the last one at twice its value and so on up to 1000 times: a window that
 /// lasts so far has no upper edge. Edges are bisected, and are the critical value where they lie
-/// at one. A gap or a window narrower than a 24th of the distance of two critical values, and
+/// at one. A gap or a window narrower than an 8th of the distance of two critical values, and
 /// without one in it, may be missed. Poles and C(1) = 0 are left out exactly.
 /// Throws std::invalid_argument for a table at a fixed G.
 ModalWindows modal_windows(const Table& table);

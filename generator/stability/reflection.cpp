@@ -25,22 +25,29 @@ Reflection reflection(const HalfSpace& half_space, double omega) {
     const auto all = Eigen::Index(out.size());
     result.amplitudes = Eigen::MatrixXcd(all, travelling);
     result.matrix = Eigen::MatrixXcd(travelling, travelling);
+    // Delta(k_o) prod_{l != o} (1/k_o - 1/k_l)
+    std::vector<Complex> denominators;
+    for (const Mode& mode : out) {
+        Complex product = residual(half_space, omega, mode.k);
+        for (const Mode& other : out) {
+            product *= &other == &mode ? 1.0 : 1.0 / mode.k - 1.0 / other.k;
+        }
+        denominators.push_back(product);
+    }
     for (Eigen::Index i = 0; i < travelling; ++i) {
-        const Complex incident = 1.0 / out[std::size_t(i)].k;
+        const Complex inverse_incident = out[std::size_t(i)].k;
+        Complex numerator = -residual(half_space, omega, 1.0 / inverse_incident);
+        for (const Mode& other : out) {
+            numerator *= inverse_incident - 1.0 / other.k;
+        }
         for (Eigen::Index o = 0; o < all; ++o) {
-            const Complex k = out[std::size_t(o)].k;
-            Complex amplitude =
-                -residual(half_space, omega, incident) / residual(half_space, omega, k);
-            for (Eigen::Index l = 0; l < all; ++l) {
-                if (l != o) {
-                    const Complex other = 1.0 / out[std::size_t(l)].k;
-                    amplitude *= (1.0 / incident - other) / (1.0 / k - other);
-                }
-            }
+            const Mode& mode = out[std::size_t(o)];
+            const Complex amplitude =
+                numerator / ((inverse_incident - 1.0 / mode.k) * denominators[std::size_t(o)]);
             result.amplitudes(o, i) = amplitude;
             if (o < travelling) {
-                result.matrix(o, i) = amplitude * std::sqrt(out[std::size_t(o)].group_velocity /
-                                                            out[std::size_t(i)].group_velocity);
+                result.matrix(o, i) =
+                    amplitude * std::sqrt(mode.group_velocity / out[std::size_t(i)].group_velocity);
             }
         }
     }
