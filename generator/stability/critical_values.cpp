@@ -90,68 +90,73 @@ InX without_zeros_at_one(InX polynomial) {
     return polynomial;
 }
 
-/// What vanishes at every G says nothing of any.
-Polynomial nonzero_or_one(const Polynomial& polynomial) {
-    return polynomial.is_zero() ? constant(1) : polynomial;
-}
-
-std::vector<AlgebraicNumber> positive_roots(const Polynomial& polynomial) {
-    auto roots = real_roots(square_free(polynomial), 0);
-    std::erase_if(roots, [](const AlgebraicNumber& root) { return compare(root, 0) == 0; });
-    return roots;
-}
-
-/// All of both, ascending, each once.
-std::vector<AlgebraicNumber> merged(std::vector<AlgebraicNumber> values,
-                                    const std::vector<AlgebraicNumber>& more) {
-    values.insert(values.end(), more.begin(), more.end());
-    std::ranges::sort(values, [](const AlgebraicNumber& left, const AlgebraicNumber& right) {
+/// All positive roots of all the polynomials, ascending, each once. One polynomial after the
+/// other: that of their product would be much longer.
+std::vector<AlgebraicNumber> positive_roots(const std::vector<Polynomial>& polynomials) {
+    std::vector<AlgebraicNumber> roots;
+    for (const Polynomial& polynomial : polynomials) {
+        for (AlgebraicNumber& root : real_roots(square_free(polynomial), 0)) {
+            if (compare(root, 0) != 0) {
+                roots.push_back(std::move(root));
+            }
+        }
+    }
+    std::ranges::sort(roots, [](const AlgebraicNumber& left, const AlgebraicNumber& right) {
         return compare(left, right) < 0;
     });
     const auto same = [](const AlgebraicNumber& left, const AlgebraicNumber& right) {
         return compare(left, right) == 0;
     };
-    values.erase(std::unique(values.begin(), values.end(), same), values.end());
-    return values;
+    roots.erase(std::unique(roots.begin(), roots.end(), same), roots.end());
+    return roots;
+}
+
+std::vector<Polynomial> scalar_polynomials(const EvenAndOddParts& parts) {
+    std::vector<Polynomial> polynomials{parts.denominator};
+    for (const auto* f : {&parts.E, &parts.O}) {
+        polynomials.push_back(f->back());
+        polynomials.push_back(
+            *std::ranges::find_if(*f, [](const Polynomial& p) { return !p.is_zero(); }));
+        if (f->size() > 2) {
+            polynomials.push_back(discriminant(*f));
+        }
+    }
+    if (parts.E.size() > 1 && parts.O.size() > 1) {
+        polynomials.push_back(resultant(parts.E, parts.O));
+    }
+    return polynomials;
 }
 
 }  // namespace
 
 std::vector<AlgebraicNumber> scalar_critical_values(const EvenAndOddParts& parts) {
-    Polynomial product = parts.denominator;
-    for (const auto* f : {&parts.E, &parts.O}) {
-        product *= f->back();
-        product *= *std::ranges::find_if(*f, [](const Polynomial& p) { return !p.is_zero(); });
-        if (f->size() > 2) {
-            product *= discriminant(*f);
-        }
-    }
-    if (parts.E.size() > 1 && parts.O.size() > 1) {
-        product *= resultant(parts.E, parts.O);
-    }
-    return positive_roots(product);
+    return positive_roots(scalar_polynomials(parts));
 }
 
 std::vector<AlgebraicNumber> modal_critical_values(const Table& table,
                                                    const EvenAndOddParts& parts) {
+    std::vector<Polynomial> polynomials = scalar_polynomials(parts);
     const InX omega_squared = band(table.model.symbol);
     const InX slope = derivative(omega_squared);
-    Polynomial product = slope.back() * at(slope, -1);
+    polynomials.push_back(slope.back());
+    polynomials.push_back(at(slope, -1));
     if (slope.size() > 2) {
-        product *= discriminant(slope);
+        polynomials.push_back(discriminant(slope));
     }
     // Where an evanescent wave at rest, omega(k) = 0, gets B(k) = 0, its s = B/C changes sign.
     const InX still = without_zeros_at_one(omega_squared);
     if (parts.O.size() > 1) {
-        product *= nonzero_or_one(resultant(still, from_w(parts.O)));
+        polynomials.push_back(resultant(still, from_w(parts.O)));
     }
     for (const auto* part : {&parts.E, &parts.O}) {
         const InX in_x = from_w(*part);
         if (in_x.size() > 1 && slope.size() > 1) {
-            product *= nonzero_or_one(resultant(in_x, slope));
+            polynomials.push_back(resultant(in_x, slope));
         }
     }
-    return merged(scalar_critical_values(parts), positive_roots(product));
+    // What vanishes at every G says nothing of any.
+    std::erase_if(polynomials, [](const Polynomial& polynomial) { return polynomial.is_zero(); });
+    return positive_roots(polynomials);
 }
 
 std::vector<AlgebraicNumber> poles(const EvenAndOddParts& parts) {
