@@ -51,6 +51,7 @@ Peak largest_in_piece(double low, double high, const std::function<double(double
     // Nearer to an end frequencies are not told apart by doubles well enough.
     const double nearest = 1e-13 * high;
     std::vector<Peak> samples;
+    samples.reserve(places.size());
     for (const double place : places) {
         const double omega = low + (high - low) * place;
         if (omega - low < nearest || high - omega < nearest) {
@@ -62,10 +63,17 @@ Peak largest_in_piece(double low, double high, const std::function<double(double
             return samples.back();
         }
     }
+    if (samples.empty()) {
+        return {};
+    }
     const auto best =
         std::size_t(std::ranges::max_element(samples, {}, &Peak::value) - samples.begin());
-    const Peak& before = samples[best > 0 ? best - 1 : 0];
-    const Peak& after = samples[std::min(best + 1, samples.size() - 1)];
+    // The samples at the ends are near enough.
+    if (best == 0 || best + 1 == samples.size()) {
+        return samples[best];
+    }
+    const Peak& before = samples[best - 1];
+    const Peak& after = samples[best + 1];
     // A plateau, such as the exact 1 of NMBC1, has no summit to look for.
     constexpr double roundings = 1e-12;
     const double lower = std::min(before.value, after.value);

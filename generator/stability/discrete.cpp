@@ -64,9 +64,9 @@ double maximum_frequency(const HalfSpace& half_space) {
 
 namespace {
 
-bool is_stable(const HalfSpace& half_space, GhostLevel level, double time_step) {
+bool is_stable(const HalfSpace& half_space, KnownModes& modes, GhostLevel level, double time_step) {
     if (level == GhostLevel::midpoint) {
-        return stability_grade(stepped(half_space, time_step)) != Grade::none;
+        return stability_grade(stepped(half_space, time_step), modes) != Grade::none;
     }
     // The double eigenvalue 1 of a constant and of a uniform velocity splits by roundings only.
     constexpr double stable = 1 + 1e-9;
@@ -79,8 +79,9 @@ bool is_stable(const HalfSpace& half_space, GhostLevel level, double time_step) 
 
 double largest_cfl(const HalfSpace& half_space, GhostLevel level) {
     const double top = maximum_frequency(half_space);
+    KnownModes modes(half_space);
     const auto stable_at = [&](int hundredths) {
-        return is_stable(half_space, level, 2 * hundredths / (100 * top));
+        return is_stable(half_space, modes, level, 2 * hundredths / (100 * top));
     };
     constexpr int coarse = 5;
     int largest = 0;

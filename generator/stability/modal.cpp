@@ -148,12 +148,19 @@ std::vector<double> critical_frequencies(const HalfSpace& half_space) {
 }
 
 Grade stability_grade(const HalfSpace& half_space) {
+    KnownModes modes(half_space);
+    return stability_grade(half_space, modes);
+}
+
+Grade stability_grade(const HalfSpace& half_space, KnownModes& modes) {
     if (growing_mode(half_space) || resonance(half_space)) {
         return Grade::none;
     }
     const std::vector<double> frequencies = critical_frequencies(half_space);
     const auto holds = [&](double (*size)(const Reflection&)) {
-        const auto size_at = [&](double omega) { return size(reflection(half_space, omega)); };
+        const auto size_at = [&](double omega) {
+            return size(reflection(half_space, omega, modes.at(omega)));
+        };
         const Peak peak = largest_over_band(frequencies, size_at, amplification_limit);
         return peak.value <= amplification_limit;
     };

@@ -10,7 +10,7 @@
 
 #include <optional>
 
-#include "generator/stability/half_space.hpp"
+#include "generator/stability/modes.hpp"
 
 namespace nmbcgen {
 
@@ -48,7 +48,9 @@ enum class Grade {
     contractive,  ///< sigma_max <= 1, too: stable with any contractive other end
 };
 
-/// The grade alone: quicker than modal_verdict(), as it stops at the first failure.
+/// The grade alone: quicker than modal_verdict(), as it stops at the first failure. `modes` are
+/// those of the half space's lattice.
+Grade stability_grade(const HalfSpace& half_space, KnownModes& modes);
 Grade stability_grade(const HalfSpace& half_space);
 
 }  // namespace nmbcgen

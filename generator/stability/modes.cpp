@@ -88,4 +88,12 @@ std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega) {
     return modes;
 }
 
+const std::vector<Mode>& KnownModes::at(double omega) {
+    const auto [entry, is_new] = known_.try_emplace(omega);
+    if (is_new) {
+        entry->second = outgoing_modes(half_space_, omega);
+    }
+    return entry->second;
+}
+
 }  // namespace nmbcgen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <complex>
+#include <unordered_map>
 #include <vector>
 
 #include "generator/stability/half_space.hpp"
@@ -22,6 +23,20 @@ struct Mode {
 /// or decaying inwards; `reach` of them, travelling ones first, by ascending wave number. What
 /// comes in are their mirror images, 1/k, one for each that travels.
 std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega);
+
+/// outgoing_modes() of one lattice, each frequency's found once: time steps and boundary
+/// conditions change, the modes do not.
+class KnownModes {
+  public:
+    explicit KnownModes(const HalfSpace& half_space) : half_space_(half_space) {}
+
+    /// The reference holds as long as this object.
+    const std::vector<Mode>& at(double omega);
+
+  private:
+    const HalfSpace& half_space_;
+    std::unordered_map<double, std::vector<Mode>> known_;
+};
 
 /// All complex roots of a polynomial with real coefficients, ascending powers, leading one not 0.
 std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& coefficients);

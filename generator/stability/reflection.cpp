@@ -17,9 +17,12 @@ Complex residual(const HalfSpace& half_space, double omega, Complex k) {
 }  // namespace
 
 Reflection reflection(const HalfSpace& half_space, double omega) {
+    return reflection(half_space, omega, outgoing_modes(half_space, omega));
+}
+
+Reflection reflection(const HalfSpace& half_space, double omega, const std::vector<Mode>& out) {
     Reflection result;
-    result.outgoing = outgoing_modes(half_space, omega);
-    const auto& out = result.outgoing;
+    result.outgoing = out;
     const auto travelling =
         Eigen::Index(std::ranges::count_if(out, [](const Mode& mode) { return mode.travels(); }));
     const auto all = Eigen::Index(out.size());

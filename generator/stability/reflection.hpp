@@ -28,6 +28,9 @@ struct Reflection {
 /// The reflection at frequency omega > 0.
 Reflection reflection(const HalfSpace& half_space, double omega);
 
+/// Likewise, where outgoing_modes() at this frequency are known.
+Reflection reflection(const HalfSpace& half_space, double omega, const std::vector<Mode>& outgoing);
+
 /// The paper's scalar -Delta(xi)/Delta(-xi) at real wave number xi, omega > 0.
 std::complex<double> scalar_reflection(const HalfSpace& half_space, double xi);
 
