@@ -141,6 +141,13 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
                                     "header or json (default header)");
     auto* const to_stdout =
         app.add_flag("--stdout", request.to_stdout, "print the table instead of writing a file");
+    auto* const require_stable =
+        app.add_flag("--require-stable", request.require_stable,
+                     "with --G: write the table only where it is certified to be stable");
+    bool uncertified_given = false;
+    auto* const uncertified = app.add_flag(
+        "--uncertified", uncertified_given,
+        "leave out the certificate of stability, which takes minutes at orders above 5");
     auto* const folder = add_parsed(app, "--out", request.folder, parse_folder,
                                     "folder to write to (default generated/nmbc/tables)");
     auto* const all_flag =
@@ -150,16 +157,19 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         "compare the committed set in the folder with a fresh one; exit code 1 if it is stale");
     for (CLI::Option* whole_set : {all_flag, check_flag}) {
         for (CLI::Option* other : {single.family, single.order, single.horizon, single.stride,
-                                   single.G, format, to_stdout}) {
+                                   single.G, format, to_stdout, require_stable, uncertified}) {
             whole_set->excludes(other);
         }
     }
     all_flag->excludes(check_flag);
     to_stdout->excludes(folder);
+    require_stable->needs(single.G)->excludes(uncertified);
     auto* const reflect = add_reflect(app, request);
     app.footer(
         "Exit codes: 0 done; 1 the committed set is stale; 2 wrong arguments; 3 there is no such "
-        "boundary\ncondition; 5 a file could not be read or written.");
+        "boundary\ncondition; 4 it is not certified to be stable (--require-stable); 5 a file "
+        "could not "
+        "be read or written.");
 
     try {
         app.parse(argc, argv);
@@ -173,6 +183,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         std::cerr << "nmbcgen: " << error.what() << "\nSee nmbcgen --help.\n";
         return 2;
     }
+    request.certified = !uncertified_given;
     if (all) {
         request.action = Action::all_tables;
     } else if (check) {

@@ -17,7 +17,9 @@ struct Request {
     Specification specification;
     Format format = Format::header;
     bool to_stdout = false;
-    unsigned samples = 200;  ///< wave numbers of Action::reflect
+    bool certified = true;        ///< with certificates of stability
+    bool require_stable = false;  ///< nothing is written unless the certificate covers G
+    unsigned samples = 200;       ///< wave numbers of Action::reflect
     std::filesystem::path folder = "generated/nmbc/tables";
 };
 

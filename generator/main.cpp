@@ -10,26 +10,25 @@
 #include "generator/files.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/reflect.hpp"
+#include "generator/require_stable.hpp"
 
 namespace nmbcgen {
 namespace {
 
-// The project's exit codes; 4 (unstable) no stage here can return.
 enum ExitCode {
     done = 0,
     comparison_failed = 1,
     bad_input = 2,
     no_such_boundary = 3,
+    not_stable = 4,
     file_failed = 5
 };
 
 std::vector<TextFile> committed_files(const std::filesystem::path& folder) {
-    std::vector<Table> tables;
+    const std::vector<Table> tables = derive_certified(committed_set());
     std::vector<TextFile> files;
-    for (const Specification& specification : committed_set()) {
-        tables.push_back(derive(specification));
-        files.push_back(
-            {folder / (table_name(specification) + ".hpp"), emit_header(tables.back())});
+    for (const Table& table : tables) {
+        files.push_back({folder / (table_name(table.specification) + ".hpp"), emit_header(table)});
     }
     files.push_back({folder / "tables.hpp", emit_registry(tables)});
     files.push_back({folder / "tables.json", emit_json(tables)});
@@ -47,7 +46,11 @@ void write_and_name(const std::vector<TextFile>& files) {
 
 int write_one(const Request& request) {
     const bool json = request.format == Format::json;
-    const Table table = derive(request.specification);
+    const Table table = request.certified ? derive_certified({request.specification}).front()
+                                          : derive(request.specification);
+    if (request.require_stable) {
+        require_stable(table);
+    }
     const std::string text = json ? emit_json(table) : emit_header(table);
     if (request.to_stdout) {
         print(text);
@@ -98,6 +101,9 @@ int main(int argc, char** argv) {
     } catch (const nmbcgen::NoSuchBoundary& reason) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::no_such_boundary;
+    } catch (const nmbcgen::NotStable& reason) {
+        std::cerr << "nmbcgen: " << reason.what() << "\n";
+        return nmbcgen::not_stable;
     } catch (const nmbcgen::FileError& error) {
         std::cerr << "nmbcgen: " << error.what() << "\n";
         return nmbcgen::file_failed;

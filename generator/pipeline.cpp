@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/pipeline.hpp"
 
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <thread>
+
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/family.hpp"
 #include "generator/matching/freeze.hpp"
@@ -8,6 +13,7 @@
 #include "generator/matching/proof.hpp"
 #include "generator/matching/reason.hpp"
 #include "generator/matching/taylor.hpp"
+#include "generator/stability/certify.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -41,7 +47,8 @@ Table derive(const Specification& specification) {
                 .c = {},
                 .b = {},
                 .source = {},
-                .proved = {}};
+                .proved = {},
+                .certificate = std::nullopt};
     table.source = table.model.source +
                    "; Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)";
     if (specification.stabilisation) {
@@ -73,6 +80,29 @@ Table derive(const Specification& specification) {
     table.b = over_first(freeze_all(matching.B), C.front());
     table.proved = prove(table);
     return table;
+}
+
+std::vector<Table> derive_certified(const std::vector<Specification>& specifications) {
+    std::vector<Table> tables;
+    for (const Specification& specification : specifications) {
+        tables.push_back(derive(specification));
+    }
+    // The algebra system is for one thread only; the stability room does without it.
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&tables, &next] {
+        for (std::size_t i = next++; i < tables.size(); i = next++) {
+            tables[i].certificate = certify(tables[i]);
+        }
+    };
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    std::vector<std::future<void>> workers;
+    for (std::size_t i = 0; i < std::min(cores, tables.size()); ++i) {
+        workers.push_back(std::async(std::launch::async, work));
+    }
+    for (std::future<void>& worker : workers) {
+        worker.get();  // throws what the worker threw
+    }
+    return tables;
 }
 
 std::vector<Specification> committed_set() {

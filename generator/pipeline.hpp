@@ -11,6 +11,8 @@
 ///     | reduce         c_j, b_j as rational functions in normal form        exact/
 ///     | prove          residual of (49) and all else, exactly               matching/proof.hpp
 ///   table
+///     | certify        windows of G in which it is stable, time steps stability/certify.hpp
+///   certified table
 ///     | emit_header, emit_json                                              emit/
 ///   text               written by main.cpp, nothing before all is proved
 #pragma once
@@ -31,6 +33,10 @@ struct NoSuchBoundary : std::runtime_error {
 /// Throws NoSuchBoundary, std::invalid_argument for an unknown family, and std::logic_error
 /// where the proof fails (a defect of the generator).
 Table derive(const Specification& specification);
+
+/// Derives, proves and certifies tables, the certificates on all cores. Takes seconds a table at
+/// horizons above 3 and orders above 3, and minutes beyond order 5. Throws as derive() does.
+std::vector<Table> derive_certified(const std::vector<Specification>& specifications);
 
 /// The tables kept in generated/, in the order of the registry.
 std::vector<Specification> committed_set();

@@ -10,9 +10,11 @@
 
 namespace nmbcgen {
 
-/// Of the JSON and of runtime/nmbc/table.hpp: raised by any change that an old reader would
-/// misread.
+/// Of the JSON: raised by any change that an old reader would misread.
 inline constexpr int schema = 1;
+
+/// Of the headers: nmbc::table_schema in runtime/nmbc/table.hpp.
+inline constexpr int header_schema = 2;
 
 /// FAMILY_nH_orderN[_sS][_GPoQ], the name of the table and of its files.
 std::string table_name(const Specification& specification);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include "generator/emit/certificate_text.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
@@ -69,7 +70,7 @@ std::string schema_check() {
     return fmt::format(
         "static_assert(nmbc::table_schema == {},\n"
         "              \"tables and runtime differ: run the target 'regenerate'\");\n",
-        schema);
+        header_schema);
 }
 
 }  // namespace
@@ -78,6 +79,7 @@ std::string emit_header(const Table& table) {
     const Specification& what = table.specification;
     const std::string name = table_name(what);
     const std::string G = what.stabilisation ? to_string(*what.stabilisation) : "";
+    const Certificate certificate = table.certificate.value_or(Certificate{});
 
     std::string text = banner(regenerating_command(what));
     text += fmt::format("// model   {}{}\n", table.model.description,
@@ -88,6 +90,7 @@ std::string emit_header(const Table& table) {
         "// sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the "
         "ghost node M, s the stride\n";
     text += fmt::format("// proved  {}\n", table.proved);
+    text += fmt::format("// stable  {}\n", certificate_statement(table.certificate));
     text += "#pragma once\n\n#include <nmbc/table.hpp>\n\n" + schema_check() + "\n";
     text += fmt::format("namespace nmbc::generated {{\n\nnamespace {}_data {{\n\n", name);
     text += array("RationalFunction", "symbol", table.model.symbol) + "\n";
@@ -95,6 +98,7 @@ std::string emit_header(const Table& table) {
     text += array("RationalFunction", "taylor", table.taylor) + "\n";
     text += array("RationalFunction", "c", table.c) + "\n";
     text += array("RationalFunction", "b", table.b) + "\n";
+    text += window_arrays(certificate);
     if (what.stabilisation) {
         text += "/// c_j and b_j rounded to nearest: hexadecimal, 17 digits, exact.\n";
         text += rounded_array("rounded_c", table.c) + "\n";
@@ -117,11 +121,10 @@ std::string emit_header(const Table& table) {
         "    .energy = {0}_data::energy,\n"
         "    .taylor = {0}_data::taylor,\n"
         "    .c = {0}_data::c,\n"
-        "    .b = {0}_data::b,\n"
-        "}};\n\n"
-        "}}  // namespace nmbc::generated\n",
+        "    .b = {0}_data::b,\n",
         name, what.family, what.horizon, what.order, what.stride, G, table.source, table.proved);
-    return text;
+    text += window_members(name, certificate);
+    return text + "};\n\n}  // namespace nmbc::generated\n";
 }
 
 std::string emit_registry(std::span<const Table> tables) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <nlohmann/json.hpp>
 
+#include "generator/emit/certificate_json.hpp"
+#include "generator/emit/certificate_text.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
@@ -60,6 +62,7 @@ Json energy_array(const std::vector<EnergySquare>& energy, bool at_fixed_G) {
 Json table_object(const Table& table) {
     const Specification& what = table.specification;
     const bool fixed = what.stabilisation.has_value();
+    const Certificate certificate = table.certificate.value_or(Certificate{});
     return {{"schema", schema},
             {"family", what.family},
             {"order", what.order},
@@ -72,7 +75,12 @@ Json table_object(const Table& table) {
             {"c", exact_array(table.c, fixed)},
             {"b", exact_array(table.b, fixed)},
             {"source", table.source},
-            {"proved", table.proved}};
+            {"proved", table.proved},
+            {"windows", windows_object(certificate)},
+            {"poles", poles_array(certificate)},
+            {"max_cfl", max_cfl_array(certificate)},
+            {"certificate",
+             table.certificate ? Json(certificate_statement(table.certificate)) : Json(nullptr)}};
 }
 
 std::string to_text(const Json& json) {

@@ -40,20 +40,19 @@ bool not_negative_below_zero(const Polynomial& in_w) {
 
 }  // namespace
 
-ScalarWindows scalar_windows(const Table& table) {
+bool scalar_reflection_is_bounded(const HalfSpace& half_space) {
+    return not_negative_below_zero(half_space.E * half_space.O);
+}
+
+std::vector<Window> scalar_windows(const Table& table) {
     if (table.specification.stabilisation) {
         throw std::invalid_argument("scalar_windows: the table is for one value of G only");
     }
+    std::vector<Window> windows;
     if (table.specification.stride != 1) {
-        return {};
+        return windows;
     }
     const EvenAndOddParts parts = even_and_odd_parts(table);
-    ScalarWindows result;
-    for (const AlgebraicNumber& pole : poles(parts)) {
-        if (compare(pole, 0) != 0) {
-            result.poles.push_back(pole);
-        }
-    }
     const auto critical = scalar_critical_values(parts);
     AlgebraicNumber low = to_algebraic_number(0);
     bool inside = false;
@@ -65,14 +64,14 @@ ScalarWindows scalar_windows(const Table& table) {
         if (holds && !inside) {
             low = begin;
         } else if (!holds && inside) {
-            result.windows.push_back({low, begin});
+            windows.push_back({low, begin});
         }
         inside = holds;
     }
     if (inside) {
-        result.windows.push_back({low, std::nullopt});
+        windows.push_back({low, std::nullopt});
     }
-    return result;
+    return windows;
 }
 
 }  // namespace nmbcgen

@@ -10,20 +10,18 @@
 
 #include <vector>
 
+#include "generator/stability/half_space.hpp"
 #include "generator/table/certificate.hpp"
-#include "generator/table/table.hpp"
 
 namespace nmbcgen {
 
-struct ScalarWindows {
-    std::vector<Window> windows;  ///< ascending, disjoint, closed but for 0 and poles
-    std::vector<AlgebraicNumber>
-        poles;  ///< G > 0 where a coefficient has a pole, in windows or not
-};
-
-/// All G >= 0 with |R| <= 1 on the whole band, isolated points left out. For a stride above 1 t
-/// changes sign within the band, where the two halves ask for opposite signs: no window.
+/// All G >= 0 with |R| <= 1 on the whole band, ascending, disjoint, closed but for 0 and poles;
+/// isolated points left out. For a stride above 1 t changes sign within the band, where the two
+/// halves ask for opposite signs: no window.
 /// Throws std::invalid_argument for a table at a fixed G.
-ScalarWindows scalar_windows(const Table& table);
+std::vector<Window> scalar_windows(const Table& table);
+
+/// Whether |R| <= 1 on the whole band at one G.
+bool scalar_reflection_is_bounded(const HalfSpace& half_space);
 
 }  // namespace nmbcgen

@@ -76,10 +76,10 @@ struct StableStep {
     double cfl;  ///< dt omega_max / 2, midpoint ghosts
 };
 
-/// The three levels, for a table whose G is open; ascending, disjoint.
+/// The three levels; ascending, disjoint.
 struct Certificate {
     std::vector<Window> reflection;      ///< the paper's scalar |R| <= 1 on the whole band; exact
-    std::vector<AlgebraicNumber> poles;  ///< G > 0 where a coefficient has a pole
+    std::vector<AlgebraicNumber> poles;  ///< where a coefficient has a pole
     std::vector<StabilityWindow> modal;  ///< stable at every length with both ends alike
     std::vector<StabilityWindow> contractive;  ///< and with any other contractive end
     std::vector<StableStep> max_cfl;           ///< covers the modal windows

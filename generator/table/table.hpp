@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/table/exact.hpp"
+#include "generator/table/certificate.hpp"
 
 namespace nmbcgen {
 
@@ -56,6 +56,7 @@ struct Table {
     std::vector<RationalFunction> b;  ///< b_0 .. b_N
     std::string source;               ///< the equations the table is taken from
     std::string proved;               ///< what prove() established about it
+    std::optional<Certificate> certificate;  ///< where it is stable; none before certify()
 };
 
 }  // namespace nmbcgen

@@ -7,13 +7,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <string_view>
 
 namespace nmbc {
 
 /// Raised by any change that an old reader would misread; every emitted header asserts it.
-inline constexpr int table_schema = 1;
+inline constexpr int table_schema = 2;
 
 /// An exact rational function of the stabilisation G. Each string is a polynomial: its integer
 /// coefficients in ascending powers of G, in decimal, one space between. "576 -170" over
@@ -37,6 +38,24 @@ struct EnergySquare {
     std::string_view divisor;
 };
 
+/// The values of G from low to high, both included.
+struct Window {
+    double low;
+    double high;
+
+    constexpr bool contains(double G) const { return low <= G && G <= high; }
+};
+
+/// The upper end of a window that has none.
+inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// At every G of the window leapfrog with midpoint ghosts is stable in steps of this cfl and less,
+/// cfl = dt omega_max / 2.
+struct StableStep {
+    Window window;
+    double cfl;
+};
+
 /// A nonlocal matching boundary condition and the lattice it belongs to.
 struct MatchingTable {
     std::string_view name;  ///< of the header and of the table, e.g. "nopd1d_n2_order3"
@@ -54,6 +73,15 @@ struct MatchingTable {
     std::span<const RationalFunction> taylor;  ///< a_1 .. a_{2N+1} of (47)
     std::span<const RationalFunction> c;       ///< c_0 .. c_N, c_0 = 1 (60)
     std::span<const RationalFunction> b;       ///< b_0 .. b_N (60)
+    /// Where the paper's scalar |R| <= 1 on the whole band: neither enough for stability nor, in
+    /// general, needed.
+    std::span<const Window> reflection;
+    /// Where a chain of any length is stable with both ends alike.
+    std::span<const Window> modal;
+    /// Where no wave leaves the boundary with more energy than came in, so that the other end may
+    /// be any that does not add energy, a fixed or a free one too.
+    std::span<const Window> contractive;
+    std::span<const StableStep> max_cfl;  ///< ascending; covers the modal windows
 
     /// Nodes the interior stencil reaches to each side: also the ghost layers (60) is used on.
     constexpr std::size_t ghost_layers() const { return symbol.size() - 1; }

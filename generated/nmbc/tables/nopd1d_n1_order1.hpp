@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -44,6 +45,31 @@ inline constexpr RationalFunction b[]{
     {"2", "1"},
 };
 
+inline constexpr Window reflection[]{
+    // 0 .. no end
+    {0, unbounded},
+};
+
+inline constexpr Window modal[]{
+    // low: 0
+    // high: none
+    {0, unbounded},
+};
+
+inline constexpr Window contractive[]{
+    // low: 1/4
+    // high: none
+    {0.25, unbounded},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{0, 0.0625}, 0.69},
+    {{0.0625, 0.125}, 0.74},
+    {{0.125, 0.1875}, 0.8},
+    {{0.1875, 0.25}, 0.88},
+    {{0.25, unbounded}, 0.98},
+};
+
 }  // namespace nopd1d_n1_order1_data
 
 /// NMBC1, horizon 1 dX, stride 1.
@@ -61,6 +87,10 @@ inline constexpr MatchingTable nopd1d_n1_order1{
     .taylor = nopd1d_n1_order1_data::taylor,
     .c = nopd1d_n1_order1_data::c,
     .b = nopd1d_n1_order1_data::b,
+    .reflection = nopd1d_n1_order1_data::reflection,
+    .modal = nopd1d_n1_order1_data::modal,
+    .contractive = nopd1d_n1_order1_data::contractive,
+    .max_cfl = nopd1d_n1_order1_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

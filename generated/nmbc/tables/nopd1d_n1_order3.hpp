@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -52,6 +53,49 @@ inline constexpr RationalFunction b[]{
     {"4 -8 6", "0 0 1"},
 };
 
+inline constexpr Window reflection[]{
+    // 0 .. 2/3
+    {0, 0.6666666666666666},
+    // 1 .. no end
+    {1, unbounded},
+};
+
+inline constexpr Window modal[]{
+    // low: 1/4, beyond it: backward band at xi = 3.09
+    // high: 2/3, beyond it: resonance at xi = 3.14
+    {0.25, 0.6666666666666666},
+    // low: 2, beyond it: growing boundary mode
+    // high: none
+    {2, unbounded},
+};
+
+inline constexpr Window contractive[]{
+    // low: 1/4, beyond it: backward band at xi = 3.09
+    // high: 2/3, beyond it: resonance at xi = 3.14
+    {0.25, 0.6666666666666666},
+    // low: 2, beyond it: growing boundary mode
+    // high: none
+    {2, unbounded},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{0.25, 0.27604166666666663}, 0.17},
+    {{0.27604166666666663, 0.3020833333333333}, 0.21},
+    {{0.3020833333333333, 0.328125}, 0.25},
+    {{0.328125, 0.35416666666666663}, 0.29},
+    {{0.35416666666666663, 0.3802083333333333}, 0.34},
+    {{0.3802083333333333, 0.40625}, 0.39},
+    {{0.40625, 0.43229166666666663}, 0.45},
+    {{0.43229166666666663, 0.4583333333333333}, 0.51},
+    {{0.4583333333333333, 0.5625}, 0.49},
+    {{0.5625, 0.5885416666666666}, 0.53},
+    {{0.5885416666666666, 0.6145833333333333}, 0.58},
+    {{0.6145833333333333, 0.640625}, 0.63},
+    {{0.640625, 0.6536458333333333}, 0.69},
+    {{0.6536458333333333, 0.6666666666666666}, 0.72},
+    {{2, unbounded}, 0.98},
+};
+
 }  // namespace nopd1d_n1_order3_data
 
 /// NMBC3, horizon 1 dX, stride 1.
@@ -69,6 +113,10 @@ inline constexpr MatchingTable nopd1d_n1_order3{
     .taylor = nopd1d_n1_order3_data::taylor,
     .c = nopd1d_n1_order3_data::c,
     .b = nopd1d_n1_order3_data::b,
+    .reflection = nopd1d_n1_order3_data::reflection,
+    .modal = nopd1d_n1_order3_data::modal,
+    .contractive = nopd1d_n1_order3_data::contractive,
+    .max_cfl = nopd1d_n1_order3_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -48,6 +49,42 @@ inline constexpr RationalFunction b[]{
     {"2", "1"},
 };
 
+inline constexpr Window reflection[]{
+    // 0 .. no end
+    {0, unbounded},
+};
+
+inline constexpr Window modal[]{
+    // low: 0
+    // high: between 3.5002319 and 3.5002322, beyond it: backward band at xi = 1.17
+    {0, 3.50023193359375},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{0, 0.21876449584960939}, 0.61},
+    {{0.21876449584960939, 0.43752899169921877}, 0.65},
+    {{0.43752899169921877, 0.6562934875488282}, 0.69},
+    {{0.6562934875488282, 0.8750579833984375}, 0.74},
+    {{0.8750579833984375, 1.3125869750976564}, 0.79},
+    {{1.3125869750976564, 1.750115966796875}, 0.75},
+    {{1.750115966796875, 1.9688804626464844}, 0.71},
+    {{1.9688804626464844, 2.1876449584960938}, 0.66},
+    {{2.1876449584960938, 2.4064094543457033}, 0.61},
+    {{2.4064094543457033, 2.515791702270508}, 0.58},
+    {{2.515791702270508, 2.625173950195313}, 0.54},
+    {{2.625173950195313, 2.7345561981201176}, 0.51},
+    {{2.7345561981201176, 2.8439384460449224}, 0.47},
+    {{2.8439384460449224, 2.9533206939697267}, 0.43},
+    {{2.9533206939697267, 3.0627029418945315}, 0.38},
+    {{3.0627029418945315, 3.1720851898193363}, 0.33},
+    {{3.1720851898193363, 3.2814674377441406}, 0.27},
+    {{3.2814674377441406, 3.336158561706543}, 0.23},
+    {{3.336158561706543, 3.3908496856689454}, 0.18},
+    {{3.3908496856689454, 3.445540809631348}, 0.13},
+    {{3.445540809631348, 3.472886371612549}, 0.08},
+    {{3.472886371612549, 3.50023193359375}, 0},
+};
+
 }  // namespace nopd1d_n2_order1_data
 
 /// NMBC1, horizon 2 dX, stride 1.
@@ -65,6 +102,10 @@ inline constexpr MatchingTable nopd1d_n2_order1{
     .taylor = nopd1d_n2_order1_data::taylor,
     .c = nopd1d_n2_order1_data::c,
     .b = nopd1d_n2_order1_data::b,
+    .reflection = nopd1d_n2_order1_data::reflection,
+    .modal = nopd1d_n2_order1_data::modal,
+    .contractive = {},
+    .max_cfl = nopd1d_n2_order1_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

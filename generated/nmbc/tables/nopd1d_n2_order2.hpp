@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -52,6 +53,53 @@ inline constexpr RationalFunction b[]{
     {"160", "-128 85"},
 };
 
+inline constexpr Window reflection[]{
+    // 0 .. 208/85
+    {0, 2.447058823529412},
+};
+
+inline constexpr Window modal[]{
+    // low: 208/85, beyond it: resonance at xi = 3.14
+    // high: between 3.7742037 and 3.7742041, beyond it: backward band at xi = 1.64
+    {2.447058823529412, 3.7742037455240887},
+};
+
+inline constexpr Window contractive[]{
+    // low: between 2.4527674 and 2.4527676
+    // high: between 3.7703560 and 3.7703564
+    {2.452767649099627, 3.770356002508425},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{2.447058823529412, 2.4574271432324952}, 0.6},
+    {{2.4574271432324952, 2.4677954629355785}, 0.71},
+    {{2.4677954629355785, 2.4885321023417455}, 0.75},
+    {{2.4885321023417455, 2.530005381154079}, 0.79},
+    {{2.530005381154079, 2.6129519387787465}, 0.84},
+    {{2.6129519387787465, 2.695898496403414}, 0.89},
+    {{2.695898496403414, 2.778845054028081}, 0.93},
+    {{2.778845054028081, 2.9447381692774157}, 0.96},
+    {{2.9447381692774157, 3.1106312845267503}, 0.98},
+    {{3.1106312845267503, 3.276524399776085}, 0.94},
+    {{3.276524399776085, 3.3594709574007524}, 0.9},
+    {{3.3594709574007524, 3.4424175150254195}, 0.85},
+    {{3.4424175150254195, 3.483890793837753}, 0.81},
+    {{3.483890793837753, 3.5253640726500866}, 0.77},
+    {{3.5253640726500866, 3.5668373514624205}, 0.72},
+    {{3.5668373514624205, 3.608310630274754}, 0.66},
+    {{3.608310630274754, 3.629047269680921}, 0.63},
+    {{3.629047269680921, 3.6497839090870876}, 0.59},
+    {{3.6497839090870876, 3.6705205484932546}, 0.54},
+    {{3.6705205484932546, 3.6912571878994216}, 0.49},
+    {{3.6912571878994216, 3.711993827305588}, 0.43},
+    {{3.711993827305588, 3.7223621470086714}, 0.39},
+    {{3.7223621470086714, 3.732730466711755}, 0.35},
+    {{3.732730466711755, 3.743098786414839}, 0.3},
+    {{3.743098786414839, 3.753467106117922}, 0.25},
+    {{3.753467106117922, 3.7638354258210054}, 0.17},
+    {{3.7638354258210054, 3.7742037455240887}, 0},
+};
+
 }  // namespace nopd1d_n2_order2_data
 
 /// NMBC2, horizon 2 dX, stride 1.
@@ -69,6 +117,10 @@ inline constexpr MatchingTable nopd1d_n2_order2{
     .taylor = nopd1d_n2_order2_data::taylor,
     .c = nopd1d_n2_order2_data::c,
     .b = nopd1d_n2_order2_data::b,
+    .reflection = nopd1d_n2_order2_data::reflection,
+    .modal = nopd1d_n2_order2_data::modal,
+    .contractive = nopd1d_n2_order2_data::contractive,
+    .max_cfl = nopd1d_n2_order2_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

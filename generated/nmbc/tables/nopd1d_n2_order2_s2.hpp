@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -52,6 +53,32 @@ inline constexpr RationalFunction b[]{
     {"320", "32 85"},
 };
 
+inline constexpr Window modal[]{
+    // low: 1032/1445, beyond it: backward band at xi = 1.61
+    // high: between 2.9699351 and 2.9699354, beyond it: backward band at xi = 1.82
+    {0.7141868512110727, 2.9699350992838545},
+};
+
+inline constexpr Window contractive[]{
+    // low: 1032/1445, beyond it: backward band at xi = 1.61
+    // high: between 2.9307551 and 2.9307554
+    {0.7141868512110727, 2.930755091648475},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{0.7141868512110727, 0.7846789839633471}, 0.53},
+    {{0.7846789839633471, 0.8551711167156215}, 0.58},
+    {{0.8551711167156215, 0.925663249467896}, 0.63},
+    {{0.925663249467896, 0.9961553822201704}, 0.68},
+    {{0.9961553822201704, 1.1371396477247193}, 0.73},
+    {{1.1371396477247193, 1.278123913229268}, 0.78},
+    {{1.278123913229268, 2.1240295062565613}, 0.77},
+    {{2.1240295062565613, 2.405998037265659}, 0.76},
+    {{2.405998037265659, 2.6879665682747564}, 0.73},
+    {{2.6879665682747564, 2.8289508337793055}, 0.7},
+    {{2.8289508337793055, 2.9699350992838545}, 0.65},
+};
+
 }  // namespace nopd1d_n2_order2_s2_data
 
 /// NMBC2, horizon 2 dX, stride 2.
@@ -69,6 +96,10 @@ inline constexpr MatchingTable nopd1d_n2_order2_s2{
     .taylor = nopd1d_n2_order2_s2_data::taylor,
     .c = nopd1d_n2_order2_s2_data::c,
     .b = nopd1d_n2_order2_s2_data::b,
+    .reflection = {},
+    .modal = nopd1d_n2_order2_s2_data::modal,
+    .contractive = nopd1d_n2_order2_s2_data::contractive,
+    .max_cfl = nopd1d_n2_order2_s2_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -56,6 +57,55 @@ inline constexpr RationalFunction b[]{
     {"132096 -138880 43350", "-20480 1280 7225"},
 };
 
+inline constexpr Window reflection[]{
+    // (5584 - 80*sqrt(433))/4335 .. (5584 + 80*sqrt(433))/4335
+    {0.9041079207070853, 1.6721319870207116},
+    // 208/85 .. no end
+    {2.447058823529412, unbounded},
+};
+
+inline constexpr Window modal[]{
+    // low: between 1.7745899 and 1.7745903, beyond it: backward band at xi = 1.81
+    // high: between 1.9231167 and 1.9231170, beyond it: backward band at xi = 1.81
+    {1.7745903274820445, 1.9231167214060298},
+    // low: an algebraic number of degree at most 6, beyond it: growing boundary mode
+    // high: between 23.0425412 and 23.0425414, beyond it: backward band at xi = 1.23
+    {4.437190812760647, 23.042541174634035},
+};
+
+inline constexpr Window contractive[]{
+    // low: between 1.7766660 and 1.7766664
+    // high: between 1.8862141 and 1.8862144
+    {1.776666378292973, 1.886214050828745},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{1.7745903274820445, 1.7931561267225427}, 0.45},
+    {{1.7931561267225427, 1.8117219259630408}, 0.49},
+    {{1.8117219259630408, 1.830287725203539}, 0.52},
+    {{1.830287725203539, 1.8488535244440372}, 0.55},
+    {{1.8488535244440372, 1.8674193236845353}, 0.59},
+    {{1.8674193236845353, 1.8859851229250335}, 0.62},
+    {{1.8859851229250335, 1.9045509221655317}, 0.65},
+    {{1.9045509221655317, 1.9231167214060298}, 0.69},
+    {{4.437190812760647, 9.088528403228995}, 0.67},
+    {{9.088528403228995, 11.414197198463167}, 0.63},
+    {{11.414197198463167, 12.577031596080253}, 0.6},
+    {{12.577031596080253, 13.739865993697341}, 0.57},
+    {{13.739865993697341, 14.90270039131443}, 0.54},
+    {{14.90270039131443, 16.065534788931515}, 0.5},
+    {{16.065534788931515, 17.2283691865486}, 0.46},
+    {{17.2283691865486, 18.391203584165687}, 0.41},
+    {{18.391203584165687, 19.554037981782777}, 0.35},
+    {{19.554037981782777, 20.716872379399863}, 0.29},
+    {{20.716872379399863, 21.298289578208404}, 0.25},
+    {{21.298289578208404, 21.87970677701695}, 0.2},
+    {{21.87970677701695, 22.461123975825494}, 0.14},
+    {{22.461123975825494, 22.751832575229763}, 0.09},
+    {{22.751832575229763, 22.897186874931897}, 0.06},
+    {{22.897186874931897, 23.042541174634035}, 0},
+};
+
 }  // namespace nopd1d_n2_order3_data
 
 /// NMBC3, horizon 2 dX, stride 1.
@@ -73,6 +123,10 @@ inline constexpr MatchingTable nopd1d_n2_order3{
     .taylor = nopd1d_n2_order3_data::taylor,
     .c = nopd1d_n2_order3_data::c,
     .b = nopd1d_n2_order3_data::b,
+    .reflection = nopd1d_n2_order3_data::reflection,
+    .modal = nopd1d_n2_order3_data::modal,
+    .contractive = nopd1d_n2_order3_data::contractive,
+    .max_cfl = nopd1d_n2_order3_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -56,6 +57,52 @@ inline constexpr RationalFunction b[]{
     {"171008 -96640 21675", "5120 1280 7225"},
 };
 
+inline constexpr Window modal[]{
+    // low: between 0.8607757 and 0.8607760, beyond it: growing boundary mode
+    // high: between 2.0635843 and 2.0635847, beyond it: backward band at xi = 1.76
+    {0.8607759785899654, 2.0635842704613676},
+    // low: an algebraic number of degree at most 9, beyond it: growing boundary mode
+    // high: between 15.3404909 and 15.3404914, beyond it: growing boundary mode
+    {6.948247568314387, 15.340490895812309},
+};
+
+inline constexpr Window contractive[]{
+    // low: between 0.8607757 and 0.8607760, beyond it: growing boundary mode
+    // high: between 2.0591922 and 2.0591925
+    {0.8607759785899654, 2.059192151431331},
+    // low: an algebraic number of degree at most 9, beyond it: growing boundary mode
+    // high: between 15.3404909 and 15.3404914, beyond it: growing boundary mode
+    {6.948247568314387, 15.340490895812309},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{0.8607759785899654, 0.8701729183702107}, 0},
+    {{0.8701729183702107, 0.8795698581504561}, 0.26},
+    {{0.8795698581504561, 0.8983637377109467}, 0.3},
+    {{0.8983637377109467, 0.935951496831928}, 0.31},
+    {{0.935951496831928, 1.0111270150738907}, 0.33},
+    {{1.0111270150738907, 1.0863025333158534}, 0.37},
+    {{1.0863025333158534, 1.161478051557816}, 0.42},
+    {{1.161478051557816, 1.1990658106787973}, 0.47},
+    {{1.1990658106787973, 1.2366535697997785}, 0.5},
+    {{1.2366535697997785, 1.27424132892076}, 0.53},
+    {{1.27424132892076, 1.3118290880417411}, 0.56},
+    {{1.3118290880417411, 1.4621801245256665}, 0.6},
+    {{1.4621801245256665, 1.8380577157354796}, 0.59},
+    {{1.8380577157354796, 1.9132332339774423}, 0.54},
+    {{1.9132332339774423, 1.9508209930984237}, 0.49},
+    {{1.9508209930984237, 1.988408752219405}, 0.43},
+    {{1.988408752219405, 2.0072026317798954}, 0.39},
+    {{2.0072026317798954, 2.025996511340386}, 0.33},
+    {{2.025996511340386, 2.0353934511206315}, 0.29},
+    {{2.0353934511206315, 2.044790390900877}, 0.24},
+    {{2.044790390900877, 2.0541873306811222}, 0.17},
+    {{2.0541873306811222, 2.0635842704613676}, 0},
+    {{6.948247568314387, 9.046308400188867}, 0.87},
+    {{9.046308400188867, 14.29146047987507}, 0.86},
+    {{14.29146047987507, 15.340490895812309}, 0.85},
+};
+
 }  // namespace nopd1d_n2_order3_s2_data
 
 /// NMBC3, horizon 2 dX, stride 2.
@@ -73,6 +120,10 @@ inline constexpr MatchingTable nopd1d_n2_order3_s2{
     .taylor = nopd1d_n2_order3_s2_data::taylor,
     .c = nopd1d_n2_order3_s2_data::c,
     .b = nopd1d_n2_order3_s2_data::b,
+    .reflection = {},
+    .modal = nopd1d_n2_order3_s2_data::modal,
+    .contractive = nopd1d_n2_order3_s2_data::contractive,
+    .max_cfl = nopd1d_n2_order3_s2_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -60,6 +61,58 @@ inline constexpr RationalFunction b[]{
     {"-268435456 841646080 -733747200 196520000", "0 -84017152 126402560 -62886400 10440125"},
 };
 
+inline constexpr Window reflection[]{
+    // an algebraic number of degree at most 6 .. (5584 - 80*sqrt(433))/4335
+    {0.24151478967284856, 0.9041079207070853},
+    // an algebraic number of degree at most 7 .. an algebraic number of degree at most 7
+    {1.3785227949483998, 1.6047692448056337},
+    // (5584 + 80*sqrt(433))/4335 .. an algebraic number of degree at most 7
+    {1.6721319870207116, 7.30233213805598},
+};
+
+inline constexpr Window modal[]{
+    // low: an algebraic number of degree at most 7, beyond it: resonance at xi = 3.14
+    // high: between 13.9393372 and 13.9393375, beyond it: backward band at xi = 1.65
+    {7.302332138055981, 13.939337173812588},
+};
+
+inline constexpr Window contractive[]{
+    // low: between 8.1790436 and 8.1790440
+    // high: between 11.2150455 and 11.2150459
+    {8.179044044680186, 11.215045495368344},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{7.302332138055981, 7.354183739897829}, 0.69},
+    {{7.354183739897829, 7.406035341739678}, 0.74},
+    {{7.406035341739678, 7.5097385454233745}, 0.76},
+    {{7.5097385454233745, 7.717144952790768}, 0.79},
+    {{7.717144952790768, 7.924551360158162}, 0.83},
+    {{7.924551360158162, 8.131957767525556}, 0.86},
+    {{8.131957767525556, 8.961583396995133}, 0.89},
+    {{8.961583396995133, 9.791209026464708}, 0.95},
+    {{9.791209026464708, 10.620834655934285}, 0.98},
+    {{10.620834655934285, 11.45046028540386}, 0.95},
+    {{11.45046028540386, 11.865273100138648}, 0.91},
+    {{11.865273100138648, 12.280085914873435}, 0.86},
+    {{12.280085914873435, 12.48749232224083}, 0.82},
+    {{12.48749232224083, 12.694898729608223}, 0.78},
+    {{12.694898729608223, 12.902305136975617}, 0.73},
+    {{12.902305136975617, 13.10971154434301}, 0.67},
+    {{13.10971154434301, 13.213414748026707}, 0.63},
+    {{13.213414748026707, 13.317117951710404}, 0.59},
+    {{13.317117951710404, 13.420821155394101}, 0.55},
+    {{13.420821155394101, 13.524524359077798}, 0.5},
+    {{13.524524359077798, 13.576375960919647}, 0.47},
+    {{13.576375960919647, 13.628227562761495}, 0.43},
+    {{13.628227562761495, 13.680079164603344}, 0.4},
+    {{13.680079164603344, 13.731930766445192}, 0.36},
+    {{13.731930766445192, 13.78378236828704}, 0.31},
+    {{13.78378236828704, 13.835633970128889}, 0.25},
+    {{13.835633970128889, 13.887485571970739}, 0.17},
+    {{13.887485571970739, 13.939337173812588}, 0},
+};
+
 }  // namespace nopd1d_n2_order4_data
 
 /// NMBC4, horizon 2 dX, stride 1.
@@ -77,6 +130,10 @@ inline constexpr MatchingTable nopd1d_n2_order4{
     .taylor = nopd1d_n2_order4_data::taylor,
     .c = nopd1d_n2_order4_data::c,
     .b = nopd1d_n2_order4_data::b,
+    .reflection = nopd1d_n2_order4_data::reflection,
+    .modal = nopd1d_n2_order4_data::modal,
+    .contractive = nopd1d_n2_order4_data::contractive,
+    .max_cfl = nopd1d_n2_order4_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -52,6 +53,41 @@ inline constexpr RationalFunction b[]{
     {"2", "1"},
 };
 
+inline constexpr Window reflection[]{
+    // 0 .. no end
+    {0, unbounded},
+};
+
+inline constexpr Window modal[]{
+    // low: 0
+    // high: between 5.5790561 and 5.5790565, beyond it: backward band at xi = 0.85
+    {0, 5.579056109700884},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{0, 0.3486910068563053}, 0.59},
+    {{0.3486910068563053, 0.6973820137126105}, 0.62},
+    {{0.6973820137126105, 1.0460730205689157}, 0.66},
+    {{1.0460730205689157, 1.394764027425221}, 0.7},
+    {{1.394764027425221, 2.0921460411378314}, 0.75},
+    {{2.0921460411378314, 2.789528054850442}, 0.73},
+    {{2.789528054850442, 3.1382190617067476}, 0.69},
+    {{3.1382190617067476, 3.486910068563053}, 0.64},
+    {{3.486910068563053, 3.835601075419358}, 0.59},
+    {{3.835601075419358, 4.184292082275663}, 0.53},
+    {{4.184292082275663, 4.358637585703816}, 0.49},
+    {{4.358637585703816, 4.532983089131968}, 0.46},
+    {{4.532983089131968, 4.7073285925601205}, 0.42},
+    {{4.7073285925601205, 4.881674095988274}, 0.37},
+    {{4.881674095988274, 5.056019599416427}, 0.32},
+    {{5.056019599416427, 5.230365102844579}, 0.26},
+    {{5.230365102844579, 5.317537854558655}, 0.22},
+    {{5.317537854558655, 5.404710606272731}, 0.18},
+    {{5.404710606272731, 5.491883357986808}, 0.12},
+    {{5.491883357986808, 5.535469733843846}, 0.08},
+    {{5.535469733843846, 5.579056109700884}, 0},
+};
+
 }  // namespace nopd1d_n3_order1_data
 
 /// NMBC1, horizon 3 dX, stride 1.
@@ -69,6 +105,10 @@ inline constexpr MatchingTable nopd1d_n3_order1{
     .taylor = nopd1d_n3_order1_data::taylor,
     .c = nopd1d_n3_order1_data::c,
     .b = nopd1d_n3_order1_data::b,
+    .reflection = nopd1d_n3_order1_data::reflection,
+    .modal = nopd1d_n3_order1_data::modal,
+    .contractive = {},
+    .max_cfl = nopd1d_n3_order1_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -56,6 +57,11 @@ inline constexpr RationalFunction b[]{
     {"81", "-162 49"},
 };
 
+inline constexpr Window reflection[]{
+    // 0 .. 405/98
+    {0, 4.13265306122449},
+};
+
 }  // namespace nopd1d_n3_order2_data
 
 /// NMBC2, horizon 3 dX, stride 1.
@@ -73,6 +79,10 @@ inline constexpr MatchingTable nopd1d_n3_order2{
     .taylor = nopd1d_n3_order2_data::taylor,
     .c = nopd1d_n3_order2_data::c,
     .b = nopd1d_n3_order2_data::b,
+    .reflection = nopd1d_n3_order2_data::reflection,
+    .modal = {},
+    .contractive = {},
+    .max_cfl = {},
 };
 
 }  // namespace nmbc::generated

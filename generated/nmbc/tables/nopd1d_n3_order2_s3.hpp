@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -56,6 +57,42 @@ inline constexpr RationalFunction b[]{
     {"243", "54 49"},
 };
 
+inline constexpr Window modal[]{
+    // low: (-282042 + 29079*sqrt(718))/393764, beyond it: backward band at xi = 1.12
+    // high: between 4.5524039 and 4.5524042, beyond it: backward band at xi = 1.29
+    {1.262545546681792, 4.552403904953781},
+};
+
+inline constexpr Window contractive[]{
+    // low: (-282042 + 29079*sqrt(718))/393764, beyond it: backward band at xi = 1.12
+    // high: between 4.0265289 and 4.0265292
+    {1.262545546681792, 4.026528910714752},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{1.262545546681792, 1.3653536203777916}, 0.51},
+    {{1.3653536203777916, 1.4681616940737914}, 0.56},
+    {{1.4681616940737914, 1.5709697677697911}, 0.61},
+    {{1.5709697677697911, 1.6737778414657907}, 0.65},
+    {{1.6737778414657907, 1.7765859151617902}, 0.68},
+    {{1.7765859151617902, 1.87939398885779}, 0.71},
+    {{1.87939398885779, 2.0850101362497893}, 0.74},
+    {{2.0850101362497893, 2.496242431033788}, 0.76},
+    {{2.496242431033788, 2.907474725817787}, 0.74},
+    {{2.907474725817787, 3.3187070206017855}, 0.7},
+    {{3.3187070206017855, 3.524323167993785}, 0.67},
+    {{3.524323167993785, 3.729939315385784}, 0.63},
+    {{3.729939315385784, 3.9355554627777836}, 0.58},
+    {{3.9355554627777836, 4.038363536473783}, 0.55},
+    {{4.038363536473783, 4.141171610169783}, 0.51},
+    {{4.141171610169783, 4.243979683865783}, 0.47},
+    {{4.243979683865783, 4.346787757561782}, 0.42},
+    {{4.346787757561782, 4.398191794409781}, 0.38},
+    {{4.398191794409781, 4.449595831257781}, 0.35},
+    {{4.449595831257781, 4.500999868105781}, 0.3},
+    {{4.500999868105781, 4.552403904953781}, 0.25},
+};
+
 }  // namespace nopd1d_n3_order2_s3_data
 
 /// NMBC2, horizon 3 dX, stride 3.
@@ -73,6 +110,10 @@ inline constexpr MatchingTable nopd1d_n3_order2_s3{
     .taylor = nopd1d_n3_order2_s3_data::taylor,
     .c = nopd1d_n3_order2_s3_data::c,
     .b = nopd1d_n3_order2_s3_data::b,
+    .reflection = {},
+    .modal = nopd1d_n3_order2_s3_data::modal,
+    .contractive = nopd1d_n3_order2_s3_data::contractive,
+    .max_cfl = nopd1d_n3_order2_s3_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

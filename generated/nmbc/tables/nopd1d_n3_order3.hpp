@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -60,6 +61,32 @@ inline constexpr RationalFunction b[]{
     {"807003 -542052 100842", "-170586 6804 16807"},
 };
 
+inline constexpr Window reflection[]{
+    // (11583 - 27*sqrt(2937))/4802 .. (11583 + 27*sqrt(2937))/4802
+    {2.107405126671671, 2.7168347733699783},
+    // 405/98 .. no end
+    {4.13265306122449, unbounded},
+};
+
+inline constexpr Window modal[]{
+    // low: between 3.2024066 and 3.2024070, beyond it: backward band at xi = 1.06
+    // high: between 3.3860895 and 3.3860898, beyond it: backward band at xi = 1.29
+    {3.202406977037777, 3.3860894860052904},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{3.202406977037777, 3.2038419966390856}, 0},
+    {{3.2038419966390856, 3.213887133848247}, 0.49},
+    {{3.213887133848247, 3.2253672906587165}, 0.5},
+    {{3.2253672906587165, 3.2483276042796554}, 0.51},
+    {{3.2483276042796554, 3.2712879179005947}, 0.53},
+    {{3.2712879179005947, 3.294248231521534}, 0.56},
+    {{3.294248231521534, 3.317208545142473}, 0.58},
+    {{3.317208545142473, 3.340168858763412}, 0.61},
+    {{3.340168858763412, 3.363129172384351}, 0.64},
+    {{3.363129172384351, 3.3860894860052904}, 0.66},
+};
+
 }  // namespace nopd1d_n3_order3_data
 
 /// NMBC3, horizon 3 dX, stride 1.
@@ -77,6 +104,10 @@ inline constexpr MatchingTable nopd1d_n3_order3{
     .taylor = nopd1d_n3_order3_data::taylor,
     .c = nopd1d_n3_order3_data::c,
     .b = nopd1d_n3_order3_data::b,
+    .reflection = nopd1d_n3_order3_data::reflection,
+    .modal = nopd1d_n3_order3_data::modal,
+    .contractive = {},
+    .max_cfl = nopd1d_n3_order3_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

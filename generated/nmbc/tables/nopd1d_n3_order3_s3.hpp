@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -60,6 +61,37 @@ inline constexpr RationalFunction b[]{
     {"949401 -279468 33614", "74358 6804 16807"},
 };
 
+inline constexpr Window modal[]{
+    // low: between 1.8531061 and 1.8531065, beyond it: growing boundary mode
+    // high: between 2.9299458 and 2.9299462, beyond it: backward band at xi = 1.23
+    {1.8531065035294767, 2.9299457658575454},
+};
+
+inline constexpr Window contractive[]{
+    // low: between 1.8531061 and 1.8531065, beyond it: growing boundary mode
+    // high: between 2.9009532 and 2.9009535
+    {1.8531065035294767, 2.9009531713217216},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{1.8531065035294767, 1.8615193102664147}, 0},
+    {{1.8615193102664147, 1.8699321170033527}, 0.17},
+    {{1.8699321170033527, 1.8783449237402907}, 0.24},
+    {{1.8783449237402907, 1.8867577304772287}, 0.28},
+    {{1.8867577304772287, 1.920408957424981}, 0.31},
+    {{1.920408957424981, 1.9877114113204852}, 0.36},
+    {{1.9877114113204852, 2.1223163191114938}, 0.34},
+    {{2.1223163191114938, 2.2569212269025023}, 0.31},
+    {{2.2569212269025023, 2.3915261346935113}, 0.29},
+    {{2.3915261346935113, 2.5261310424845194}, 0.25},
+    {{2.5261310424845194, 2.6607359502755283}, 0.21},
+    {{2.6607359502755283, 2.795340858066537}, 0.15},
+    {{2.795340858066537, 2.8626433119620414}, 0.1},
+    {{2.8626433119620414, 2.8962945389097934}, 0.07},
+    {{2.8962945389097934, 2.9131201523836694}, 0.05},
+    {{2.9131201523836694, 2.9299457658575454}, 0},
+};
+
 }  // namespace nopd1d_n3_order3_s3_data
 
 /// NMBC3, horizon 3 dX, stride 3.
@@ -77,6 +109,10 @@ inline constexpr MatchingTable nopd1d_n3_order3_s3{
     .taylor = nopd1d_n3_order3_s3_data::taylor,
     .c = nopd1d_n3_order3_s3_data::c,
     .b = nopd1d_n3_order3_s3_data::b,
+    .reflection = {},
+    .modal = nopd1d_n3_order3_s3_data::modal,
+    .contractive = nopd1d_n3_order3_s3_data::contractive,
+    .max_cfl = nopd1d_n3_order3_s3_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

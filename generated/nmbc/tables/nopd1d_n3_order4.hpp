@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -64,6 +65,30 @@ inline constexpr RationalFunction b[]{
     {"-38569862016 64710913365 -31285380546 4669488810", "-6198727824 -12313487970 13438240200 -3735591048 282475249"},
 };
 
+inline constexpr Window reflection[]{
+    // an algebraic number of degree at most 3 .. (11583 - 27*sqrt(2937))/4802
+    {0.7219976624359075, 2.107405126671671},
+    // an algebraic number of degree at most 4 .. (11583 + 27*sqrt(2937))/4802
+    {2.669069656212452, 2.7168347733699783},
+    // an algebraic number of degree at most 3 .. an algebraic number of degree at most 4
+    {2.814535302303517, 11.855950206809055},
+};
+
+inline constexpr Window modal[]{
+    // low: between 11.4647932 and 11.4647936, beyond it: backward band at xi = 1.10
+    // high: between 11.8534477 and 11.8534482, beyond it: backward band at xi = 0.88
+    {11.464793617101448, 11.853447715929715},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{11.464793617101448, 11.610538904162048}, 0.63},
+    {{11.610538904162048, 11.804865953576181}, 0.64},
+    {{11.804865953576181, 11.84130227534133}, 0.65},
+    {{11.84130227534133, 11.847374995635523}, 0.64},
+    {{11.847374995635523, 11.850411355782619}, 0.6},
+    {{11.850411355782619, 11.853447715929715}, 0.55},
+};
+
 }  // namespace nopd1d_n3_order4_data
 
 /// NMBC4, horizon 3 dX, stride 1.
@@ -81,6 +106,10 @@ inline constexpr MatchingTable nopd1d_n3_order4{
     .taylor = nopd1d_n3_order4_data::taylor,
     .c = nopd1d_n3_order4_data::c,
     .b = nopd1d_n3_order4_data::b,
+    .reflection = nopd1d_n3_order4_data::reflection,
+    .modal = nopd1d_n3_order4_data::modal,
+    .contractive = {},
+    .max_cfl = nopd1d_n3_order4_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -56,6 +57,42 @@ inline constexpr RationalFunction b[]{
     {"2", "1"},
 };
 
+inline constexpr Window reflection[]{
+    // 0 .. no end
+    {0, unbounded},
+};
+
+inline constexpr Window modal[]{
+    // low: 0
+    // high: between 7.8225332 and 7.8225335, beyond it: backward band at xi = 0.66
+    {0, 7.8225331624348975},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{0, 0.4889083226521811}, 0.58},
+    {{0.4889083226521811, 0.9778166453043622}, 0.61},
+    {{0.9778166453043622, 1.4667249679565433}, 0.65},
+    {{1.4667249679565433, 1.9556332906087244}, 0.69},
+    {{1.9556332906087244, 2.9334499359130866}, 0.73},
+    {{2.9334499359130866, 3.9112665812174487}, 0.72},
+    {{3.9112665812174487, 4.40017490386963}, 0.68},
+    {{4.40017490386963, 4.8890832265218105}, 0.64},
+    {{4.8890832265218105, 5.133537387847901}, 0.61},
+    {{5.133537387847901, 5.377991549173991}, 0.58},
+    {{5.377991549173991, 5.866899871826173}, 0.52},
+    {{5.866899871826173, 6.1113540331522636}, 0.49},
+    {{6.1113540331522636, 6.355808194478355}, 0.45},
+    {{6.355808194478355, 6.600262355804445}, 0.41},
+    {{6.600262355804445, 6.844716517130536}, 0.37},
+    {{6.844716517130536, 7.089170678456626}, 0.32},
+    {{7.089170678456626, 7.333624839782717}, 0.26},
+    {{7.333624839782717, 7.455851920445761}, 0.22},
+    {{7.455851920445761, 7.578079001108807}, 0.18},
+    {{7.578079001108807, 7.700306081771853}, 0.12},
+    {{7.700306081771853, 7.761419622103375}, 0.08},
+    {{7.761419622103375, 7.8225331624348975}, 0},
+};
+
 }  // namespace nopd1d_n4_order1_data
 
 /// NMBC1, horizon 4 dX, stride 1.
@@ -73,6 +110,10 @@ inline constexpr MatchingTable nopd1d_n4_order1{
     .taylor = nopd1d_n4_order1_data::taylor,
     .c = nopd1d_n4_order1_data::c,
     .b = nopd1d_n4_order1_data::b,
+    .reflection = nopd1d_n4_order1_data::reflection,
+    .modal = nopd1d_n4_order1_data::modal,
+    .contractive = {},
+    .max_cfl = nopd1d_n4_order1_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

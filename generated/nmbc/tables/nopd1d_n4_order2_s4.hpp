@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -60,6 +61,47 @@ inline constexpr RationalFunction b[]{
     {"5120", "1792 885"},
 };
 
+inline constexpr Window modal[]{
+    // low: an algebraic number of degree at most 6, beyond it: backward band at xi = 0.87
+    // high: between 5.5896351 and 5.5896355, beyond it: backward band at xi = 1.00
+    {1.846147614472795, 5.5896350925251586},
+};
+
+inline constexpr Window contractive[]{
+    // low: an algebraic number of degree at most 6, beyond it: backward band at xi = 0.87
+    // high: between 4.7592169 and 4.7592174
+    {1.846147614472795, 4.759216946531824},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{1.846147614472795, 1.9046396063173634}, 0.29},
+    {{1.9046396063173634, 1.9631315981619315}, 0.34},
+    {{1.9631315981619315, 2.0216235900064996}, 0.39},
+    {{2.0216235900064996, 2.080115581851068}, 0.43},
+    {{2.080115581851068, 2.1386075736956363}, 0.46},
+    {{2.1386075736956363, 2.197099565540204}, 0.49},
+    {{2.197099565540204, 2.3140835492293403}, 0.52},
+    {{2.3140835492293403, 2.431067532918477}, 0.57},
+    {{2.431067532918477, 2.548051516607613}, 0.6},
+    {{2.548051516607613, 2.782019483985886}, 0.64},
+    {{2.782019483985886, 3.2499554187424313}, 0.68},
+    {{3.2499554187424313, 3.7178913534989766}, 0.7},
+    {{3.7178913534989766, 4.185827288255522}, 0.65},
+    {{4.185827288255522, 4.419795255633795}, 0.62},
+    {{4.419795255633795, 4.653763223012067}, 0.57},
+    {{4.653763223012067, 4.88773119039034}, 0.52},
+    {{4.88773119039034, 5.004715174079477}, 0.48},
+    {{5.004715174079477, 5.121699157768614}, 0.44},
+    {{5.121699157768614, 5.23868314145775}, 0.39},
+    {{5.23868314145775, 5.355667125146886}, 0.33},
+    {{5.355667125146886, 5.4141591169914545}, 0.3},
+    {{5.4141591169914545, 5.472651108836022}, 0.26},
+    {{5.472651108836022, 5.5018971047583065}, 0.23},
+    {{5.5018971047583065, 5.53114310068059}, 0.2},
+    {{5.53114310068059, 5.560389096602874}, 0.17},
+    {{5.560389096602874, 5.5896350925251586}, 0.13},
+};
+
 }  // namespace nopd1d_n4_order2_s4_data
 
 /// NMBC2, horizon 4 dX, stride 4.
@@ -77,6 +119,10 @@ inline constexpr MatchingTable nopd1d_n4_order2_s4{
     .taylor = nopd1d_n4_order2_s4_data::taylor,
     .c = nopd1d_n4_order2_s4_data::c,
     .b = nopd1d_n4_order2_s4_data::b,
+    .reflection = {},
+    .modal = nopd1d_n4_order2_s4_data::modal,
+    .contractive = nopd1d_n4_order2_s4_data::contractive,
+    .max_cfl = nopd1d_n4_order2_s4_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

@@ -5,11 +5,12 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 1,
+static_assert(nmbc::table_schema == 2,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -60,6 +61,40 @@ inline constexpr RationalFunction b[]{
     {"2", "1"},
 };
 
+inline constexpr Window reflection[]{
+    // 0 .. no end
+    {0, unbounded},
+};
+
+inline constexpr Window modal[]{
+    // low: 0
+    // high: between 10.1582390 and 10.1582394, beyond it: backward band at xi = 0.54
+    {0, 10.15823898893414},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{0, 0.6348899368083838}, 0.58},
+    {{0.6348899368083838, 1.2697798736167676}, 0.61},
+    {{1.2697798736167676, 1.9046698104251514}, 0.64},
+    {{1.9046698104251514, 2.539559747233535}, 0.68},
+    {{2.539559747233535, 5.07911949446707}, 0.72},
+    {{5.07911949446707, 5.714009431275454}, 0.68},
+    {{5.714009431275454, 6.348899368083838}, 0.63},
+    {{6.348899368083838, 6.9837893048922215}, 0.58},
+    {{6.9837893048922215, 7.6186792417006055}, 0.52},
+    {{7.6186792417006055, 7.936124210104797}, 0.49},
+    {{7.936124210104797, 8.25356917850899}, 0.45},
+    {{8.25356917850899, 8.571014146913182}, 0.41},
+    {{8.571014146913182, 8.888459115317373}, 0.37},
+    {{8.888459115317373, 9.205904083721563}, 0.32},
+    {{9.205904083721563, 9.523349052125756}, 0.26},
+    {{9.523349052125756, 9.682071536327852}, 0.22},
+    {{9.682071536327852, 9.840794020529948}, 0.18},
+    {{9.840794020529948, 9.999516504732044}, 0.12},
+    {{9.999516504732044, 10.078877746833093}, 0.08},
+    {{10.078877746833093, 10.15823898893414}, 0},
+};
+
 }  // namespace nopd1d_n5_order1_data
 
 /// NMBC1, horizon 5 dX, stride 1.
@@ -77,6 +112,10 @@ inline constexpr MatchingTable nopd1d_n5_order1{
     .taylor = nopd1d_n5_order1_data::taylor,
     .c = nopd1d_n5_order1_data::c,
     .b = nopd1d_n5_order1_data::b,
+    .reflection = nopd1d_n5_order1_data::reflection,
+    .modal = nopd1d_n5_order1_data::modal,
+    .contractive = {},
+    .max_cfl = nopd1d_n5_order1_data::max_cfl,
 };
 
 }  // namespace nmbc::generated

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/certificate_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "generator/exact/real_roots.hpp"
+
+namespace nmbcgen {
+namespace {
+
+std::string describe(const AlgebraicNumber& number) {
+    const std::string exact = to_text(number);
+    return exact.empty()
+               ? fmt::format("an algebraic number of degree at most {}", number.polynomial.degree())
+               : exact;
+}
+
+std::string describe(const Edge& edge) {
+    const auto* exact = std::get_if<AlgebraicNumber>(&edge.where);
+    std::string text;
+    if (exact != nullptr) {
+        text = describe(*exact);
+    } else {
+        const auto& bracket = std::get<Bracket>(edge.where);
+        text = fmt::format("between {:.7f} and {:.7f}", bracket.low, bracket.high);
+    }
+    if (edge.beyond != Failure::none) {
+        text += fmt::format(", beyond it: {}", name_of(edge.beyond));
+    }
+    if (edge.wave_number != 0) {
+        text += fmt::format(" at xi = {:.2f}", edge.wave_number);
+    }
+    return text;
+}
+
+std::string double_literal(double value) {
+    return std::isinf(value) ? "unbounded" : fmt::format("{}", value);
+}
+
+std::string entry(const Window& window) {
+    const double low = nearest_double(window.low);
+    const double high = window.high ? nearest_double(*window.high) : HUGE_VAL;
+    return fmt::format("    // {} .. {}\n    {{{}, {}}},\n", describe(window.low),
+                       window.high ? describe(*window.high) : "no end", double_literal(low),
+                       double_literal(high));
+}
+
+std::string entry(const StabilityWindow& window) {
+    const double high = window.high ? window.high->inner : HUGE_VAL;
+    return fmt::format("    // low: {}\n    // high: {}\n    {{{}, {}}},\n", describe(window.low),
+                       window.high ? describe(*window.high) : "none",
+                       double_literal(window.low.inner), double_literal(high));
+}
+
+std::string entry(const StableStep& step) {
+    return fmt::format("    {{{{{}, {}}}, {}}},\n", double_literal(step.low),
+                       double_literal(step.high), step.cfl);
+}
+
+template <class Item>
+std::string array(const std::string& type, const std::string& name,
+                  const std::vector<Item>& items) {
+    if (items.empty()) {
+        return "";  // C++ has no array without an element
+    }
+    std::string text = fmt::format("inline constexpr {} {}[]{{\n", type, name);
+    for (const Item& item : items) {
+        text += entry(item);
+    }
+    return text + "};\n\n";
+}
+
+}  // namespace
+
+std::string window_arrays(const Certificate& certificate) {
+    return array("Window", "reflection", certificate.reflection) +
+           array("Window", "modal", certificate.modal) +
+           array("Window", "contractive", certificate.contractive) +
+           array("StableStep", "max_cfl", certificate.max_cfl);
+}
+
+std::string window_members(const std::string& table_name, const Certificate& certificate) {
+    const auto member = [&table_name](const std::string& name, bool empty) {
+        return fmt::format("    .{} = {},\n", name,
+                           empty ? "{}" : fmt::format("{}_data::{}", table_name, name));
+    };
+    return member("reflection", certificate.reflection.empty()) +
+           member("modal", certificate.modal.empty()) +
+           member("contractive", certificate.contractive.empty()) +
+           member("max_cfl", certificate.max_cfl.empty());
+}
+
+std::string certificate_statement(const std::optional<Certificate>& certificate) {
+    if (!certificate) {
+        return "not examined";
+    }
+    return "reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and "
+           "sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; "
+           "contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint "
+           "ghosts; modal edges are exact where an exact value is given, else in the bracket";
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// A certificate as C++ source and as a sentence.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "generator/table/certificate.hpp"
+
+namespace nmbcgen {
+
+/// The arrays `reflection`, `modal`, `contractive` and `max_cfl`, as far as they are not empty,
+/// with a comment on both ends of every window.
+std::string window_arrays(const Certificate& certificate);
+
+/// The initialisers of the table's members of these names.
+std::string window_members(const std::string& table_name, const Certificate& certificate);
+
+/// What the windows mean and how they were found.
+std::string certificate_statement(const std::optional<Certificate>& certificate);
+
+}  // namespace nmbcgen

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/stability/certify.hpp"
+
+#include "generator/exact/real_roots.hpp"
+#include "generator/stability/critical_values.hpp"
+#include "generator/stability/discrete.hpp"
+#include "generator/stability/modal.hpp"
+#include "generator/stability/modal_windows.hpp"
+#include "generator/stability/scalar.hpp"
+#include "generator/stability/stable_steps.hpp"
+
+namespace nmbcgen {
+namespace {
+
+Certificate certify_at(const Table& table, const Rational& G) {
+    const HalfSpace half_space = make_half_space(table, G);
+    const AlgebraicNumber exact = to_algebraic_number(G);
+    const Edge edge{.where = exact, .inner = nearest_double(exact)};
+    Certificate certificate;
+    if (scalar_reflection_is_bounded(half_space)) {
+        certificate.reflection = {{exact, exact}};
+    }
+    const Grade grade = stability_grade(half_space);
+    if (grade != Grade::none) {
+        certificate.modal = {{edge, edge}};
+        certificate.max_cfl = {
+            {edge.inner, edge.inner, largest_cfl(half_space, GhostLevel::midpoint)}};
+    }
+    if (grade == Grade::contractive) {
+        certificate.contractive = {{edge, edge}};
+    }
+    return certificate;
+}
+
+}  // namespace
+
+Certificate certify(const Table& table) {
+    if (table.specification.stabilisation) {
+        return certify_at(table, *table.specification.stabilisation);
+    }
+    ModalWindows modal = modal_windows(table);
+    std::vector<StableStep> steps = stable_steps(table, modal.modal);
+    return {.reflection = scalar_windows(table),
+            .poles = poles(even_and_odd_parts(table)),
+            .modal = std::move(modal.modal),
+            .contractive = std::move(modal.contractive),
+            .max_cfl = std::move(steps)};
+}
+
+}  // namespace nmbcgen
