@@ -150,6 +150,9 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         "leave out the certificate of stability, which takes minutes at orders above 5");
     auto* const folder = add_parsed(app, "--out", request.folder, parse_folder,
                                     "folder to write to (default generated/nmbc/tables)");
+    add_parsed(app, "--cache", request.cache, parse_folder,
+               "folder to keep certificates in from one run to the next")
+        ->envname("NMBCGEN_CACHE");
     auto* const all_flag =
         app.add_flag("--all", all, "write the committed set, with tables.hpp and tables.json");
     auto* const check_flag = app.add_flag(

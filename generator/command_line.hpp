@@ -20,6 +20,7 @@ struct Request {
     bool certified = true;        ///< with certificates of stability
     bool require_stable = false;  ///< nothing is written unless the certificate covers G
     unsigned samples = 200;       ///< wave numbers of Action::reflect
+    std::optional<std::filesystem::path> cache;  ///< folder of kept certificates
     std::filesystem::path folder = "generated/nmbc/tables";
 };
 

@@ -4,6 +4,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "generator/certificate_cache.hpp"
 #include "generator/check.hpp"
 #include "generator/command_line.hpp"
 #include "generator/emit/emit.hpp"
@@ -24,8 +25,29 @@ enum ExitCode {
     file_failed = 5
 };
 
-std::vector<TextFile> committed_files(const std::filesystem::path& folder) {
-    const std::vector<Table> tables = derive_certified(committed_set());
+/// Derives, proves and certifies, the last with what the cache knows.
+std::vector<Table> certified(const std::vector<Specification>& specifications,
+                             const std::optional<std::filesystem::path>& cache_folder) {
+    std::vector<Table> tables;
+    for (const Specification& specification : specifications) {
+        tables.push_back(derive(specification));
+    }
+    if (!cache_folder) {
+        certify_all(tables);
+        return tables;
+    }
+    const CertificateCache cache(*cache_folder);
+    for (Table& table : tables) {
+        cache.look_up(table);
+    }
+    certify_all(tables);
+    cache.keep(tables);
+    return tables;
+}
+
+std::vector<TextFile> committed_files(const Request& request) {
+    const std::filesystem::path& folder = request.folder;
+    const std::vector<Table> tables = certified(committed_set(), request.cache);
     std::vector<TextFile> files;
     for (const Table& table : tables) {
         files.push_back({folder / (table_name(table.specification) + ".hpp"), emit_header(table)});
@@ -46,8 +68,9 @@ void write_and_name(const std::vector<TextFile>& files) {
 
 int write_one(const Request& request) {
     const bool json = request.format == Format::json;
-    const Table table = request.certified ? derive_certified({request.specification}).front()
-                                          : derive(request.specification);
+    const Table table = request.certified
+                            ? certified({request.specification}, request.cache).front()
+                            : derive(request.specification);
     if (request.require_stable) {
         require_stable(table);
     }
@@ -61,8 +84,9 @@ int write_one(const Request& request) {
     return done;
 }
 
-int check(const std::filesystem::path& folder) {
-    const std::string report = staleness(folder, committed_files(folder));
+int check(const Request& request) {
+    const std::filesystem::path& folder = request.folder;
+    const std::string report = staleness(folder, committed_files(request));
     if (report.empty()) {
         std::cerr << "up to date: " << folder.string() << "\n";
         return done;
@@ -77,9 +101,9 @@ int run(const Request& request) {
         case Action::one_table:
             return write_one(request);
         case Action::check:
-            return check(request.folder);
+            return check(request);
         case Action::all_tables:
-            write_and_name(committed_files(request.folder));
+            write_and_name(committed_files(request));
             return done;
         case Action::reflect:
             print(reflection_csv(derive(request.specification), request.samples));

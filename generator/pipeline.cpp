@@ -82,16 +82,13 @@ Table derive(const Specification& specification) {
     return table;
 }
 
-std::vector<Table> derive_certified(const std::vector<Specification>& specifications) {
-    std::vector<Table> tables;
-    for (const Specification& specification : specifications) {
-        tables.push_back(derive(specification));
-    }
-    // The algebra system is for one thread only; the stability room does without it.
+void certify_all(std::vector<Table>& tables) {
     std::atomic<std::size_t> next = 0;
     const auto work = [&tables, &next] {
         for (std::size_t i = next++; i < tables.size(); i = next++) {
-            tables[i].certificate = certify(tables[i]);
+            if (!tables[i].certificate) {
+                tables[i].certificate = certify(tables[i]);
+            }
         }
     };
     const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
@@ -102,7 +99,6 @@ std::vector<Table> derive_certified(const std::vector<Specification>& specificat
     for (std::future<void>& worker : workers) {
         worker.get();  // throws what the worker threw
     }
-    return tables;
 }
 
 std::vector<Specification> committed_set() {

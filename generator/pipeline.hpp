@@ -34,9 +34,9 @@ struct NoSuchBoundary : std::runtime_error {
 /// where the proof fails (a defect of the generator).
 Table derive(const Specification& specification);
 
-/// Derives, proves and certifies tables, the certificates on all cores. Takes seconds a table at
-/// horizons above 3 and orders above 3, and minutes beyond order 5. Throws as derive() does.
-std::vector<Table> derive_certified(const std::vector<Specification>& specifications);
+/// Certifies the tables that have no certificate, on all cores. Takes seconds a table at horizons
+/// and orders above 3, and minutes beyond order 5.
+void certify_all(std::vector<Table>& tables);
 
 /// The tables kept in generated/, in the order of the registry.
 std::vector<Specification> committed_set();

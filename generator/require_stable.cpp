@@ -50,11 +50,12 @@ void require_stable(const Table& table) {
         "NMBC{} at horizon {}, stride {}, G = {} is not stable: {}. Nothing was "
         "written.\nG where it is stable:",
         what.order, what.horizon, what.stride, to_string(G), how_it_fails(table, G));
-    std::vector<Specification> open;
+    std::vector<Table> open;
     for (const unsigned stride : std::set{1U, what.horizon, what.stride}) {
-        open.push_back({what.family, what.horizon, what.order, stride, std::nullopt});
+        open.push_back(derive({what.family, what.horizon, what.order, stride, std::nullopt}));
     }
-    for (const Table& other : derive_certified(open)) {
+    certify_all(open);
+    for (const Table& other : open) {
         message += fmt::format("\n  stride {}: {}", other.specification.stride,
                                text_of(other.certificate->modal));
     }

@@ -2,6 +2,7 @@
 #include "generator/emit/certificate_json.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "generator/exact/rational.hpp"
 #include "generator/exact/real_roots.hpp"
@@ -16,6 +17,8 @@ Json end_point(const AlgebraicNumber& number) {
     const std::string exact = to_text(number);
     if (!exact.empty()) {
         end["exact"] = exact;
+    }
+    if (number.polynomial.degree() == 1) {
         return end;
     }
     Json polynomial = Json::array();
@@ -40,7 +43,7 @@ Json end_point(const Edge& edge) {
         end["beyond"] = name_of(edge.beyond);
     }
     if (edge.wave_number != 0) {
-        end["wave_number"] = std::round(100 * edge.wave_number) / 100;
+        end["wave_number"] = edge.wave_number;
     }
     return end;
 }
@@ -53,6 +56,58 @@ Json window_array(const std::vector<SomeWindow>& windows) {
             {end_point(window.low), window.high ? end_point(*window.high) : Json(nullptr)});
     }
     return array;
+}
+
+AlgebraicNumber read_number(const Json& end) {
+    if (!end.contains("poly")) {
+        return to_algebraic_number(Rational(end.at("exact").get<std::string>()));
+    }
+    std::vector<Integer> coefficients;
+    for (const Json& coefficient : end.at("poly")) {
+        coefficients.emplace_back(coefficient.get<std::string>());
+    }
+    return {IntegerPolynomial(std::move(coefficients)),
+            Rational(end.at("interval").at(0).get<std::string>()),
+            Rational(end.at("interval").at(1).get<std::string>())};
+}
+
+Failure read_failure(const std::string& name) {
+    for (int i = 0; i <= int(Failure::jordan_block); ++i) {
+        if (name_of(Failure(i)) == name) {
+            return Failure(i);
+        }
+    }
+    throw std::invalid_argument("'" + name + "' is no kind of failure");
+}
+
+void read_end(const Json& end, AlgebraicNumber& number) {
+    number = read_number(end);
+}
+
+void read_end(const Json& end, Edge& edge) {
+    if (end.contains("bracket")) {
+        const Json& bracket = end.at("bracket");
+        edge.where = Bracket{bracket.at(0).get<double>(), bracket.at(1).get<double>()};
+    } else {
+        edge.where = read_number(end);
+    }
+    edge.inner = end.at("value").get<double>();
+    edge.beyond = read_failure(end.value("beyond", "none"));
+    edge.wave_number = end.value("wave_number", 0.0);
+}
+
+template <class SomeWindow>
+std::vector<SomeWindow> read_windows(const Json& array) {
+    std::vector<SomeWindow> windows;
+    for (const Json& ends : array) {
+        SomeWindow window;
+        read_end(ends.at(0), window.low);
+        if (!ends.at(1).is_null()) {
+            read_end(ends.at(1), window.high.emplace());
+        }
+        windows.push_back(std::move(window));
+    }
+    return windows;
 }
 
 }  // namespace
@@ -79,6 +134,25 @@ Json max_cfl_array(const Certificate& certificate) {
                          {"cfl", step.cfl}});
     }
     return array;
+}
+
+Certificate read_certificate(const Json& object) {
+    const Json& windows = object.at("windows");
+    Certificate certificate{.reflection = read_windows<Window>(windows.at("reflection")),
+                            .poles = {},
+                            .modal = read_windows<StabilityWindow>(windows.at("modal")),
+                            .contractive = read_windows<StabilityWindow>(windows.at("contractive")),
+                            .max_cfl = {}};
+    for (const Json& pole : object.at("poles")) {
+        certificate.poles.push_back(read_number(pole));
+    }
+    for (const Json& step : object.at("max_cfl")) {
+        certificate.max_cfl.push_back(
+            {step.at("low").get<double>(),
+             step.at("high").is_null() ? HUGE_VAL : step.at("high").get<double>(),
+             step.at("cfl").get<double>()});
+    }
+    return certificate;
 }
 
 }  // namespace nmbcgen

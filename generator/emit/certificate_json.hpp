@@ -12,4 +12,8 @@ nlohmann::ordered_json windows_object(const Certificate& certificate);
 nlohmann::ordered_json poles_array(const Certificate& certificate);
 nlohmann::ordered_json max_cfl_array(const Certificate& certificate);
 
+/// The certificate of an object with the keys windows, poles and max_cfl, as written by the
+/// functions above. Throws nlohmann::json::exception or std::invalid_argument where it is not.
+Certificate read_certificate(const nlohmann::ordered_json& object);
+
 }  // namespace nmbcgen

@@ -163,7 +163,7 @@ class Search {
                 edge.beyond = verdict.backward ? Failure::backward_band : Failure::amplified_wave;
                 break;
         }
-        edge.wave_number = verdict.wave_number;
+        edge.wave_number = std::round(100 * verdict.wave_number) / 100;
     }
 
     ModalVerdict verdict_at(double G) const {

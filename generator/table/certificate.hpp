@@ -58,9 +58,10 @@ struct Bracket {
 /// Where a set of G begins or ends, and how stability fails just beyond.
 struct Edge {
     std::variant<AlgebraicNumber, Bracket> where;
-    double inner;  ///< the double nearest to it on the side of the window
+    double inner = 0;  ///< the double nearest to it on the side of the window
     Failure beyond = Failure::none;
-    double wave_number = 0;  ///< |xi| [1/dX] of the resonance or the most amplified wave, else 0
+    double wave_number =
+        0;  ///< |xi| [1/dX] of the resonance or the most amplified wave, to 0.01, else 0
 };
 
 /// A window with its edges; without the upper one it has no end.

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/certificate_cache.hpp"
+
+#include "generator/emit/certificate_json.hpp"
+#include "generator/emit/emit.hpp"
+#include "generator/files.hpp"
+
+namespace nmbcgen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Everything the certificate depends on.
+Json inputs(Table table) {
+    table.certificate.reset();
+    return {{"code", NMBC_CERTIFYING_CODE}, {"table", emit_json(table)}};
+}
+
+std::filesystem::path file_of(const std::filesystem::path& folder, const Table& table) {
+    return folder / (table_name(table.specification) + ".json");
+}
+
+}  // namespace
+
+void CertificateCache::look_up(Table& table) const {
+    const auto text = read_file(file_of(folder_, table));
+    if (!text) {
+        return;
+    }
+    try {
+        const Json kept = Json::parse(*text);
+        if (kept.at("inputs") == inputs(table)) {
+            table.certificate = read_certificate(kept);
+        }
+    } catch (const Json::exception&) {
+        // Cut short or of another time: as if it were not there.
+    }
+}
+
+void CertificateCache::keep(const std::vector<Table>& tables) const {
+    std::vector<TextFile> files;
+    for (const Table& table : tables) {
+        const Json kept = {{"inputs", inputs(table)},
+                           {"windows", windows_object(*table.certificate)},
+                           {"poles", poles_array(*table.certificate)},
+                           {"max_cfl", max_cfl_array(*table.certificate)}};
+        files.push_back({file_of(folder_, table), kept.dump(1) + "\n"});
+    }
+    write_files(files);
+}
+
+}  // namespace nmbcgen
