@@ -60,6 +60,12 @@ std::string to_string(const Rational& value) {
     return value.str();
 }
 
+Integer floor(const Rational& value) {
+    const Integer p = numerator(value);
+    const Integer q = denominator(value);
+    return p < 0 ? Integer(-((q - 1 - p) / q)) : Integer(p / q);
+}
+
 double nearest_double(const Rational& value) {
     if (value == 0) {
         return 0.0;

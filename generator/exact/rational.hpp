@@ -16,6 +16,9 @@ Rational parse_rational(std::string_view text);
 /// "p/q" in lowest terms; "p" where q = 1.
 std::string to_string(const Rational& value);
 
+/// The largest integer <= value.
+Integer floor(const Rational& value);
+
 /// The double nearest to value, ties to even; the only place where the generator rounds.
 /// Throws std::overflow_error where |value| rounds to infinity.
 double nearest_double(const Rational& value);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "generator/exact/algebraic_number.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/exact/real_roots.hpp"
 #include "generator/exact/resultant.hpp"

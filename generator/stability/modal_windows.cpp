@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "generator/exact/real_roots.hpp"
+#include "generator/exact/algebraic_number.hpp"
 #include "generator/stability/critical_values.hpp"
 #include "generator/stability/modal.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "generator/exact/algebraic_number.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/exact/real_roots.hpp"
 #include "generator/stability/critical_values.hpp"

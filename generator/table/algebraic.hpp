@@ -12,8 +12,8 @@ namespace nmbcgen {
 /// has the polynomial q x - p and low == high; a quadratic number has its irreducible quadratic
 /// and, as any irrational one, low < its value < high. At degree 3 or more the polynomial need
 /// not be irreducible, but none of its real roots is rational or quadratic. One number has many
-/// intervals, so that equality is a matter of compare(), exact/real_roots.hpp, which also makes
-/// these numbers.
+/// intervals, so that equality is a matter of compare(), exact/algebraic_number.hpp;
+/// exact/real_roots.hpp makes these numbers.
 struct AlgebraicNumber {
     IntegerPolynomial polynomial;
     Rational low;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "generator/exact/real_roots.hpp"
+#include "generator/exact/algebraic_number.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/half_space.hpp"
 #include "generator/stability/scalar.hpp"
