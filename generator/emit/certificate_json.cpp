@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
-#include "generator/exact/real_roots.hpp"
+#include "generator/exact/algebraic_number.hpp"
 
 namespace nmbcgen {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "generator/exact/real_roots.hpp"
+#include "generator/exact/algebraic_number.hpp"
 
 namespace nmbcgen {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/stability/certify.hpp"
 
-#include "generator/exact/real_roots.hpp"
+#include "generator/exact/algebraic_number.hpp"
 #include "generator/stability/critical_values.hpp"
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/modal.hpp"
