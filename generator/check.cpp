@@ -80,7 +80,8 @@ std::optional<Specification> specification_of(const std::string& file_name) {
 }
 
 /// A table outside the set, which a user wrote: stale where it is not what its name asks for.
-std::string compare_own_table(const std::filesystem::path& file) {
+/// It may have been written with --uncertified.
+std::string compare_own_table(const std::filesystem::path& file, const MakeTable& certified) {
     const std::string name = file.filename().string();
     std::string left_over = "left over: " + name + " (no table has this name: delete it)\n";
     try {
@@ -88,10 +89,15 @@ std::string compare_own_table(const std::filesystem::path& file) {
         if (!what) {
             return left_over;
         }
-        const Table table = derive(*what);
         const bool header = file.extension() == ".hpp";
-        const std::string report = compare(name, read_file(file).value_or(""),
-                                           header ? emit_header(table) : emit_json(table));
+        const auto emitted = [header](const Table& table) {
+            return header ? emit_header(table) : emit_json(table);
+        };
+        const std::string found = read_file(file).value_or("");
+        if (found == emitted(derive(*what))) {
+            return "";
+        }
+        const std::string report = compare(name, found, emitted(certified(*what)));
         return report.empty()
                    ? ""
                    : report + "  outside the committed set; to write it anew: " +
@@ -105,7 +111,8 @@ std::string compare_own_table(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::string staleness(const std::filesystem::path& folder, const std::vector<TextFile>& fresh) {
+std::string staleness(const std::filesystem::path& folder, const std::vector<TextFile>& fresh,
+                      const MakeTable& certified) {
     if (!std::filesystem::is_directory(folder)) {
         throw FileError("cannot read " + folder.string() + ": there is no such folder");
     }
@@ -130,7 +137,7 @@ std::string staleness(const std::filesystem::path& folder, const std::vector<Tex
         throw FileError("cannot read " + folder.string() + ": " + error.message());
     }
     for (const std::filesystem::path& other : others) {
-        report += compare_own_table(other);
+        report += compare_own_table(other, certified);
     }
     return report;
 }

@@ -86,7 +86,10 @@ int write_one(const Request& request) {
 
 int check(const Request& request) {
     const std::filesystem::path& folder = request.folder;
-    const std::string report = staleness(folder, committed_files(request));
+    const std::string report =
+        staleness(folder, committed_files(request), [&request](const Specification& specification) {
+            return certified({specification}, request.cache).front();
+        });
     if (report.empty()) {
         std::cerr << "up to date: " << folder.string() << "\n";
         return done;

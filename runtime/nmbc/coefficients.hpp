@@ -2,10 +2,9 @@
 /// The coefficients of a table at a value of G: exact evaluation, rounded once.
 #pragma once
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
+#include <nmbc/certificate.hpp>
 #include <nmbc/natural.hpp>
 #include <nmbc/table.hpp>
 #include <stdexcept>
@@ -29,13 +28,6 @@ struct CoefficientError : std::domain_error {
 };
 
 namespace detail {
-
-/// The shortest text that reads back as the same number.
-inline std::string to_text(double value) {
-    std::array<char, 32> buffer{};
-    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return {buffer.data(), end};
-}
 
 /// A signed exact integer as the difference of two naturals.
 struct Difference {
@@ -196,15 +188,22 @@ inline void require_own_G(const MatchingTable& table, double G) {
 
 }  // namespace detail
 
-/// The boundary coefficients of a table at G >= 0; at the table's own G where that is fixed.
-/// Throws CoefficientError where there is no boundary condition at this G (a pole, or C(1) = 0,
-/// which would let a constant grow like t^2), std::invalid_argument for a bad G or for a G other
-/// than the one the table was made for.
+/// To be named where coefficients are wanted that no certificate covers.
+struct AllowUnstable {
+    explicit AllowUnstable() = default;
+};
+inline constexpr AllowUnstable allow_unstable{};
+
+/// The boundary coefficients of a table at G >= 0, certified or not; at the table's own G where
+/// that is fixed. Throws CoefficientError where there is no boundary condition at this G (a pole,
+/// or C(1) = 0, which would let a constant grow like t^2), std::invalid_argument for a bad G or for
+/// a G other than the one the table was made for.
 ///
 /// Where the coefficients of order N are z + 1 times those of order N - 1 (n = 1, N = 2, G = 1, for
 /// one), the generator refuses the table at this G, since (49) is singular; its limit is returned
 /// here: the same condition, asked of two neighbouring nodes.
-inline BoundaryCoefficients boundary_coefficients(const MatchingTable& table, double G) {
+inline BoundaryCoefficients boundary_coefficients(const MatchingTable& table, double G,
+                                                  AllowUnstable) {
     detail::require_own_G(table, G);
     const std::string where =
         "NMBC" + std::to_string(table.order) + " (" + std::string(table.name) + ")";
@@ -227,6 +226,16 @@ inline BoundaryCoefficients boundary_coefficients(const MatchingTable& table, do
                                ": C(1) = 0, a constant would grow like t^2; use order " +
                                std::to_string(table.order - 2) + " or another G");
     }
+    return result;
+}
+
+/// The boundary coefficients of a table at a G >= 0 where it is certified to be stable with its
+/// like at the other end. Throws as above, and NotCertified, which names what is certified instead:
+/// other G, and of `others`, such as nmbc::generated::tables, other orders and strides.
+inline BoundaryCoefficients boundary_coefficients(
+    const MatchingTable& table, double G, std::span<const MatchingTable* const> others = {}) {
+    BoundaryCoefficients result = boundary_coefficients(table, G, allow_unstable);
+    require_certified(table, G, others);
     return result;
 }
 

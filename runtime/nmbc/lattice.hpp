@@ -82,6 +82,19 @@ inline double maximum_frequency(const Lattice& lattice) {
     return std::sqrt(omega_squared(lattice, (low + high) / 2));
 }
 
+/// The largest time step [spacing/wave_speed] with which a chain between two ends of this table is
+/// certified to be stable at any length, midpoint ghosts.
+/// Throws NotCertified where there is none, as at the very edge of some windows.
+inline double stable_time_step(const MatchingTable& table, double G, double wave_speed,
+                               double spacing) {
+    const double cfl = certified_cfl(table, G);
+    if (cfl == 0) {
+        throw NotCertified(std::string(table.name) + " is certified for no time step at G = " +
+                           detail::to_text(G) + "; " + certified_choices(table, G));
+    }
+    return 2 * cfl / maximum_frequency(make_lattice(table, G)) * spacing / wave_speed;
+}
+
 /// Accelerations of the interior nodes, a_I = -(c/dX)^2 sum_m symbol[|m|] u_{I+m}.
 /// u: all nodes, `reach` ghosts first and last; a: the same length, ghost entries untouched.
 /// stiffness: (c/dX)^2 = E/(rho dX^2) [1/time^2].

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nmbc/boundary.hpp>
+#include <nmbc/certificate.hpp>
 #include <nmbc/chain.hpp>
 #include <nmbc/coefficients.hpp>
 #include <nmbc/energy.hpp>

@@ -2,6 +2,8 @@
 /// Mutation test: no number of the committed set can be changed unnoticed. Every number of every
 /// header's table and of tables.json is changed by one, in its sign and in each of its digits;
 /// each time the verification that passes on the committed set has to fail.
+/// The certificates of stability are not among them: to verify one is to find it again, and that
+/// is what the test tables_up_to_date does.
 #include <doctest/doctest.h>
 
 #include <fstream>
@@ -132,13 +134,18 @@ TEST_CASE("headers: every mutant is caught") {
 }
 
 TEST_CASE("tables.json: every mutant is caught") {
+    const std::set<std::string> certificate_keys{"windows", "poles", "max_cfl", "certificate"};
     std::ifstream stream(NMBC_TABLES_JSON);
     Json file = Json::parse(stream);
     REQUIRE(file_objection(file) == "");
     Count count;
     for (Json& table : file["tables"]) {
         // One table at a time: the others are as they were, and have been verified.
-        try_mutants(table, count, [&table] { return objection(table); });
+        for (const auto& [key, part] : table.items()) {
+            if (!certificate_keys.contains(key)) {
+                try_mutants(part, count, [&table] { return objection(table); });
+            }
+        }
     }
     try_mutants(file["schema"], count, [&file] { return file_objection(file); });
     REQUIRE(file_objection(file) == "");

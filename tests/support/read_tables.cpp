@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "generator/emit/certificate_json.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
@@ -201,7 +202,8 @@ Table read_table(const nmbc::MatchingTable& from) {
 Table read_table(const Json& from) {
     constexpr const char* keys[]{"schema", "family", "order",  "horizon", "stride",
                                  "G",      "symbol", "energy", "taylor",  "c",
-                                 "b",      "source", "proved"};
+                                 "b",      "source", "proved", "windows", "poles",
+                                 "max_cfl", "certificate"};
     std::vector<std::string> found;
     for (const auto& item : from.items()) {
         found.push_back(item.key());
@@ -228,6 +230,9 @@ Table read_table(const Json& from) {
     table.b = read_functions(from.at("b"));
     table.source = from.at("source").get<std::string>();
     table.proved = from.at("proved").get<std::string>();
+    if (!from.at("certificate").is_null()) {
+        table.certificate = read_certificate(from);
+    }
     return table;
 }
 

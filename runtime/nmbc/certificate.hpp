@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+/// What a table's certificate says of one value of G.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <nmbc/table.hpp>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace nmbc {
+
+enum class Grade {
+    none,         ///< not certified
+    paired,       ///< stable at every length with the same condition at the other end
+    contractive,  ///< and with any other end that adds no energy
+};
+
+/// The grade of a table at G.
+constexpr Grade certified_grade(const MatchingTable& table, double G) {
+    const auto holds = [G](std::span<const Window> windows) {
+        return std::ranges::any_of(windows,
+                                   [G](const Window& window) { return window.contains(G); });
+    };
+    if (!holds(table.modal)) {
+        return Grade::none;
+    }
+    return holds(table.contractive) ? Grade::contractive : Grade::paired;
+}
+
+/// The largest certified cfl = dt omega_max / 2 at G with midpoint ghosts; 0 where no time step is
+/// certified.
+constexpr double certified_cfl(const MatchingTable& table, double G) {
+    double cfl = 1;
+    bool found = false;
+    for (const StableStep& step : table.max_cfl) {
+        if (step.window.contains(G)) {  // two of them where they meet
+            cfl = std::min(cfl, step.cfl);
+            found = true;
+        }
+    }
+    return found ? cfl : 0;
+}
+
+/// A table that is not certified to be stable was asked for. what() names what is.
+struct NotCertified : std::domain_error {
+    using std::domain_error::domain_error;
+};
+
+namespace detail {
+
+/// The shortest text that reads back as the same number.
+inline std::string to_text(double value) {
+    std::array<char, 32> buffer{};
+    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), end};
+}
+
+inline std::string to_text(const Window& window) {
+    const bool has_end = window.high != unbounded;
+    return to_text(window.low) + (has_end ? " to " + to_text(window.high) : " and above");
+}
+
+inline std::string name_of(const MatchingTable& table) {
+    return "NMBC" + std::to_string(table.order) + " with stride " + std::to_string(table.stride);
+}
+
+}  // namespace detail
+
+/// Says which other choices are certified: the table's own windows of G, and from `others` (such
+/// as nmbc::generated::tables) those of the same lattice at this G.
+inline std::string certified_choices(const MatchingTable& table, double G,
+                                     std::span<const MatchingTable* const> others = {}) {
+    std::string text;
+    for (const Window& window : table.modal) {
+        text += (text.empty() ? "" : "; ") + detail::to_text(window);
+    }
+    text =
+        detail::name_of(table) + " is certified for " + (text.empty() ? "no G" : "G from " + text);
+    std::string same_G;
+    for (const MatchingTable* other : others) {
+        if (other->family == table.family && other->horizon == table.horizon &&
+            certified_grade(*other, G) != Grade::none) {
+            same_G += (same_G.empty() ? "" : ", ") + detail::name_of(*other);
+        }
+    }
+    return text + (same_G.empty() ? "" : "; at this G: " + same_G);
+}
+
+/// Throws NotCertified where the table is not certified at G.
+inline void require_certified(const MatchingTable& table, double G,
+                              std::span<const MatchingTable* const> others = {}) {
+    if (certified_grade(table, G) == Grade::none) {
+        throw NotCertified(detail::name_of(table) + " (" + std::string(table.name) +
+                           ") is not certified to be stable at G = " + detail::to_text(G) + "; " +
+                           certified_choices(table, G, others));
+    }
+}
+
+}  // namespace nmbc
