@@ -5,6 +5,7 @@
 #include <nmbc/boundary.hpp>
 #include <nmbc/chain.hpp>
 #include <nmbc/coefficients.hpp>
+#include <nmbc/ends.hpp>
 #include <nmbc/energy.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/table.hpp>
