@@ -147,12 +147,12 @@ TEST_CASE("mirrored set-ups give mirrored results bit for bit") {
     const std::vector<nmbc::ChainEnd> ends{
         fixed, free_end, matching(2, 1), matching(2, 2, 2),
         nmbc::MatchingEnd{matching(2, 1).coefficients, nmbc::GhostRule::explicit_rule}};
-    for (const auto& left : ends) {
-        for (const auto& right : ends) {
+    for (const auto& one : ends) {
+        for (const auto& other : ends) {
             const nmbc::ChainParameters parameters{
                 .nodes = 20, .youngs_modulus = 57.1464, .time_step = 0.02};
-            auto chain = chain_between(2, left, right, parameters);
-            auto mirrored = chain_between(2, right, left, parameters);
+            auto chain = chain_between(2, one, other, parameters);
+            auto mirrored = chain_between(2, other, one, parameters);
             State state = random_state(chain);
             chain.start(state.u, state.v);
             std::ranges::reverse(state.u);
