@@ -2,20 +2,71 @@
 #include "generator/stability/discrete.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <cmath>
+#include <algorithm>
 #include <stdexcept>
 
 #include "generator/stability/modal.hpp"
 
 namespace nmbcgen {
+namespace {
 
-Eigen::MatrixXd one_step_map(const HalfSpace& h, std::size_t nodes, double time_step,
-                             GhostLevel level) {
+/// Interior nodes that an end reads.
+Eigen::Index reach_of(const ChainEnd& end) {
+    const HalfSpace& h = end.half_space;
+    return end.kind == EndKind::free ? Eigen::Index(h.reach())
+                                     : (Eigen::Index(h.c.size()) - 1) * h.stride;
+}
+
+/// One end of a chain of `all` nodes: node number j counts from the outermost ghost inwards.
+struct Numbering {
+    bool left;
+    Eigen::Index all;
+
+    Eigen::Index operator()(Eigen::Index j) const { return left ? j : all - 1 - j; }
+};
+
+/// Ghost rows of `velocity` from the innermost layer outwards, where the interior's are known.
+void add_ghosts(Eigen::MatrixXd& velocity, const ChainEnd& end, const Numbering& node,
+                double implicit_time) {
+    const HalfSpace& h = end.half_space;
     const auto ghosts = Eigen::Index(h.reach());
+    for (Eigen::Index layer = ghosts; layer-- > 0;) {
+        if (end.kind == EndKind::free) {
+            velocity.row(node(layer)) = velocity.row(node(2 * ghosts - 1 - layer));
+            continue;
+        }
+        Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(velocity.cols());
+        for (std::size_t j = 0; j < h.c.size(); ++j) {
+            const Eigen::Index other = node(layer + Eigen::Index(j) * h.stride);
+            row(other) += h.b[j];
+            if (j > 0) {
+                row += (implicit_time * h.b[j] - h.c[j]) * velocity.row(other);
+            }
+        }
+        velocity.row(node(layer)) = row / (h.c[0] - implicit_time * h.b[0]);
+    }
+}
+
+/// Puts the ghost displacements that a fixed or free end has in the place of the state's own.
+void take_ghosts_from_end(Eigen::MatrixXd& map, const ChainEnd& end, const Numbering& node) {
+    const auto ghosts = Eigen::Index(end.half_space.reach());
+    for (Eigen::Index layer = 0; layer < ghosts && end.kind != EndKind::matching; ++layer) {
+        if (end.kind == EndKind::free) {
+            map.col(node(2 * ghosts - 1 - layer)) += map.col(node(layer));
+        }
+        map.col(node(layer)).setZero();
+    }
+}
+
+}  // namespace
+
+Eigen::MatrixXd one_step_map(const ChainEnd& left, const ChainEnd& right, std::size_t nodes,
+                             double time_step, GhostLevel level) {
+    const std::vector<double>& symbol = left.half_space.symbol;
+    const auto ghosts = Eigen::Index(left.half_space.reach());
     const auto interior = Eigen::Index(nodes);
     const Eigen::Index all = interior + 2 * ghosts;
-    const Eigen::Index order = Eigen::Index(h.c.size()) - 1;
-    if (interior < order * h.stride) {
+    if (interior < std::max(reach_of(left), reach_of(right))) {
         throw std::invalid_argument("the chain is shorter than the condition reaches");
     }
 
@@ -24,38 +75,26 @@ Eigen::MatrixXd one_step_map(const HalfSpace& h, std::size_t nodes, double time_
     for (Eigen::Index i = 0; i < interior; ++i) {
         auto row = velocity.row(ghosts + i);
         row(all + i) = 1;
-        row(ghosts + i) = -time_step * h.symbol[0];
+        row(ghosts + i) = -time_step * symbol[0];
         for (Eigen::Index m = 1; m <= ghosts; ++m) {
-            row(ghosts + i + m) -= time_step * h.symbol[std::size_t(m)];
-            row(ghosts + i - m) -= time_step * h.symbol[std::size_t(m)];
+            row(ghosts + i + m) -= time_step * symbol[std::size_t(m)];
+            row(ghosts + i - m) -= time_step * symbol[std::size_t(m)];
         }
     }
     const double implicit_time = level == GhostLevel::midpoint ? time_step / 2 : 0;
-    for (Eigen::Index layer = ghosts; layer-- > 0;) {
-        for (const bool left : {true, false}) {
-            const Eigen::Index ghost = left ? layer : all - 1 - layer;
-            const Eigen::Index inwards = left ? h.stride : -h.stride;
-            Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(all + interior);
-            for (Eigen::Index j = 0; j <= order; ++j) {
-                const Eigen::Index node = ghost + j * inwards;
-                const double b = h.b[std::size_t(j)];
-                row(node) += b;
-                if (j > 0) {
-                    row += (implicit_time * b - h.c[std::size_t(j)]) * velocity.row(node);
-                }
-            }
-            velocity.row(ghost) = row / (h.c[0] - implicit_time * h.b[0]);
-        }
-    }
+    add_ghosts(velocity, left, {true, all}, implicit_time);
+    add_ghosts(velocity, right, {false, all}, implicit_time);
     Eigen::MatrixXd map = Eigen::MatrixXd::Identity(all + interior, all + interior);
     map.topRows(all) += time_step * velocity;
     map.bottomRows(interior) = velocity.middleRows(ghosts, interior);
+    take_ghosts_from_end(map, left, {true, all});
+    take_ghosts_from_end(map, right, {false, all});
     return map;
 }
 
-double spectral_radius(const HalfSpace& half_space, std::size_t nodes, double time_step,
-                       GhostLevel level) {
-    return one_step_map(half_space, nodes, time_step, level).eigenvalues().cwiseAbs().maxCoeff();
+double spectral_radius(const ChainEnd& left, const ChainEnd& right, std::size_t nodes,
+                       double time_step, GhostLevel level) {
+    return one_step_map(left, right, nodes, time_step, level).eigenvalues().cwiseAbs().maxCoeff();
 }
 
 double maximum_frequency(const HalfSpace& half_space) {
@@ -71,8 +110,9 @@ bool is_stable(const HalfSpace& half_space, KnownModes& modes, GhostLevel level,
     // The double eigenvalue 1 of a constant and of a uniform velocity splits by roundings only.
     constexpr double stable = 1 + 1e-9;
     const std::size_t shortest = (half_space.c.size() - 1) * std::size_t(half_space.stride);
-    return spectral_radius(half_space, shortest + 11, time_step, level) <= stable &&
-           spectral_radius(half_space, shortest + 20, time_step, level) <= stable;
+    const ChainEnd end{EndKind::matching, half_space};
+    return spectral_radius(end, end, shortest + 11, time_step, level) <= stable &&
+           spectral_radius(end, end, shortest + 20, time_step, level) <= stable;
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// The fully discrete chain: leapfrog between two like matching boundaries, as the runtime steps
-/// it.
+/// The fully discrete chain: leapfrog between two ends, as the runtime steps it.
 #pragma once
 
 #include <Eigen/Core>
 
-#include "generator/stability/half_space.hpp"
+#include "generator/stability/chain_end.hpp"
 
 namespace nmbcgen {
 
@@ -14,13 +13,15 @@ enum class GhostLevel { midpoint, old };
 
 /// The map of one time step on (u on all nodes, v on the interior nodes), u at level k, v at
 /// k-1/2. nodes: interior ones; time_step in dX/c.
-/// Throws std::invalid_argument where the chain is shorter than the condition reaches.
-Eigen::MatrixXd one_step_map(const HalfSpace& half_space, std::size_t nodes, double time_step,
-                             GhostLevel level);
+/// The ends are of one lattice. Ghosts of a fixed or free end are as the end has them, whatever the
+/// state says.
+/// Throws std::invalid_argument where the chain is shorter than an end reaches.
+Eigen::MatrixXd one_step_map(const ChainEnd& left, const ChainEnd& right, std::size_t nodes,
+                             double time_step, GhostLevel level);
 
 /// The spectral radius of the one-step map.
-double spectral_radius(const HalfSpace& half_space, std::size_t nodes, double time_step,
-                       GhostLevel level);
+double spectral_radius(const ChainEnd& left, const ChainEnd& right, std::size_t nodes,
+                       double time_step, GhostLevel level);
 
 /// The top of the band, omega_max [c/dX].
 double maximum_frequency(const HalfSpace& half_space);

@@ -68,24 +68,6 @@ double wave_number_of(Complex w) {
     return 2 * std::atan(std::sqrt(-w.real()));
 }
 
-/// An outgoing travelling wave with Delta = 0, other than at a band edge.
-std::optional<double> resonance(const HalfSpace& h) {
-    for (const Complex w : polynomial_roots(boundary_mode_polynomial(h))) {
-        if (!on_unit_circle(w)) {
-            continue;
-        }
-        const double xi = wave_number_of(w);
-        // i omega C = B at k = exp(i xi) for omega of either sign; at omega > 0 the wave is
-        // k = exp(i sign xi), with group velocity -sign omega'(xi) inwards.
-        const double omega = boundary_rate(h, Complex(0, std::tan(xi / 2))).imag();
-        const double velocity = -omega_squared_slope(h, xi) / (2 * omega);
-        if (velocity > 1e-6) {
-            return xi;
-        }
-    }
-    return std::nullopt;
-}
-
 double like_ends_supremum(const Reflection& reflection) {
     return std::sqrt(round_trip_supremum(reflection, reflection));
 }
@@ -116,6 +98,23 @@ std::optional<Complex> growing_mode(const HalfSpace& half_space) {
         }
     }
     return fastest;
+}
+
+std::optional<double> resonance(const HalfSpace& h) {
+    for (const Complex w : polynomial_roots(boundary_mode_polynomial(h))) {
+        if (!on_unit_circle(w)) {
+            continue;
+        }
+        const double xi = wave_number_of(w);
+        // i omega C = B at k = exp(i xi) for omega of either sign; at omega > 0 the wave is
+        // k = exp(i sign xi), with group velocity -sign omega'(xi) inwards.
+        const double omega = boundary_rate(h, Complex(0, std::tan(xi / 2))).imag();
+        const double velocity = -omega_squared_slope(h, xi) / (2 * omega);
+        if (velocity > 1e-6) {
+            return xi;
+        }
+    }
+    return std::nullopt;
 }
 
 std::vector<double> critical_frequencies(const HalfSpace& half_space) {

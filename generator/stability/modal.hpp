@@ -36,6 +36,9 @@ inline constexpr double amplification_limit = 1 + 1e-8;
 /// The fastest growing boundary mode: s [c/dX] with the largest Re s > 0, if there is one.
 std::optional<std::complex<double>> growing_mode(const HalfSpace& half_space);
 
+/// The wave number of a resonance other than at a band edge, if there is one.
+std::optional<double> resonance(const HalfSpace& half_space);
+
 /// The frequencies at which R(omega) can change its character: extrema of omega(xi), zeros of B
 /// and of C on the unit circle, and 0; ascending, the largest is the top of the band.
 std::vector<double> critical_frequencies(const HalfSpace& half_space);

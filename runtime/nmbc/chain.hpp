@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: MIT
-/// A uniform chain between two matching boundaries, stepped by leapfrog.
+/// A uniform chain between two ends, stepped by leapfrog.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <nmbc/boundary.hpp>
+#include <nmbc/ends.hpp>
 #include <nmbc/lattice.hpp>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace nmbc {
 
 /// Physical set-up, in any one consistent system of units.
 struct ChainParameters {
-    std::size_t nodes = 0;      ///< interior nodes
-    double spacing = 1;         ///< dX [length]
-    double youngs_modulus = 1;  ///< E [stress]
-    double density = 1;         ///< rho [mass/volume]
-    double time_step = 0;       ///< dt [time]
-    GhostRule ghost_rule = GhostRule::midpoint;
+    std::size_t nodes = 0;                       ///< interior nodes
+    double spacing = 1;                          ///< dX [length]
+    double youngs_modulus = 1;                   ///< E [stress]
+    double density = 1;                          ///< rho [mass/volume]
+    double time_step = 0;                        ///< dt [time]
+    GhostRule ghost_rule = GhostRule::midpoint;  ///< of two like ends
 
     double wave_speed() const { return std::sqrt(youngs_modulus / density); }
 };
@@ -32,25 +33,28 @@ struct ChainParameters {
 class Chain {
   public:
     /// At rest, at t = 0. Throws std::invalid_argument where a parameter is not positive and
-    /// finite or the chain is too short for its boundaries, and as MatchingBoundary does.
-    Chain(Lattice lattice, const BoundaryCoefficients& coefficients,
+    /// finite or the chain is too short for its ends, and as MatchingBoundary does.
+    Chain(Lattice lattice, const ChainEnd& left, const ChainEnd& right,
           const ChainParameters& parameters)
         : lattice_(std::move(lattice)),
-          parameters_(parameters),
-          boundary_(coefficients, lattice_.reach(), parameters.wave_speed(), parameters.spacing,
-                    parameters.time_step, parameters.ghost_rule) {
-        if (!(parameters.youngs_modulus > 0) || !(parameters.density > 0)) {
-            throw std::invalid_argument("Young's modulus and density must be positive");
-        }
-        const std::size_t smallest = boundary_.reach() - boundary_.ghost_layers();
-        if (parameters.nodes < std::max<std::size_t>(smallest, 1)) {
+          parameters_(checked(parameters)),
+          left_(make_end(left)),
+          right_(make_end(right)) {
+        const std::size_t smallest = std::max(reach_of(left_), reach_of(right_));
+        if (parameters.nodes < smallest) {
             throw std::invalid_argument("the chain needs at least " + std::to_string(smallest) +
-                                        " interior nodes for this boundary condition");
+                                        " interior nodes for these ends");
         }
         displacement_.resize(nodes(), 0.0);
         velocity_.resize(nodes(), 0.0);
         acceleration_.resize(nodes(), 0.0);
     }
+
+    /// Between two like matching boundaries with the ghost rule of the parameters.
+    Chain(Lattice lattice, const BoundaryCoefficients& coefficients,
+          const ChainParameters& parameters)
+        : Chain(std::move(lattice), MatchingEnd{coefficients, parameters.ghost_rule},
+                MatchingEnd{coefficients, parameters.ghost_rule}, parameters) {}
 
     const Lattice& lattice() const { return lattice_; }
     const ChainParameters& parameters() const { return parameters_; }
@@ -64,7 +68,8 @@ class Chain {
     std::span<const double> velocity() const { return velocity_; }
     std::span<double> velocity() { return velocity_; }
 
-    /// Sets u and v at t = 0 on all nodes; v is moved to -dt/2 by the lattice's acceleration.
+    /// Sets u and v at t = 0 on all nodes; v is moved to -dt/2 by the lattice's acceleration. The
+    /// ghosts of a fixed or free end are as it has them, here and in every step, whatever is given.
     void start(std::span<const double> u, std::span<const double> v) {
         if (u.size() != nodes() || v.size() != nodes()) {
             throw std::invalid_argument(
@@ -74,25 +79,29 @@ class Chain {
         steps_ = 0;
         std::ranges::copy(u, displacement_.begin());
         std::ranges::copy(v, velocity_.begin());
+        impose_on(displacement_);
         accelerate(-parameters_.time_step / 2);
+        impose_on(velocity_);
     }
 
-    /// One step: v to t + dt/2, ghosts by (60), u to t + dt. Before the ghosts, `prescribe` may
-    /// set velocities of interior nodes: it is called with u at t, v at t + dt/2 and t + dt.
+    /// One step: v to t + dt/2, ghosts by their end, u to t + dt. Before the ghosts, `prescribe`
+    /// may set velocities of interior nodes: it is called with u at t, v at t + dt/2 and t + dt.
     template <class Prescribe>
     void step(Prescribe&& prescribe) {
         const double dt = parameters_.time_step;
+        impose_on(displacement_);
         accelerate(dt);
         ++steps_;
         prescribe(std::span<const double>(displacement_), std::span<double>(velocity_), time());
-        boundary_.update(displacement_, velocity_, End::left);
-        boundary_.update(displacement_, velocity_, End::right);
+        match(left_, End::left);
+        match(right_, End::right);
+        impose_on(velocity_);
         for (std::size_t node = 0; node < displacement_.size(); ++node) {
             displacement_[node] += dt * velocity_[node];
         }
     }
 
-    /// One step of the free chain.
+    /// One step of the chain left to itself.
     void step() {
         step([](std::span<const double>, std::span<double>, double) {});
     }
@@ -111,6 +120,53 @@ class Chain {
     }
 
   private:
+    using Condition = std::variant<MatchingBoundary, FixedEnd, FreeEnd>;
+
+    static const ChainParameters& checked(const ChainParameters& p) {
+        for (const double value : {p.youngs_modulus, p.density, p.spacing, p.time_step}) {
+            if (!(value > 0) || !std::isfinite(value)) {
+                throw std::invalid_argument(
+                    "Young's modulus, density, spacing and time step must be positive and finite");
+            }
+        }
+        return p;
+    }
+
+    Condition make_end(const ChainEnd& end) const {
+        if (const auto* matching = std::get_if<MatchingEnd>(&end)) {
+            return MatchingBoundary(matching->coefficients, ghosts(), parameters_.wave_speed(),
+                                    parameters_.spacing, parameters_.time_step,
+                                    matching->ghost_rule);
+        }
+        return std::holds_alternative<FixedEnd>(end) ? Condition(FixedEnd{}) : FreeEnd{};
+    }
+
+    /// Interior nodes that an end reads; one at least, so that there is a chain.
+    std::size_t reach_of(const Condition& condition) const {
+        if (const auto* matching = std::get_if<MatchingBoundary>(&condition)) {
+            return std::max<std::size_t>(matching->reach() - ghosts(), 1);
+        }
+        return std::holds_alternative<FreeEnd>(condition) ? ghosts() : 1;
+    }
+
+    /// Ghost velocities at a matching end.
+    void match(const Condition& condition, End end) {
+        if (const auto* matching = std::get_if<MatchingBoundary>(&condition)) {
+            matching->update(displacement_, velocity_, end);
+        }
+    }
+
+    /// Ghost entries of u or v at fixed and free ends.
+    void impose_on(std::vector<double>& field) const {
+        for (const auto& [condition, end] : {std::pair(&left_, End::left), {&right_, End::right}}) {
+            if (const auto* fixed = std::get_if<FixedEnd>(condition)) {
+                impose(*fixed, field, ghosts(), end);
+            } else if (const auto* free = std::get_if<FreeEnd>(condition)) {
+                impose(*free, field, ghosts(), end);
+            }
+        }
+    }
+
     /// v += duration * a on the interior nodes.
     void accelerate(double duration) {
         const double rate = parameters_.wave_speed() / parameters_.spacing;
@@ -122,7 +178,8 @@ class Chain {
 
     Lattice lattice_;
     ChainParameters parameters_;
-    MatchingBoundary boundary_;
+    Condition left_;
+    Condition right_;
     std::vector<double> displacement_;
     std::vector<double> velocity_;
     std::vector<double> acceleration_;

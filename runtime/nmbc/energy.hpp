@@ -15,7 +15,8 @@ struct Energies {
     double strain = 0;         ///< dX sum E eps^2 / 2, eps the nodal strain (16)
     double stabilisation = 0;  ///< dX sum (E G / n^4) |z|^2 / 2 over the bonds, z of (34)
     /// Kinetic energy plus the potential one with u^k and u^{k+1} in its two places. Leapfrog
-    /// keeps it exactly in a chain without ends; `total` is above it by O(dt^2), and swings.
+    /// keeps it exactly in a chain without ends, or between two free ones (beside a fixed end, the
+    /// strain of the ghost nodes is missing); `total` is above it by O(dt^2), and swings.
     double staggered = 0;
 
     double total() const { return kinetic + strain + stabilisation; }

@@ -6,6 +6,7 @@
 #include <nmbc/certificate.hpp>
 #include <nmbc/chain.hpp>
 #include <nmbc/coefficients.hpp>
+#include <nmbc/ends.hpp>
 #include <nmbc/energy.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/table.hpp>

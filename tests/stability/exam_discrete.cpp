@@ -40,38 +40,52 @@ TEST_CASE("largest cfl") {
     CHECK(std::abs(largest_cfl(half_space(2, 2, 2, 1), GhostLevel::old) - 0.28) < 0.0101);
 }
 
-TEST_CASE("the map is the runtime's step") {
+/// One step of a chain from a rough state, ghosts included, by the map and by the runtime.
+void compare_step(const nmbcgen::ChainEnd& left, const nmbcgen::ChainEnd& right, GhostLevel level,
+                  nmbc::Chain chain) {
+    const auto& p = chain.parameters();
+    const auto map = nmbcgen::one_step_map(left, right, p.nodes, p.time_step, level);
+    Eigen::VectorXd state(map.cols());
+    for (Eigen::Index i = 0; i < state.size(); ++i) {
+        state(i) = std::sin(1.7 * double(i * i));
+    }
+    const auto all = std::size_t(chain.nodes());
+    for (std::size_t i = 0; i < all; ++i) {
+        chain.displacement()[i] = state(Eigen::Index(i));
+    }
+    for (std::size_t i = 0; i < p.nodes; ++i) {
+        chain.velocity()[i + chain.ghosts()] = state(Eigen::Index(all + i));
+    }
+    chain.step();
+    const Eigen::VectorXd after = map * state;
+    for (std::size_t i = 0; i < all; ++i) {
+        // Coefficients up to 20, a cascade of 4 ghost layers: some thousand roundings.
+        CHECK(chain.displacement()[i] ==
+              doctest::Approx(after(Eigen::Index(i))).scale(100).epsilon(1e-13));
+    }
+    for (std::size_t i = 0; i < p.nodes; ++i) {
+        CHECK(chain.velocity()[i + chain.ghosts()] ==
+              doctest::Approx(after(Eigen::Index(all + i))).epsilon(1e-13));
+    }
+}
+
+TEST_CASE("the map is the runtime's step, whatever the ends") {
     constexpr double G = 1.85;
     const auto& table = nmbc::generated::nopd1d_n2_order3;
     const auto h = half_space(2, 3, 1, Rational(G));
     for (const auto& [rule, level] : {std::pair{nmbc::GhostRule::midpoint, GhostLevel::midpoint},
                                       std::pair{nmbc::GhostRule::explicit_rule, GhostLevel::old}}) {
-        constexpr std::size_t nodes = 12;
-        constexpr double dt = 0.3;
-        const auto map = nmbcgen::one_step_map(h, nodes, dt, level);
-        nmbc::Chain chain(nmbc::make_lattice(table, G), nmbc::boundary_coefficients(table, G),
-                          {.nodes = nodes, .time_step = dt, .ghost_rule = rule});
-        Eigen::VectorXd state(map.cols());
-        for (Eigen::Index i = 0; i < state.size(); ++i) {
-            state(i) = std::sin(1.7 * double(i * i));
-        }
-        const auto all = std::size_t(chain.nodes());
-        for (std::size_t i = 0; i < all; ++i) {
-            chain.displacement()[i] = state(Eigen::Index(i));
-        }
-        for (std::size_t i = 0; i < nodes; ++i) {
-            chain.velocity()[i + chain.ghosts()] = state(Eigen::Index(all + i));
-        }
-        chain.step();
-        const Eigen::VectorXd after = map * state;
-        for (std::size_t i = 0; i < all; ++i) {
-            // Coefficients up to 20, a cascade of 4 ghost layers: some thousand roundings.
-            CHECK(chain.displacement()[i] ==
-                  doctest::Approx(after(Eigen::Index(i))).scale(100).epsilon(1e-13));
-        }
-        for (std::size_t i = 0; i < nodes; ++i) {
-            CHECK(chain.velocity()[i + chain.ghosts()] ==
-                  doctest::Approx(after(Eigen::Index(all + i))).epsilon(1e-13));
+        const std::vector<std::pair<nmbcgen::ChainEnd, nmbc::ChainEnd>> ends{
+            {{nmbcgen::EndKind::matching, h},
+             nmbc::MatchingEnd{nmbc::boundary_coefficients(table, G), rule}},
+            {fixed_end(h), nmbc::FixedEnd{}},
+            {free_end(h), nmbc::FreeEnd{}}};
+        for (const auto& left : ends) {
+            for (const auto& right : ends) {
+                compare_step(left.first, right.first, level,
+                             nmbc::Chain(nmbc::make_lattice(table, G), left.second, right.second,
+                                         {.nodes = 12, .time_step = 0.3}));
+            }
         }
     }
 }

@@ -92,7 +92,8 @@ double measured_growth(nmbc::Chain chain, double expected) {
 /// ln |z| / dt of the largest eigenvalue z of the finite chain's one-step map.
 double spectral_growth(const nmbcgen::HalfSpace& h, std::size_t nodes, double time_step,
                        GhostLevel level) {
-    return std::log(nmbcgen::spectral_radius(h, nodes, time_step, level)) / time_step;
+    const nmbcgen::ChainEnd end{nmbcgen::EndKind::matching, h};
+    return std::log(nmbcgen::spectral_radius(end, end, nodes, time_step, level)) / time_step;
 }
 
 /// The length does not matter to a mode that decays from the end, and as dt -> 0 the step has the
@@ -185,7 +186,8 @@ TEST_CASE("a boundary with C(1) = 0 lets a constant grow like t^2") {
     chain.displacement().front() += disturbance;
     chain.displacement().back() += disturbance;
 
-    const auto map = nmbcgen::one_step_map(h, nodes, time_step, GhostLevel::midpoint);
+    const nmbcgen::ChainEnd end{nmbcgen::EndKind::matching, h};
+    const auto map = nmbcgen::one_step_map(end, end, nodes, time_step, GhostLevel::midpoint);
     const Eigen::MatrixXd difference = map - Eigen::MatrixXd::Identity(map.rows(), map.cols());
     const Eigen::MatrixXd left = Eigen::FullPivLU<Eigen::MatrixXd>(difference.transpose())
                                      .setThreshold(1e-9)  // roundings; the next is above 1e-6

@@ -61,6 +61,10 @@ for bad in -1 nan inf 1e400 true '"1"'; do
     setting 2 "model.G must be a number not below 0" "model.G=$bad"
 done
 setting 2 "must be \"midpoint\" or \"explicit\", not \"implicit\"" boundary.ghosts=implicit
+setting 2 'boundary.left.kind must be "nmbc", "fixed" or "free", not "open"' boundary.left.kind=open
+setting 2 "boundary.allow_unstable must be true or false, not 1" boundary.allow_unstable=1
+setting 2 "boundary.rigth is not a key of a scene" boundary.rigth.kind=free
+setting 2 "no table for family nopd1d, horizon 2, order 9" boundary.right.order=9
 setting 2 "above the interior's limit" time.step=0.6
 setting 2 "select no node" drive.centre=-99
 setting 2 "must not be 0" drive.amplitude=0
@@ -74,6 +78,47 @@ refuses 3 "C(1) = 0" "$scene" --set model.horizon=1 --set model.G=1 --set bounda
 refuses 5 "No such file" nowhere.toml
 refuses 5 "Is a directory" /
 refuses 2 "SCENE is required"
+
+# Ends that are not stable are refused before anything is written, by themselves ..
+unstable() { refuses 4 "$1" "$scene" "${@:2}"; }
+unstable "NMBC2 is not stable at n = 2, G = 1, cfl = 0.0668: a mode at that end grows as exp(" \
+    --set boundary.order=2 --set model.G=1
+unstable "allow_unstable" --set boundary.order=2 --set model.G=1
+unstable "sends out a wave of xi dX = 1.9 by itself" \
+    --set boundary.order=2 --set model.horizon=1 --set model.G=2
+# .. together with their like (n = 2, stride 2: stable from G = 0.7142) ..
+unstable "NMBC2 of stride 2 at both ends is not stable at n = 2, G = 0.5" \
+    --set boundary.order=2 --set boundary.stride=2 --set model.G=0.5
+# .. with another end, on either side ..
+unstable "NMBC1 on the left and a fixed end on the right are not stable together at n = 1, G = 0.1" \
+    --set model.horizon=1 --set model.G=0.1 --set boundary.right.kind=fixed
+unstable "a fixed end on the left and NMBC1 on the right are not stable together" \
+    --set boundary.left.kind=fixed --set boundary.right.order=1
+# .. or at this time step: NMBC2 at n = 1, G = 1/2 is stable up to cfl = 0.70.
+unstable "cfl = 0.8" --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=0.8
+unstable "cfl = 1" --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=1
+
+# Pairs that are stable run without a word.
+stable() {
+    try run "$scene" "${short[@]}" "$@"
+    expect_exit 0
+    expect_no_stderr
+}
+stable --set boundary.kind=fixed
+expect_stdout_line "boundary  fixed"
+stable --set boundary.right.kind=free
+expect_stdout_line "left      NMBC1, stride 1, midpoint ghosts"
+expect_stdout_line "right     free"
+stable --set model.horizon=1 --set model.G=0.5 --set boundary.left.order=3 \
+    --set boundary.right.kind=fixed
+stable --set model.horizon=2 --set model.G=1 --set boundary.right.order=2 \
+    --set boundary.right.stride=2 --set boundary.left.ghosts=midpoint
+expect_stdout_line "right     NMBC2, stride 2, midpoint ghosts"
+stable --set model.horizon=5
+# The wave reaches the ends at t = 33 or so, and the total swings by O(dt^2) only.
+try run "$scene" --quiet --set boundary.kind=free --set model.G=1
+expect "free ends keep the energy" awk '/^energy left/ { exit !($3 > 0.99) }' "$scratch/stdout"
+rm -r results
 
 # Mistakes in the file itself are named with their line.
 sed 's/^density/densty/' "$scene" >"$scratch/misspelt.toml"
@@ -111,11 +156,12 @@ rm -r full
 
 # A run that blows up: exit code 4, with step, node and cause, and the energies up to there.
 # (The paper's scalar criterion holds here.)
-try run "$scene" --set boundary.order=2 --set model.G=1
+try run "$scene" --set boundary.order=2 --set model.G=1 --set boundary.allow_unstable=true
 expect_exit 4
 expect_stdout_line "scene     bar of Nicely 2018, section 5"
+expect_stderr "nmbcrun: warning: NMBC2 is not stable at n = 2, G = 1, cfl = 0.0668: a mode"
 expect_stderr "is not finite at step"
-expect_stderr "NMBC2 is not stable at G = 1"
+expect_stderr "not stable together, see the warning"
 expect_file results/bar1d.csv
 try run "$scene" --set model.horizon=1 --set model.G=0.5 --set boundary.order=2 \
     --set boundary.ghosts=explicit --set time.step=0.1 --set time.end=500

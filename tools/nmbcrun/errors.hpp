@@ -11,7 +11,8 @@ struct SceneError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The run became non-finite or grew without a cause (4); what() says at which step and node.
+/// The ends are not stable together, or the run became non-finite or grew without a cause (4);
+/// what() says how, or at which step and node.
 struct Unstable : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

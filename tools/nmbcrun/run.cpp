@@ -9,6 +9,7 @@
 #include <nmbc/tables/tables.hpp>
 #include <numbers>
 
+#include "tools/nmbcrun/certificate.hpp"
 #include "tools/nmbcrun/csv.hpp"
 #include "tools/nmbcrun/interrupt.hpp"
 #include "tools/nmbcrun/progress.hpp"
@@ -16,9 +17,13 @@
 namespace nmbcrun {
 namespace {
 
-const nmbc::MatchingTable& table_of(const Scene& scene) {
-    const auto* table = nmbc::find_table(nmbc::generated::tables, scene.family, scene.horizon,
-                                         scene.order, scene.stride);
+/// The table of an end. For a fixed or free one, any with its lattice will do.
+const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary) {
+    const bool matching = boundary.kind == BoundaryKind::nmbc;
+    const int order = matching ? boundary.order : 1;
+    const int stride = matching ? boundary.stride : 1;
+    const auto* table =
+        nmbc::find_table(nmbc::generated::tables, scene.family, scene.horizon, order, stride);
     if (table == nullptr) {
         std::string known;
         for (const auto* other : nmbc::generated::tables) {
@@ -27,9 +32,38 @@ const nmbc::MatchingTable& table_of(const Scene& scene) {
         throw SceneError(fmt::format(
             "nmbcrun has no table for family {}, horizon {}, order {}, stride {}; it knows the "
             "committed set (others: docs/example):{}",
-            scene.family, scene.horizon, scene.order, scene.stride, known));
+            scene.family, scene.horizon, order, stride, known));
     }
     return *table;
+}
+
+nmbc::ChainEnd end_of(const Scene& scene, const Boundary& boundary) {
+    switch (boundary.kind) {
+        case BoundaryKind::fixed:
+            return nmbc::FixedEnd{};
+        case BoundaryKind::free:
+            return nmbc::FreeEnd{};
+        default:
+            return nmbc::MatchingEnd{
+                nmbc::boundary_coefficients(table_of(scene, boundary), scene.G), boundary.ghosts};
+    }
+}
+
+/// Whether the ends are certified to be stable together; warns where they are not, but the scene
+/// allows it. Throws Unstable where it does not.
+bool certify(const Scene& scene, double time_step, double cfl) {
+    const std::string problem =
+        objection(scene, table_of(scene, scene.left), table_of(scene, scene.right), time_step, cfl);
+    if (problem.empty()) {
+        return true;
+    }
+    if (!scene.allow_unstable) {
+        throw Unstable(problem +
+                       ". Try a smaller time step, another G, order or stride (windows: "
+                       "docs/theory.md), or run it all the same: boundary.allow_unstable = true");
+    }
+    fmt::print(stderr, "nmbcrun: warning: {}\n", problem);
+    return false;
 }
 
 /// The drive's velocities for one step: u reaches its prescribed value at the new time.
@@ -76,29 +110,33 @@ struct Sample {
     nmbc::Energies energies;
 };
 
-std::string likely_cause(const Scene& scene, double cfl) {
-    if (scene.ghosts == nmbc::GhostRule::explicit_rule) {
-        return "explicit ghosts are stable only at much smaller time steps; use \"midpoint\"";
-    }
-    return fmt::format(
-        "NMBC{} is not stable at G = {} or needs a time step below cfl = {:.3g}; try a smaller "
-        "one, then another G or order",
-        scene.order, scene.G, cfl);
-}
-
 /// What was written of a run, and the largest total energy of every tenth step.
 struct Record {
     std::vector<Sample> samples;
     double peak = 0;
 };
 
-/// How long a run is, in steps, and how its step compares with the interior's limit.
-struct Duration {
-    std::size_t steps;
-    double cfl;
+/// How long a run is, in steps, how its step compares with the interior's limit, and whether its
+/// ends are certified.
+struct Plan {
+    std::size_t steps = 0;
+    double cfl = 0;
+    bool certified = false;
 };
 
-Duration duration_of(const Scene& scene, double time_step, double omega_max) {
+std::string likely_cause(const Scene& scene, const Plan& plan) {
+    if (!plan.certified) {
+        return "these ends are not stable together, see the warning";
+    }
+    for (const Boundary* end : {&scene.left, &scene.right}) {
+        if (end->kind == BoundaryKind::nmbc && end->ghosts == nmbc::GhostRule::explicit_rule) {
+            return "explicit ghosts are stable only at much smaller time steps; use \"midpoint\"";
+        }
+    }
+    return "its ends are stable; drive.amplitude may be too large for doubles";
+}
+
+Plan plan_of(const Scene& scene, double time_step, double omega_max) {
     const double cfl = time_step * omega_max / 2;
     if (cfl > 1) {
         throw SceneError(
@@ -110,7 +148,7 @@ Duration duration_of(const Scene& scene, double time_step, double omega_max) {
         throw SceneError(fmt::format("time.end asks for {:.3g} steps; at most 1e15", exact_steps));
     }
     // A last step that is a millionth of a step is a rounding of time.end / dt.
-    return {std::size_t(std::max(1.0, std::ceil(exact_steps - 1e-6))), cfl};
+    return {.steps = std::size_t(std::max(1.0, std::ceil(exact_steps - 1e-6))), .cfl = cfl};
 }
 
 std::string name_of(std::size_t node, const nmbc::Chain& chain) {
@@ -126,31 +164,30 @@ std::string fastest_node(const nmbc::Chain& chain) {
 
 /// Steps the chain to the end. After the drive nothing feeds the chain any more: an energy that
 /// grows tenfold from there is as unstable as one that is not finite.
-Record simulate(const Scene& scene, nmbc::Chain& chain, const Driver& driver,
-                const Duration& duration, EnergyCsv& csv, bool quiet) {
+Record simulate(const Scene& scene, nmbc::Chain& chain, const Driver& driver, const Plan& plan,
+                EnergyCsv& csv, bool quiet) {
     const double time_step = chain.parameters().time_step;
-    Progress progress(duration.steps, quiet);
+    Progress progress(plan.steps, quiet);
     Record record;
     double driven_peak = 0;
     const auto unstable = [&](const std::string& what) {
         return Unstable(fmt::format("{} at step {} (t = {:.6g}): {}. Energies up to there: {}",
-                                    what, chain.steps(), chain.time(),
-                                    likely_cause(scene, duration.cfl), csv.path().string()));
+                                    what, chain.steps(), chain.time(), likely_cause(scene, plan),
+                                    csv.path().string()));
     };
-    while (chain.steps() < duration.steps) {
+    while (chain.steps() < plan.steps) {
         chain.step(driver);
         progress.update(chain.steps());
         if (interrupted()) {
             throw Interrupted(
                 fmt::format("stopped at step {} of {} (t = {:.6g}). Energies up to "
                             "there: {}",
-                            chain.steps(), duration.steps, chain.time(), csv.path().string()));
+                            chain.steps(), plan.steps, chain.time(), csv.path().string()));
         }
         if (!chain.is_finite()) {
             throw unstable(name_of(chain.first_not_finite(), chain) + " is not finite");
         }
-        const bool to_be_written =
-            chain.steps() % scene.every == 0 || chain.steps() == duration.steps;
+        const bool to_be_written = chain.steps() % scene.every == 0 || chain.steps() == plan.steps;
         constexpr std::size_t look_every = 10;  // whatever is written, the peak is the same
         if (!to_be_written && chain.steps() % look_every != 0) {
             continue;
@@ -178,18 +215,30 @@ Record simulate(const Scene& scene, nmbc::Chain& chain, const Driver& driver,
     return record;
 }
 
-void print_heading(const Scene& scene, const nmbc::Chain& chain, const Duration& duration) {
+std::string heading_of(const Boundary& boundary) {
+    if (boundary.kind != BoundaryKind::nmbc) {
+        return boundary.kind == BoundaryKind::fixed ? "fixed" : "free";
+    }
+    const bool midpoint = boundary.ghosts == nmbc::GhostRule::midpoint;
+    return fmt::format("NMBC{}, stride {}, {} ghosts", boundary.order, boundary.stride,
+                       midpoint ? "midpoint" : "explicit");
+}
+
+void print_heading(const Scene& scene, const nmbc::Chain& chain, const Plan& plan) {
     const nmbc::ChainParameters& p = chain.parameters();
-    const bool midpoint = p.ghost_rule == nmbc::GhostRule::midpoint;
     fmt::print("scene     {}\n", scene.title);
-    fmt::print("boundary  NMBC{}, {} horizon {}, stride {}, G = {}, {} ghosts\n", scene.order,
-               scene.family, scene.horizon, scene.stride, scene.G,
-               midpoint ? "midpoint" : "explicit");
+    fmt::print("lattice   {} horizon {}, G = {}\n", scene.family, scene.horizon, scene.G);
+    if (scene.left == scene.right) {
+        fmt::print("boundary  {}\n", heading_of(scene.left));
+    } else {
+        fmt::print("left      {}\n", heading_of(scene.left));
+        fmt::print("right     {}\n", heading_of(scene.right));
+    }
     fmt::print("chain     {} nodes{}, dX = {}, c = {:.6g}\n", scene.nodes,
                scene.extension > 0 ? fmt::format(" (+ {} at each end)", scene.extension) : "",
                p.spacing, p.wave_speed());
-    fmt::print("time      {} steps of {:.6g} (cfl = {:.3g})\n\n", duration.steps, p.time_step,
-               duration.cfl);
+    fmt::print("time      {} steps of {:.6g} (cfl = {:.3g})\n\n", plan.steps, p.time_step,
+               plan.cfl);
 }
 
 /// About twelve of the samples, and the last.
@@ -211,27 +260,26 @@ void print_samples(const std::vector<Sample>& samples, double peak) {
 }  // namespace
 
 void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
-    const nmbc::MatchingTable& table = table_of(scene);
-    nmbc::Lattice lattice = nmbc::make_lattice(table, scene.G);
+    nmbc::Lattice lattice = nmbc::make_lattice(table_of(scene, scene.left), scene.G);
     const double omega_max = nmbc::maximum_frequency(lattice) *
                              std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
     const double time_step = scene.step ? *scene.step : 2 * *scene.cfl / omega_max;
-    const Duration duration = duration_of(scene, time_step, omega_max);
-    nmbc::Chain chain(std::move(lattice), nmbc::boundary_coefficients(table, scene.G),
+    Plan plan = plan_of(scene, time_step, omega_max);
+    nmbc::Chain chain(std::move(lattice), end_of(scene, scene.left), end_of(scene, scene.right),
                       {.nodes = scene.nodes + 2 * scene.extension,
                        .spacing = scene.spacing,
                        .youngs_modulus = scene.youngs_modulus,
                        .density = scene.density,
-                       .time_step = time_step,
-                       .ghost_rule = scene.ghosts});
+                       .time_step = time_step});
     const Driver driver(scene, chain.ghosts(), time_step);
+    plan.certified = certify(scene, time_step, plan.cfl);
     EnergyCsv csv(folder / (scene.name + ".csv"));
     if (!quiet) {
-        print_heading(scene, chain, duration);
+        print_heading(scene, chain, plan);
     }
     Record record;
     try {
-        record = simulate(scene, chain, driver, duration, csv, quiet);
+        record = simulate(scene, chain, driver, plan, csv, quiet);
     } catch (const Unstable&) {
         csv.publish();  // the energies up to there
         throw;

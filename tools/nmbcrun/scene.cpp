@@ -2,6 +2,7 @@
 #include "tools/nmbcrun/scene.hpp"
 
 #include <filesystem>
+#include <optional>
 
 #include "tools/nmbcrun/scene_reader.hpp"
 
@@ -10,12 +11,40 @@ namespace {
 
 constexpr long most_nodes = 100'000'000;
 
-nmbc::GhostRule read_ghosts(SceneReader& reader) {
-    const std::string rule = reader.text("boundary.ghosts").value_or("midpoint");
-    if (rule != "midpoint" && rule != "explicit") {
-        reader.fail("boundary.ghosts", R"(must be "midpoint" or "explicit", not ")" + rule + '"');
+/// The value of a key that names one of these, if it is there.
+template <class Value>
+std::optional<Value> read_choice(SceneReader& reader, const std::string& key,
+                                 const std::vector<std::pair<std::string, Value>>& choices) {
+    const auto given = reader.text(key);
+    if (!given) {
+        return std::nullopt;
     }
-    return rule == "midpoint" ? nmbc::GhostRule::midpoint : nmbc::GhostRule::explicit_rule;
+    std::string allowed;
+    for (const auto& [name, value] : choices) {
+        if (*given == name) {
+            return value;
+        }
+        const char* separator = name == choices.back().first ? " or " : ", ";
+        allowed += (allowed.empty() ? "" : separator) + ('"' + name + '"');
+    }
+    reader.fail(key, "must be " + allowed + ", not \"" + *given + '"');
+}
+
+/// The keys of `group`; those that are not there are as in `others`.
+Boundary read_boundary(SceneReader& reader, const std::string& group, const Boundary& others) {
+    const auto kind = read_choice<BoundaryKind>(reader, group + ".kind",
+                                                {{"nmbc", BoundaryKind::nmbc},
+                                                 {"fixed", BoundaryKind::fixed},
+                                                 {"free", BoundaryKind::free}});
+    const auto order = reader.whole_number(group + ".order", 1, 1000);
+    const auto stride = reader.whole_number(group + ".stride", 1, 1000);
+    const auto ghosts = read_choice<nmbc::GhostRule>(
+        reader, group + ".ghosts",
+        {{"midpoint", nmbc::GhostRule::midpoint}, {"explicit", nmbc::GhostRule::explicit_rule}});
+    return {.kind = kind.value_or(others.kind),
+            .order = int(order.value_or(others.order)),
+            .stride = int(stride.value_or(others.stride)),
+            .ghosts = ghosts.value_or(others.ghosts)};
 }
 
 /// The name of the output files: the scene file's own unless it says another.
@@ -60,9 +89,10 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
     scene.extension =
         std::size_t(reader.whole_number("domain.extension", 0, most_nodes).value_or(0));
     scene.drive = read_drive(reader);
-    scene.order = int(reader.whole_number("boundary.order", 1, 1000).value_or(scene.order));
-    scene.stride = int(reader.whole_number("boundary.stride", 1, 1000).value_or(scene.stride));
-    scene.ghosts = read_ghosts(reader);
+    const Boundary both = read_boundary(reader, "boundary", {});
+    scene.left = read_boundary(reader, "boundary.left", both);
+    scene.right = read_boundary(reader, "boundary.right", both);
+    scene.allow_unstable = reader.truth("boundary.allow_unstable").value_or(false);
     scene.end = reader.required("time.end", reader.number("time.end", positive));
     scene.step = reader.number("time.step", positive);
     scene.cfl = reader.number("time.cfl", positive);

@@ -20,6 +20,18 @@ struct Drive {
     double half_width = 2;  ///< in horizons
 };
 
+enum class BoundaryKind { nmbc, fixed, free };
+
+/// One end of the chain; order, stride and ghosts count for an nmbc only.
+struct Boundary {
+    BoundaryKind kind = BoundaryKind::nmbc;
+    int order = 1;
+    int stride = 1;
+    nmbc::GhostRule ghosts = nmbc::GhostRule::midpoint;
+
+    friend bool operator==(const Boundary&, const Boundary&) = default;
+};
+
 struct Scene {
     std::string title;
     std::string name;  ///< of the output files; default: the scene file's own
@@ -32,9 +44,9 @@ struct Scene {
     double spacing = 1;
     std::size_t extension = 0;  ///< nodes added at each end that no energy counts
     Drive drive;
-    int order = 1;
-    int stride = 1;
-    nmbc::GhostRule ghosts = nmbc::GhostRule::midpoint;
+    Boundary left;
+    Boundary right;
+    bool allow_unstable = false;  ///< run ends that are not certified, too
     double end = 0;
     std::optional<double> step;  ///< dt [time]; exactly one of step and cfl is given
     std::optional<double> cfl;   ///< dt omega_max / 2

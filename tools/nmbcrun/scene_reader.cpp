@@ -156,6 +156,14 @@ std::optional<std::string> SceneReader::text(std::string_view key) {
     return node->value<std::string>();
 }
 
+std::optional<bool> SceneReader::truth(std::string_view key) {
+    const toml::node* node = find(key);
+    if (node != nullptr && !node->is_boolean()) {
+        fail(key, fmt::format("must be true or false, not {}", as_written(*node)));
+    }
+    return node == nullptr ? std::nullopt : node->value<bool>();
+}
+
 void SceneReader::refuse_unknown_keys() const {
     refuse_unknown_keys_in(document_, "");
 }

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Stability of a chain of any length with two ends of its own choice, like or unlike.
+///
+/// Neither end may have a growing boundary mode or a resonance by itself. Then the chain is stable
+/// at every length if and only if no round trip is amplified: R_1 and R_2 the reflections at its
+/// ends, D and D' the phases that travelling waves pick up on their way there and back,
+///     sup over diagonal phase matrices D, D' of rho(R_1 D R_2 D') <= 1 for every omega.
+/// Ends in time steps, as stepped() makes them, may stand opposite one in continuous time: they
+/// differ in the frequency that their condition sees only.
+#pragma once
+
+#include "generator/stability/chain_end.hpp"
+#include "generator/stability/modal.hpp"
+#include "generator/stability/reflection.hpp"
+
+namespace nmbcgen {
+
+struct RoundTripVerdict {
+    ModalFailure failure = ModalFailure::none;
+    bool left = false;                ///< the left end has the growing mode or the resonance
+    double amplification = 0;         ///< of amplitudes per round trip, sup rho; 0: a mode decides
+    double wave_number = 0;           ///< where it is reached, or of the resonance
+    std::complex<double> growth = 0;  ///< s [c/dX] of the growing mode; of a stepped end, sigma
+};
+
+/// Throws std::invalid_argument where the ends are of different lattices.
+RoundTripVerdict round_trip_verdict(const ChainEnd& left, const ChainEnd& right);
+
+/// The reflection of an end at frequency omega > 0. A free end sends every wave back as it came.
+Reflection reflection(const ChainEnd& end, double omega);
+
+}  // namespace nmbcgen

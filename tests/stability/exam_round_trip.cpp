@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Pairs of ends: against the verdict on like ends, known growth, and spectra of chains.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/pipeline.hpp"
+#include "generator/stability/discrete.hpp"
+#include "generator/stability/round_trip.hpp"
+
+namespace {
+
+using nmbcgen::ChainEnd;
+using nmbcgen::EndKind;
+using nmbcgen::HalfSpace;
+using nmbcgen::ModalFailure;
+using nmbcgen::Rational;
+
+ChainEnd matching(unsigned horizon, unsigned order, unsigned stride, const Rational& G) {
+    return {EndKind::matching,
+            make_half_space(nmbcgen::derive({"nopd1d", horizon, order, stride, std::nullopt}), G)};
+}
+
+/// The fastest growth [c/dX] of chains of these lengths: ln rho / dt of the one-step map at a
+/// step so small that it is stable wherever the chain in continuous time is.
+double growth(const ChainEnd& left, const ChainEnd& right,
+              std::initializer_list<std::size_t> lengths) {
+    constexpr double time_step = 0.1;
+    double largest = 0;
+    for (const std::size_t nodes : lengths) {
+        const double rho =
+            nmbcgen::spectral_radius(left, right, nodes, time_step, nmbcgen::GhostLevel::midpoint);
+        largest = std::max(largest, std::log(rho) / time_step);
+    }
+    return largest;
+}
+
+// The double eigenvalue 1 of a constant and its uniform velocity splits by sqrt(eps) = 1.5e-8, and
+// by a few times more on 100 nodes: 1e-6 of growth is none.
+constexpr double no_growth = 1e-6;
+
+struct Condition {
+    unsigned horizon, order, stride;
+    double G;
+};
+
+TEST_CASE("like ends: the verdict is modal_verdict's") {
+    for (const Condition& known :
+         {Condition{1U, 1U, 1U, 0.0}, Condition{1U, 1U, 1U, 0.5}, Condition{1U, 2U, 1U, 0.1},
+          Condition{1U, 2U, 1U, 0.5}, Condition{1U, 3U, 1U, 0.8}, Condition{2U, 1U, 1U, 3.0},
+          Condition{2U, 1U, 1U, 4.0}, Condition{2U, 2U, 1U, 1.0}, Condition{2U, 2U, 2U, 1.0},
+          Condition{2U, 2U, 2U, 3.1}, Condition{3U, 2U, 3U, 2.0}}) {
+        CAPTURE(known.horizon);
+        CAPTURE(known.order);
+        CAPTURE(known.G);
+        const ChainEnd end = matching(known.horizon, known.order, known.stride, Rational(known.G));
+        const auto modal = nmbcgen::modal_verdict(end.half_space);
+        const auto pair = nmbcgen::round_trip_verdict(end, end);
+        CHECK(pair.failure == modal.failure);
+        CHECK(pair.growth == modal.growth);
+        // A round trip is two reflections; both suprema are found to 1e-9 or so.
+        CHECK(pair.amplification == doctest::Approx(modal.supremum * modal.supremum).epsilon(1e-8));
+        // A chain between an end and its mirror image is half of one between two such ends.
+        const auto half = nmbcgen::round_trip_verdict(end, free_end(end.half_space));
+        CHECK(half.failure == modal.failure);
+        CHECK(half.amplification == doctest::Approx(modal.supremum).epsilon(1e-8));
+    }
+}
+
+TEST_CASE("fixed and free ends keep the energy flux") {
+    for (const auto& [horizon, G] : {std::pair{1U, 0.1}, std::pair{2U, 0.3}, std::pair{3U, 1.0}}) {
+        const HalfSpace lattice = matching(horizon, 1, 1, Rational(G)).half_space;
+        for (const double part : {0.1, 0.4, 0.7, 0.95}) {
+            const double omega = part * nmbcgen::maximum_frequency(lattice);
+            for (const ChainEnd& end : {fixed_end(lattice), free_end(lattice)}) {
+                const Eigen::MatrixXcd R = nmbcgen::reflection(end, omega).matrix;
+                const Eigen::MatrixXcd flux = R.adjoint() * R;
+                // The roundings of k, and a Vandermonde system of up to 6.
+                CHECK((flux - Eigen::MatrixXcd::Identity(R.rows(), R.rows())).norm() < 1e-10);
+            }
+        }
+        CHECK(nmbcgen::round_trip_verdict(fixed_end(lattice), free_end(lattice)).failure ==
+              ModalFailure::none);
+        CHECK(growth(fixed_end(lattice), free_end(lattice), {20, 37}) < no_growth);
+    }
+}
+
+TEST_CASE("NMBC1, stable with its like, against a fixed end") {
+    struct Known {
+        unsigned horizon;
+        double G;
+        double growth;  // found before on assembled chains, to one digit; 0: none
+    };
+    for (const Known& known :
+         {Known{1, 0.1, 4e-4}, Known{3, 1, 5e-4}, Known{1, 0.5, 0}, Known{1, 2, 0}}) {
+        CAPTURE(known.horizon);
+        CAPTURE(known.G);
+        const ChainEnd end = matching(known.horizon, 1, 1, Rational(known.G));
+        const ChainEnd fixed = fixed_end(end.half_space);
+        const auto verdict = nmbcgen::round_trip_verdict(end, fixed);
+        CHECK(nmbcgen::round_trip_verdict(end, end).failure == ModalFailure::none);
+        CHECK(nmbcgen::round_trip_verdict(fixed, end).amplification ==
+              doctest::Approx(verdict.amplification).epsilon(1e-8));
+        const double found = growth(end, fixed, {41, 60, 100});
+        if (known.growth > 0) {
+            CHECK(verdict.failure == ModalFailure::amplified_wave);
+            CHECK(verdict.amplification > 1.2);
+            CHECK(found > known.growth);
+        } else {
+            CHECK(verdict.failure == ModalFailure::none);
+            CHECK(found < no_growth);
+        }
+    }
+}
+
+TEST_CASE("verdicts agree with chains of several lengths") {
+    for (const Condition& known :
+         {Condition{1U, 2U, 1U, 0.1}, Condition{1U, 2U, 1U, 0.5}, Condition{1U, 2U, 1U, 0.9},
+          Condition{2U, 2U, 2U, 0.5}, Condition{2U, 2U, 2U, 1.0}, Condition{2U, 2U, 2U, 2.5}}) {
+        const ChainEnd first = matching(known.horizon, 1, 1, Rational(known.G));
+        const ChainEnd second =
+            matching(known.horizon, known.order, known.stride, Rational(known.G));
+        const std::vector<ChainEnd> ends{first, second, fixed_end(first.half_space),
+                                         free_end(first.half_space)};
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            for (std::size_t j = i; j < ends.size(); ++j) {
+                CAPTURE(known.horizon);
+                CAPTURE(known.G);
+                CAPTURE(i);
+                CAPTURE(j);
+                const auto verdict = nmbcgen::round_trip_verdict(ends[i], ends[j]);
+                CAPTURE(verdict.amplification);
+                CAPTURE(verdict.wave_number);
+                const double found = growth(ends[i], ends[j], {30, 61, 100});
+                CAPTURE(found);
+                CHECK((verdict.failure == ModalFailure::none) == (found < no_growth));
+            }
+        }
+    }
+}
+
+TEST_CASE("in time steps") {
+    const ChainEnd first = matching(1, 1, 1, Rational(1) / 2);
+    const ChainEnd second = matching(1, 2, 1, Rational(1) / 2);
+    const double top = nmbcgen::maximum_frequency(first.half_space);
+    // Against themselves they are stable up to cfl = .98 and .70 (exam_discrete.cpp).
+    for (const double cfl : {0.5, 0.65, 0.75, 0.9}) {
+        const double dt = 2 * cfl / top;
+        const auto stepped = [&](const ChainEnd& end) {
+            return ChainEnd{end.kind, nmbcgen::stepped(end.half_space, dt)};
+        };
+        for (const auto& [left, right] :
+             {std::pair{first, second}, std::pair{second, fixed_end(first.half_space)},
+              std::pair{second, free_end(first.half_space)},
+              std::pair{first, fixed_end(first.half_space)}}) {
+            CAPTURE(cfl);
+            const auto verdict = nmbcgen::round_trip_verdict(stepped(left), stepped(right));
+            CAPTURE(verdict.amplification);
+            double rho = 0;
+            for (const std::size_t nodes : {std::size_t{30}, std::size_t{61}}) {
+                rho = std::max(rho, nmbcgen::spectral_radius(left, right, nodes, dt,
+                                                             nmbcgen::GhostLevel::midpoint));
+            }
+            CHECK((verdict.failure == ModalFailure::none) == (rho < 1 + dt * no_growth));
+        }
+    }
+}
+
+TEST_CASE("two contractive ends are stable together") {
+    int pairs = 0;
+    for (const double G : {0.3, 0.5, 0.9}) {
+        std::vector<ChainEnd> ends;
+        for (const unsigned order : {1U, 2U, 3U}) {
+            ends.push_back(matching(1, order, 1, Rational(G)));
+            if (!nmbcgen::modal_verdict(ends.back().half_space).contractive) {
+                ends.pop_back();
+            }
+        }
+        for (const ChainEnd& left : ends) {
+            for (const ChainEnd& right : ends) {
+                ++pairs;
+                CHECK(nmbcgen::round_trip_verdict(left, right).failure == ModalFailure::none);
+                CHECK(growth(left, right, {31, 60}) < no_growth);
+            }
+        }
+    }
+    CHECK(pairs >= 9);
+}
+
+TEST_CASE("an end that grows by itself is named") {
+    const ChainEnd good = matching(2, 1, 1, 1);
+    const ChainEnd bad = matching(2, 2, 1, 1);  // the paper's scalar criterion holds there
+    for (const bool left : {true, false}) {
+        const auto verdict =
+            left ? nmbcgen::round_trip_verdict(bad, good) : nmbcgen::round_trip_verdict(good, bad);
+        CHECK(verdict.failure == ModalFailure::growing_mode);
+        CHECK(verdict.left == left);
+        CHECK(verdict.growth.real() > 0.1);
+    }
+    const ChainEnd radiating = matching(1, 2, 1, 2);  // an outgoing wave that needs no incident one
+    CHECK(nmbcgen::round_trip_verdict(free_end(radiating.half_space), radiating).failure ==
+          ModalFailure::resonance);
+    CHECK_THROWS_AS(nmbcgen::round_trip_verdict(good, radiating), std::invalid_argument);
+}
+
+}  // namespace

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <complex>
+
+#include "generator/stability/round_trip.hpp"
+#include "tools/nmbcrun/exact_table.hpp"
+
+namespace nmbcrun {
+namespace {
+
+nmbcgen::ChainEnd end_of(const Boundary& boundary, const nmbc::MatchingTable& table, double G,
+                         double time_step) {
+    const auto half_space = make_half_space(exact_table(table), nmbcgen::Rational(G));
+    switch (boundary.kind) {
+        case BoundaryKind::fixed:
+            return fixed_end(half_space);
+        case BoundaryKind::free:
+            return free_end(half_space);
+        default:
+            // Explicit ghosts have no such certificate in time steps.
+            return {nmbcgen::EndKind::matching, boundary.ghosts == nmbc::GhostRule::midpoint
+                                                    ? stepped(half_space, time_step)
+                                                    : half_space};
+    }
+}
+
+/// ln |zeta| of the factor zeta of one time step [dX/c], whose sigma this is (half_space.hpp).
+double growth_per_step(const Boundary& boundary, std::complex<double> sigma, double time_step) {
+    const std::complex<double> half = sigma * time_step / 2.0;
+    return boundary.ghosts == nmbc::GhostRule::midpoint
+               ? std::log(std::abs((1.0 + half) / (1.0 - half)))
+               : sigma.real() * time_step;
+}
+
+std::string name_of(const Boundary& boundary) {
+    if (boundary.kind != BoundaryKind::nmbc) {
+        return boundary.kind == BoundaryKind::fixed ? "a fixed end" : "a free end";
+    }
+    return fmt::format("NMBC{}{}", boundary.order,
+                       boundary.stride > 1 ? fmt::format(" of stride {}", boundary.stride) : "");
+}
+
+}  // namespace
+
+std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
+                      const nmbc::MatchingTable& right, double time_step, double cfl) {
+    const double c = std::sqrt(scene.youngs_modulus / scene.density);
+    const double step = time_step * c / scene.spacing;  // in dX/c
+    const auto verdict = round_trip_verdict(end_of(scene.left, left, scene.G, step),
+                                            end_of(scene.right, right, scene.G, step));
+    const Boundary& own = verdict.left ? scene.left : scene.right;
+    const std::string alone = name_of(own) + " is not stable";
+    const std::string together = scene.left == scene.right
+                                     ? name_of(own) + " at both ends is not stable"
+                                     : fmt::format(
+                                           "{} on the left and {} on the right are not "
+                                           "stable together",
+                                           name_of(scene.left), name_of(scene.right));
+    const std::string where =
+        fmt::format(" at n = {}, G = {}, cfl = {:.3g}: ", scene.horizon, scene.G, cfl);
+    switch (verdict.failure) {
+        case nmbcgen::ModalFailure::growing_mode:
+            return alone + where +
+                   fmt::format("a mode at that end grows as exp({:.3g} t)",
+                               growth_per_step(own, verdict.growth, step) / time_step);
+        case nmbcgen::ModalFailure::resonance:
+            return alone + where +
+                   fmt::format("that end sends out a wave of xi dX = {:.3g} by itself",
+                               verdict.wave_number);
+        case nmbcgen::ModalFailure::amplified_wave:
+            return together + where +
+                   fmt::format("waves of xi dX = {:.3g} can grow by {:.3g} % per round trip",
+                               verdict.wave_number, 100 * (verdict.amplification - 1));
+        default:
+            return {};
+    }
+}
+
+}  // namespace nmbcrun

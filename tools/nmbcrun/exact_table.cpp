@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/exact_table.hpp"
+
+#include <nmbc/coefficients.hpp>
+#include <string>
+
+#include "generator/exact/rational_function.hpp"
+
+namespace nmbcrun {
+namespace {
+
+nmbcgen::IntegerPolynomial exact(std::string_view list) {
+    std::vector<nmbcgen::Integer> coefficients;
+    nmbc::detail::for_each_integer(list, [&](std::size_t, std::string_view integer) {
+        coefficients.emplace_back(std::string(integer));
+    });
+    return nmbcgen::IntegerPolynomial(std::move(coefficients));
+}
+
+std::vector<nmbcgen::RationalFunction> exact(std::span<const nmbc::RationalFunction> functions) {
+    std::vector<nmbcgen::RationalFunction> result;
+    for (const nmbc::RationalFunction& function : functions) {
+        result.push_back({exact(function.numerator), exact(function.denominator)});
+    }
+    return result;
+}
+
+}  // namespace
+
+nmbcgen::Table exact_table(const nmbc::MatchingTable& table) {
+    nmbcgen::Table result;
+    result.specification = {.family = std::string(table.family),
+                            .horizon = unsigned(table.horizon),
+                            .order = unsigned(table.order),
+                            .stride = unsigned(table.stride),
+                            .stabilisation = {}};
+    for (const nmbcgen::RationalFunction& function : exact(table.symbol)) {
+        const nmbcgen::Rational divisor(function.denominator[0]);  // of a polynomial: a number
+        result.model.symbol.push_back(nmbcgen::over_rationals(function.numerator) / divisor);
+    }
+    result.c = exact(table.c);
+    result.b = exact(table.b);
+    return result;
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+/// A compiled table as the generator's exact data, for its stability analysis.
+#pragma once
+
+#include <nmbc/table.hpp>
+
+#include "generator/table/table.hpp"
+
+namespace nmbcrun {
+
+/// Horizon, order, stride, symbol, c and b of the table; the rest stays empty.
+nmbcgen::Table exact_table(const nmbc::MatchingTable& table);
+
+}  // namespace nmbcrun
