@@ -32,7 +32,7 @@ nmbc::Chain random_chain(const Boundary& boundary, std::size_t nodes, double tim
                          GhostRule rule) {
     const auto& table = committed_table(boundary);
     nmbc::Chain chain(nmbc::make_lattice(table, boundary.G),
-                      nmbc::boundary_coefficients(table, boundary.G),
+                      nmbc::boundary_coefficients(table, boundary.G, nmbc::allow_unstable),
                       {.nodes = nodes, .time_step = time_step, .ghost_rule = rule});
     std::mt19937_64 random(1);
     std::normal_distribution<double> normal;

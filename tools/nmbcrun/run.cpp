@@ -44,8 +44,10 @@ nmbc::ChainEnd end_of(const Scene& scene, const Boundary& boundary) {
         case BoundaryKind::free:
             return nmbc::FreeEnd{};
         default:
-            return nmbc::MatchingEnd{
-                nmbc::boundary_coefficients(table_of(scene, boundary), scene.G), boundary.ghosts};
+            return nmbc::MatchingEnd{// certify() decides, for the pair of ends.
+                                     nmbc::boundary_coefficients(table_of(scene, boundary), scene.G,
+                                                                 nmbc::allow_unstable),
+                                     boundary.ghosts};
     }
 }
 
@@ -224,6 +226,32 @@ std::string heading_of(const Boundary& boundary) {
                        midpoint ? "midpoint" : "explicit");
 }
 
+/// The largest cfl that the tables of both ends are certified for. Unlike ends are certified one
+/// by one here, and as a pair, at this cfl, by certify().
+double automatic_cfl(const Scene& scene) {
+    double cfl = 0.99;  // fixed and free ends: just below the interior's own limit
+    for (const Boundary* boundary : {&scene.left, &scene.right}) {
+        if (boundary->kind != BoundaryKind::nmbc) {
+            continue;
+        }
+        if (boundary->ghosts == nmbc::GhostRule::explicit_rule) {
+            throw SceneError(
+                "explicit ghosts have no certified time step: give time.step or time.cfl");
+        }
+        const nmbc::MatchingTable& table = table_of(scene, *boundary);
+        cfl = std::min(cfl, nmbc::certified_cfl(table, scene.G));
+        if (cfl == 0) {
+            throw Unstable(
+                fmt::format("there is no time step that NMBC{}, stride {}, is certified for at G = "
+                            "{}: {}. Give "
+                            "time.step or time.cfl to try one",
+                            boundary->order, boundary->stride, scene.G,
+                            nmbc::certified_choices(table, scene.G, nmbc::generated::tables)));
+        }
+    }
+    return cfl;
+}
+
 void print_heading(const Scene& scene, const nmbc::Chain& chain, const Plan& plan) {
     const nmbc::ChainParameters& p = chain.parameters();
     fmt::print("scene     {}\n", scene.title);
@@ -263,7 +291,8 @@ void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
     nmbc::Lattice lattice = nmbc::make_lattice(table_of(scene, scene.left), scene.G);
     const double omega_max = nmbc::maximum_frequency(lattice) *
                              std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
-    const double time_step = scene.step ? *scene.step : 2 * *scene.cfl / omega_max;
+    const double time_step =
+        scene.step ? *scene.step : 2 * (scene.cfl ? *scene.cfl : automatic_cfl(scene)) / omega_max;
     Plan plan = plan_of(scene, time_step, omega_max);
     nmbc::Chain chain(std::move(lattice), end_of(scene, scene.left), end_of(scene, scene.right),
                       {.nodes = scene.nodes + 2 * scene.extension,

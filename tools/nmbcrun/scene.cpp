@@ -104,9 +104,8 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
         reader.is_overridden("time.step") != reader.is_overridden("time.cfl")) {
         (reader.is_overridden("time.cfl") ? scene.step : scene.cfl).reset();
     }
-    if (scene.step.has_value() == scene.cfl.has_value()) {
-        reader.fail("time", scene.cfl ? "has both step and cfl; one of them is needed"
-                                      : "has neither step nor cfl; one of them is needed");
+    if (scene.step && scene.cfl) {
+        reader.fail("time", "has both step and cfl; at most one of them is allowed");
     }
     return scene;
 }

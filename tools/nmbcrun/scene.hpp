@@ -48,8 +48,8 @@ struct Scene {
     Boundary right;
     bool allow_unstable = false;  ///< run ends that are not certified, too
     double end = 0;
-    std::optional<double> step;  ///< dt [time]; exactly one of step and cfl is given
-    std::optional<double> cfl;   ///< dt omega_max / 2
+    std::optional<double> step;  ///< dt [time]; at most one of step and cfl is given;
+    std::optional<double> cfl;   ///< dt omega_max / 2; neither: the largest certified one
     std::size_t every = 10;
 };
 
