@@ -13,8 +13,8 @@ namespace {
 nmbc::Chain chain_of(int horizon, int order, double G, const nmbc::ChainParameters& parameters) {
     const auto* table = nmbc::find_table(nmbc::generated::tables, "nopd1d", horizon, order);
     REQUIRE(table != nullptr);
-    return {nmbc::make_lattice(*table, G, nmbc::allow_unstable),
-            nmbc::boundary_coefficients(*table, G), parameters};
+    return {nmbc::make_lattice(*table, G),
+            nmbc::boundary_coefficients(*table, G, nmbc::allow_unstable), parameters};
 }
 
 /// Starts the chain from a Gaussian displacement in its middle, at rest.
