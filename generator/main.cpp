@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// nmbcgen: exact mathematics to text. The stages are in pipeline.hpp.
+#include <unistd.h>
+
 #include <iostream>
 #include <new>
 #include <stdexcept>
@@ -31,6 +33,9 @@ std::vector<Table> certified(const std::vector<Specification>& specifications,
     std::vector<Table> tables;
     for (const Specification& specification : specifications) {
         tables.push_back(derive(specification));
+    }
+    if (isatty(STDERR_FILENO) != 0) {
+        std::cerr << "nmbcgen: certifying (--uncertified leaves it out) ...\n";
     }
     if (!cache_folder) {
         certify_all(tables);

@@ -30,6 +30,19 @@ try run "$scene" "${short[@]}" --set time.cfl=0.5
 expect_exit 0
 expect "the cfl is reported" grep -q 'cfl = 0.5)' "$scratch/stdout"
 
+# Neither: the largest certified cfl, 0.69 at n = 1, G = 0.
+sed '/^step/d' "$scene" >"$scratch/automatic.toml"
+try run "$scratch/automatic.toml" --set model.horizon=1 --quiet
+expect_exit 0
+try run "$scratch/automatic.toml" --set model.horizon=1 --set time.end=4
+expect "the cfl of the table" grep -q 'cfl = 0.69)' "$scratch/stdout"
+try run "$scratch/automatic.toml" --set boundary.ghosts='"explicit"'
+expect_exit 2
+expect_stderr "explicit ghosts have no certified time step"
+try run "$scratch/automatic.toml" --set model.horizon=2 --set model.G=1 --set boundary.order=2
+expect_exit 4
+expect_stderr "at this G: NMBC1 with stride 1, NMBC2 with stride 2"
+
 # The peak does not depend on what is written.
 try run "$scene" --quiet
 cp "$scratch/stdout" "$scratch/often"

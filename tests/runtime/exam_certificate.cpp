@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+/// What a table's certificate says at a G, and what is refused.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <nmbc/nmbc.hpp>
+#include <nmbc/tables/tables.hpp>
+
+namespace {
+
+using nmbc::generated::nopd1d_n1_order1;
+using nmbc::generated::nopd1d_n2_order2;
+using nmbc::generated::nopd1d_n2_order2_s2;
+
+TEST_CASE("grades") {
+    CHECK(nmbc::certified_grade(nopd1d_n1_order1, 0) == nmbc::Grade::paired);
+    CHECK(nmbc::certified_grade(nopd1d_n1_order1, 0.25) == nmbc::Grade::contractive);
+    CHECK(nmbc::certified_grade(nopd1d_n1_order1, 1e6) == nmbc::Grade::contractive);
+    CHECK(nmbc::certified_grade(nopd1d_n2_order2, 1) == nmbc::Grade::none);
+    CHECK(nmbc::certified_grade(nopd1d_n2_order2_s2, 1) == nmbc::Grade::contractive);
+    // Between the ends of its two windows, 2.93 and 2.97: NMBC2 with stride 2 is stable with its
+    // like only.
+    CHECK(nmbc::certified_grade(nopd1d_n2_order2_s2, 2.95) == nmbc::Grade::paired);
+    CHECK(nmbc::certified_grade(nopd1d_n2_order2_s2, std::nan("")) == nmbc::Grade::none);
+}
+
+TEST_CASE("an uncertified pair of table and G is refused, with what would do") {
+    const auto refused = [](const std::string& text) {
+        CHECK_THROWS_WITH_AS(
+            nmbc::boundary_coefficients(nopd1d_n2_order2, 1, nmbc::generated::tables),
+            doctest::Contains(text.c_str()), nmbc::NotCertified);
+    };
+    refused("NMBC2 with stride 1 (nopd1d_n2_order2) is not certified to be stable at G = 1");
+    refused("certified for G from 2.4470588");
+    refused("at this G: NMBC1 with stride 1, NMBC2 with stride 2, NMBC3 with stride 2");
+    CHECK_NOTHROW(nmbc::boundary_coefficients(nopd1d_n2_order2, 1, nmbc::allow_unstable));
+    CHECK_NOTHROW(nmbc::boundary_coefficients(nopd1d_n2_order2_s2, 1));
+    // A table without a window at all.
+    const auto* none = nmbc::find_table(nmbc::generated::tables, "nopd1d", 3, 2);
+    REQUIRE(none != nullptr);
+    CHECK_THROWS_WITH_AS(nmbc::boundary_coefficients(*none, 1),
+                         doctest::Contains("is certified for no G"), nmbc::NotCertified);
+    // A pole is a pole, certified or not.
+    CHECK_THROWS_AS(nmbc::boundary_coefficients(nmbc::generated::nopd1d_n1_order2, 0),
+                    nmbc::CoefficientError);
+}
+
+TEST_CASE("the largest certified time step") {
+    // Theory: n = 1, N = 1, G = 1/2: cfl 0.98; omega_max = 2 c/dX there, the atom chain.
+    CHECK(nmbc::certified_cfl(nopd1d_n1_order1, 0.5) == 0.98);
+    CHECK(nmbc::stable_time_step(nopd1d_n1_order1, 0.5, 3, 0.1) ==
+          doctest::Approx(0.98 * 0.1 / 3).epsilon(1e-12));
+    // Where two pieces meet the smaller counts.
+    const auto steps = nopd1d_n1_order1.max_cfl;
+    REQUIRE(steps.size() > 1);
+    CHECK(nmbc::certified_cfl(nopd1d_n1_order1, steps[0].window.high) ==
+          std::min(steps[0].cfl, steps[1].cfl));
+    CHECK(nmbc::certified_cfl(nopd1d_n2_order2, 1) == 0);
+    CHECK_THROWS_WITH_AS(nmbc::stable_time_step(nopd1d_n2_order2, 1, 1, 1),
+                         doctest::Contains("no time step at G = 1"), nmbc::NotCertified);
+}
+
+}  // namespace
