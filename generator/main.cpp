@@ -31,6 +31,7 @@ enum ExitCode {
 std::vector<Table> certified(const std::vector<Specification>& specifications,
                              const std::optional<std::filesystem::path>& cache_folder) {
     std::vector<Table> tables;
+    tables.reserve(specifications.size());
     for (const Specification& specification : specifications) {
         tables.push_back(derive(specification));
     }
@@ -54,6 +55,7 @@ std::vector<TextFile> committed_files(const Request& request) {
     const std::filesystem::path& folder = request.folder;
     const std::vector<Table> tables = certified(committed_set(), request.cache);
     std::vector<TextFile> files;
+    files.reserve(tables.size() + 2);
     for (const Table& table : tables) {
         files.push_back({folder / (table_name(table.specification) + ".hpp"), emit_header(table)});
     }

@@ -203,7 +203,7 @@ inline constexpr AllowUnstable allow_unstable{};
 /// one), the generator refuses the table at this G, since (49) is singular; its limit is returned
 /// here: the same condition, asked of two neighbouring nodes.
 inline BoundaryCoefficients boundary_coefficients(const MatchingTable& table, double G,
-                                                  AllowUnstable) {
+                                                  AllowUnstable /*certificate*/) {
     detail::require_own_G(table, G);
     const std::string where =
         "NMBC" + std::to_string(table.order) + " (" + std::string(table.name) + ")";
