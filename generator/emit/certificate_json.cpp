@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "generator/exact/rational.hpp"
 #include "generator/exact/algebraic_number.hpp"
+#include "generator/exact/rational.hpp"
 
 namespace nmbcgen {
 namespace {

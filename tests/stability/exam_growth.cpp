@@ -13,6 +13,7 @@
 
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/modal.hpp"
+#include "generator/stability/round_trip.hpp"
 #include "tests/stability/boundary.hpp"
 
 namespace {
@@ -28,17 +29,21 @@ using nmbcgen::test::relative;
 constexpr double tolerance = 0.05;
 
 /// Random displacements and velocities on all nodes: some of every eigenvector.
+void randomise(nmbc::Chain& chain) {
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> normal;
+    for (auto values : {chain.displacement(), chain.velocity()}) {
+        std::ranges::generate(values, [&] { return normal(random); });
+    }
+}
+
 nmbc::Chain random_chain(const Boundary& boundary, std::size_t nodes, double time_step,
                          GhostRule rule) {
     const auto& table = committed_table(boundary);
     nmbc::Chain chain(nmbc::make_lattice(table, boundary.G),
                       nmbc::boundary_coefficients(table, boundary.G, nmbc::allow_unstable),
                       {.nodes = nodes, .time_step = time_step, .ghost_rule = rule});
-    std::mt19937_64 random(1);
-    std::normal_distribution<double> normal;
-    for (auto values : {chain.displacement(), chain.velocity()}) {
-        std::ranges::generate(values, [&] { return normal(random); });
-    }
+    randomise(chain);
     return chain;
 }
 
@@ -144,6 +149,31 @@ TEST_CASE("amplified waves grow at the rate of the finite chain's largest eigenv
                 random_chain(boundary, nodes, time_step, GhostRule::midpoint), predicted);
             CHECK(measured == relative(predicted, tolerance));
         }
+    }
+}
+
+/// Neither end grows with its like: NMBC1 is stable at every G, and a fixed end keeps the energy.
+TEST_CASE("NMBC1 against a fixed end grows at the rate of the finite chain's largest eigenvalue") {
+    for (const Boundary& boundary : {Boundary{1, 1, 1, 0.1}, Boundary{3, 1, 1, 1}}) {
+        CAPTURE(boundary.horizon);
+        const auto h = half_space(boundary);
+        const nmbcgen::ChainEnd matching{nmbcgen::EndKind::matching, h};
+        const nmbcgen::ChainEnd fixed = nmbcgen::fixed_end(h);
+        CHECK(nmbcgen::round_trip_verdict(matching, matching).failure == ModalFailure::none);
+        CHECK(nmbcgen::round_trip_verdict(matching, fixed).failure == ModalFailure::amplified_wave);
+        constexpr std::size_t nodes = 40;
+        const double time_step = 0.2 * 2 / nmbcgen::maximum_frequency(h);
+        const double radius =
+            nmbcgen::spectral_radius(matching, fixed, nodes, time_step, GhostLevel::midpoint);
+        const double predicted = std::log(radius) / time_step;
+        REQUIRE(predicted > 1e-4);
+        const auto& table = committed_table(boundary);
+        nmbc::Chain chain(
+            nmbc::make_lattice(table, boundary.G),
+            nmbc::MatchingEnd{nmbc::boundary_coefficients(table, boundary.G), GhostRule::midpoint},
+            nmbc::FixedEnd{}, {.nodes = nodes, .time_step = time_step});
+        randomise(chain);
+        CHECK(measured_growth(std::move(chain), predicted) == relative(predicted, tolerance));
     }
 }
 
