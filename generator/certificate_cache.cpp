@@ -43,7 +43,8 @@ void CertificateCache::keep(const std::vector<Table>& tables) const {
         const Json kept = {{"inputs", inputs(table)},
                            {"windows", windows_object(*table.certificate)},
                            {"poles", poles_array(*table.certificate)},
-                           {"max_cfl", max_cfl_array(*table.certificate)}};
+                           {"max_cfl", steps_array(table.certificate->max_cfl)},
+                           {"max_cfl_explicit", steps_array(table.certificate->max_cfl_explicit)}};
         files.push_back({file_of(folder_, table), kept.dump(1) + "\n"});
     }
     write_files(files);

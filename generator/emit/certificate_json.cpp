@@ -110,6 +110,16 @@ std::vector<SomeWindow> read_windows(const Json& array) {
     return windows;
 }
 
+std::vector<StableStep> read_steps(const Json& array) {
+    std::vector<StableStep> steps;
+    for (const Json& step : array) {
+        steps.push_back({step.at("low").get<double>(),
+                         step.at("high").is_null() ? HUGE_VAL : step.at("high").get<double>(),
+                         step.at("cfl").get<double>()});
+    }
+    return steps;
+}
+
 }  // namespace
 
 Json windows_object(const Certificate& certificate) {
@@ -126,9 +136,9 @@ Json poles_array(const Certificate& certificate) {
     return array;
 }
 
-Json max_cfl_array(const Certificate& certificate) {
+Json steps_array(const std::vector<StableStep>& steps) {
     Json array = Json::array();
-    for (const StableStep& step : certificate.max_cfl) {
+    for (const StableStep& step : steps) {
         array.push_back({{"low", step.low},
                          {"high", std::isinf(step.high) ? Json(nullptr) : Json(step.high)},
                          {"cfl", step.cfl}});
@@ -142,15 +152,10 @@ Certificate read_certificate(const Json& object) {
                             .poles = {},
                             .modal = read_windows<StabilityWindow>(windows.at("modal")),
                             .contractive = read_windows<StabilityWindow>(windows.at("contractive")),
-                            .max_cfl = {}};
+                            .max_cfl = read_steps(object.at("max_cfl")),
+                            .max_cfl_explicit = read_steps(object.at("max_cfl_explicit"))};
     for (const Json& pole : object.at("poles")) {
         certificate.poles.push_back(read_number(pole));
-    }
-    for (const Json& step : object.at("max_cfl")) {
-        certificate.max_cfl.push_back(
-            {step.at("low").get<double>(),
-             step.at("high").is_null() ? HUGE_VAL : step.at("high").get<double>(),
-             step.at("cfl").get<double>()});
     }
     return certificate;
 }

@@ -78,7 +78,8 @@ std::string window_arrays(const Certificate& certificate) {
     return array("Window", "reflection", certificate.reflection) +
            array("Window", "modal", certificate.modal) +
            array("Window", "contractive", certificate.contractive) +
-           array("StableStep", "max_cfl", certificate.max_cfl);
+           array("StableStep", "max_cfl", certificate.max_cfl) +
+           array("StableStep", "max_cfl_explicit", certificate.max_cfl_explicit);
 }
 
 std::string window_members(const std::string& table_name, const Certificate& certificate) {
@@ -89,7 +90,8 @@ std::string window_members(const std::string& table_name, const Certificate& cer
     return member("reflection", certificate.reflection.empty()) +
            member("modal", certificate.modal.empty()) +
            member("contractive", certificate.contractive.empty()) +
-           member("max_cfl", certificate.max_cfl.empty());
+           member("max_cfl", certificate.max_cfl.empty()) +
+           member("max_cfl_explicit", certificate.max_cfl_explicit.empty());
 }
 
 std::string certificate_statement(const std::optional<Certificate>& certificate) {
@@ -98,8 +100,8 @@ std::string certificate_statement(const std::optional<Certificate>& certificate)
     }
     return "reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and "
            "sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; "
-           "contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint "
-           "ghosts; modal edges are exact where an exact value is given, else in the bracket";
+           "contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges "
+           "are exact where an exact value is given, else in the bracket";
 }
 
 }  // namespace nmbcgen

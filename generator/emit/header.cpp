@@ -81,8 +81,8 @@ std::string emit_header(const Table& table) {
     const std::string G = what.stabilisation ? to_string(*what.stabilisation) : "";
     const Certificate certificate = table.certificate.value_or(Certificate{});
 
-    std::string text = banner(regenerating_command(what) +
-                              (table.certificate ? "" : " --uncertified"));
+    std::string text =
+        banner(regenerating_command(what) + (table.certificate ? "" : " --uncertified"));
     text += fmt::format("// model   {}{}\n", table.model.description,
                         G.empty() ? "" : fmt::format("; here G = {}", G));
     text += fmt::format("// source  {}\n", table.source);

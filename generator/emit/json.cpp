@@ -78,7 +78,8 @@ Json table_object(const Table& table) {
             {"proved", table.proved},
             {"windows", windows_object(certificate)},
             {"poles", poles_array(certificate)},
-            {"max_cfl", max_cfl_array(certificate)},
+            {"max_cfl", steps_array(certificate.max_cfl)},
+            {"max_cfl_explicit", steps_array(certificate.max_cfl_explicit)},
             {"certificate",
              table.certificate ? Json(certificate_statement(table.certificate)) : Json(nullptr)}};
 }

@@ -23,8 +23,13 @@ Certificate certify_at(const Table& table, const Rational& G) {
     const Grade grade = stability_grade(half_space);
     if (grade != Grade::none) {
         certificate.modal = {{edge, edge}};
-        certificate.max_cfl = {
-            {edge.inner, edge.inner, largest_cfl(half_space, GhostLevel::midpoint)}};
+        const auto step_with = [&](GhostLevel ghosts) {
+            const double cfl = largest_cfl(half_space, ghosts);
+            return cfl > 0 ? std::vector{StableStep{edge.inner, edge.inner, cfl}}
+                           : std::vector<StableStep>();
+        };
+        certificate.max_cfl = step_with(GhostLevel::midpoint);
+        certificate.max_cfl_explicit = step_with(GhostLevel::old);
     }
     if (grade == Grade::contractive) {
         certificate.contractive = {{edge, edge}};
@@ -39,12 +44,14 @@ Certificate certify(const Table& table) {
         return certify_at(table, *table.specification.stabilisation);
     }
     ModalWindows modal = modal_windows(table);
-    std::vector<StableStep> steps = stable_steps(table, modal.modal);
+    std::vector<StableStep> steps = stable_steps(table, modal.modal, GhostLevel::midpoint);
+    std::vector<StableStep> explicit_steps = stable_steps(table, modal.modal, GhostLevel::old);
     return {.reflection = scalar_windows(table),
             .poles = poles(even_and_odd_parts(table)),
             .modal = std::move(modal.modal),
             .contractive = std::move(modal.contractive),
-            .max_cfl = std::move(steps)};
+            .max_cfl = std::move(steps),
+            .max_cfl_explicit = std::move(explicit_steps)};
 }
 
 }  // namespace nmbcgen

@@ -101,27 +101,12 @@ double maximum_frequency(const HalfSpace& half_space) {
     return critical_frequencies(half_space).back();
 }
 
-namespace {
-
-bool is_stable(const HalfSpace& half_space, KnownModes& modes, GhostLevel level, double time_step) {
-    if (level == GhostLevel::midpoint) {
-        return stability_grade(stepped(half_space, time_step), modes) != Grade::none;
-    }
-    // The double eigenvalue 1 of a constant and of a uniform velocity splits by roundings only.
-    constexpr double stable = 1 + 1e-9;
-    const std::size_t shortest = (half_space.c.size() - 1) * std::size_t(half_space.stride);
-    const ChainEnd end{EndKind::matching, half_space};
-    return spectral_radius(end, end, shortest + 11, time_step, level) <= stable &&
-           spectral_radius(end, end, shortest + 20, time_step, level) <= stable;
-}
-
-}  // namespace
-
 double largest_cfl(const HalfSpace& half_space, GhostLevel level) {
     const double top = maximum_frequency(half_space);
     KnownModes modes(half_space);
     const auto stable_at = [&](int hundredths) {
-        return is_stable(half_space, modes, level, 2 * hundredths / (100 * top));
+        const double time_step = 2 * hundredths / (100 * top);
+        return stability_grade(stepped(half_space, time_step, level), modes) != Grade::none;
     };
     constexpr int coarse = 5;
     int largest = 0;

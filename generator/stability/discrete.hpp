@@ -8,9 +8,6 @@
 
 namespace nmbcgen {
 
-/// Time level of u in (60) when ghost velocities at k+1/2 are found.
-enum class GhostLevel { midpoint, old };
-
 /// The map of one time step on (u on all nodes, v on the interior nodes), u at level k, v at
 /// k-1/2. nodes: interior ones; time_step in dX/c.
 /// The ends are of one lattice. Ghosts of a fixed or free end are as the end has them, whatever the
@@ -26,10 +23,9 @@ double spectral_radius(const ChainEnd& left, const ChainEnd& right, std::size_t 
 /// The top of the band, omega_max [c/dX].
 double maximum_frequency(const HalfSpace& half_space);
 
-/// The largest cfl = dt omega_max / 2 in steps of 0.01 that is stable, with every 0.05 below it.
-/// Midpoint ghosts: by the fully discrete half-space condition (half_space.hpp), which holds for
-/// every length. Explicit ones, for comparison: spectral radius below 1 + 1e-9 on a chain of each
-/// parity. 0 where there is none.
+/// The largest cfl = dt omega_max / 2 in steps of 0.01 that is stable, with every 0.05 below it, by
+/// the half-space condition in time steps (half_space.hpp), which holds for every length. 0 where
+/// there is none.
 double largest_cfl(const HalfSpace& half_space, GhostLevel level);
 
 }  // namespace nmbcgen

@@ -8,13 +8,13 @@
 ///     -omega^2 = L(w) / (1-w)^r,   C = E(w) / (1-y)^{Ns},   B = y O(w) / (1-y)^{Ns},
 /// r the reach of the stencil, N the order and s the stride of the condition.
 ///
-/// Leapfrog steps with midpoint ghosts change one thing. With zeta the factor of one step, the
-/// interior has (zeta - 2 + 1/zeta)/dt^2 = -omega^2(k) and the ghosts sigma C(k) = B(k) with
-///     sigma = (2/dt) (zeta-1)/(zeta+1),   sigma^2 = -omega^2 / (1 - omega^2 dt^2/4),
-/// and Re sigma > 0 where |zeta| > 1: sigma takes the place of s. So what is said of a half space
-/// in continuous time holds for the stepped one, with
-///     boundary_frequency = omega / sqrt(1 - omega^2 dt^2/4)
-/// in place of omega wherever the boundary condition is concerned.
+/// Leapfrog steps change one thing: s in the boundary condition becomes sigma. With zeta the factor
+/// of one step, the interior has (zeta - 2 + 1/zeta)/dt^2 = -omega^2(k), and the ghosts have
+/// sigma C(k) = B(k) with
+///     midpoint  sigma = (2/dt) (zeta-1)/(zeta+1) = i omega / sqrt(1 - omega^2 dt^2/4)
+///     explicit  sigma = (zeta-1)/dt              = i omega (sqrt(1 - omega^2 dt^2/4) + i omega
+///     dt/2)
+/// What grows is |zeta| > 1; with midpoint ghosts that is Re sigma > 0.
 #pragma once
 
 #include <complex>
@@ -24,6 +24,9 @@
 
 namespace nmbcgen {
 
+/// Time level of u in (60) when ghost velocities at k+1/2 are found: the mean of k and k+1, or k.
+enum class GhostLevel { midpoint, old };
+
 struct HalfSpace {
     Polynomial L;  ///< in w, exact; see above
     Polynomial E;
@@ -32,7 +35,8 @@ struct HalfSpace {
     std::vector<double> c;       ///< c_0 .. c_N, rounded
     std::vector<double> b;       ///< b_0 .. b_N, rounded
     int stride = 1;
-    double time_step = 0;  ///< dt [dX/c] of leapfrog with midpoint ghosts; 0: continuous time
+    double time_step = 0;  ///< dt [dX/c] of leapfrog; 0: continuous time
+    GhostLevel ghosts = GhostLevel::midpoint;
 
     std::size_t reach() const { return symbol.size() - 1; }
 };
@@ -52,10 +56,10 @@ struct EvenAndOddParts {
 EvenAndOddParts even_and_odd_parts(const Table& table);
 
 /// The same half space in steps of time_step [dX/c].
-HalfSpace stepped(HalfSpace half_space, double time_step);
+HalfSpace stepped(HalfSpace half_space, double time_step, GhostLevel ghosts = GhostLevel::midpoint);
 
-/// sigma/i of the boundary condition at frequency omega; see above. cfl < 1 is assumed.
-double boundary_frequency(const HalfSpace& half_space, double omega);
+/// sigma [c/dX] of a travelling wave of frequency omega; cfl < 1 is assumed.
+std::complex<double> boundary_rate(const HalfSpace& half_space, double omega);
 
 /// C(k) and B(k).
 std::complex<double> evaluate_C(const HalfSpace& half_space, std::complex<double> k);

@@ -53,12 +53,6 @@ std::vector<double> boundary_mode_polynomial(const HalfSpace& h) {
     return rounded_without_zeros(h.L * h.E * h.E - w * h.O * h.O * slowed);
 }
 
-/// y O(w) / E(w), which is s where s C = B.
-Complex boundary_rate(const HalfSpace& h, Complex y) {
-    const Complex k = (1.0 + y) / (1.0 - y);
-    return evaluate_B(h, k) / evaluate_C(h, k);
-}
-
 bool on_unit_circle(Complex w) {
     // k = (1+y)/(1-y) has |k| = 1 where y = sqrt(w) is imaginary.
     return w.real() < 0 && std::abs(w.imag()) < 1e-9 * std::abs(w);
@@ -66,6 +60,53 @@ bool on_unit_circle(Complex w) {
 
 double wave_number_of(Complex w) {
     return 2 * std::atan(std::sqrt(-w.real()));
+}
+
+/// y O(w) / E(w), which is sigma where sigma C = B.
+Complex rate_at(const HalfSpace& h, Complex y) {
+    const Complex k = (1.0 + y) / (1.0 - y);
+    return evaluate_B(h, k) / evaluate_C(h, k);
+}
+
+/// A polynomial in w = y^2 as one in y.
+Polynomial in_y(const Polynomial& in_w) {
+    std::vector<Rational> coefficients;
+    for (const Rational& coefficient : in_w.data()) {
+        coefficients.insert(coefficients.end(), {coefficient, 0});
+    }
+    return Polynomial(std::move(coefficients));
+}
+
+/// The y = (k-1)/(k+1), |k| < 1, of all waves that obey the boundary condition for a zeta.
+std::vector<Complex> evanescent_solutions(const HalfSpace& h) {
+    std::vector<Complex> solutions;
+    if (h.ghosts == GhostLevel::midpoint) {
+        for (const Complex w : polynomial_roots(boundary_mode_polynomial(h))) {
+            if (!on_unit_circle(w)) {
+                solutions.push_back(-std::sqrt(w));
+            }
+        }
+        return solutions;
+    }
+    // zeta = 1 + dt B/C in the interior's equation: B^2 = -omega^2 (C^2 + dt C B).
+    const Polynomial dt_y(std::vector<Rational>{0, Rational(h.time_step)});
+    const Polynomial w(std::vector<Rational>{0, 1});
+    const Polynomial polynomial =
+        in_y(h.L * h.E * h.E - w * h.O * h.O * power_of_one_minus_w(h.reach())) +
+        dt_y * in_y(h.L * h.E * h.O);
+    for (const Complex y : polynomial_roots(rounded_without_zeros(polynomial))) {
+        if (y.real() < 0) {
+            solutions.push_back(y);
+        }
+    }
+    return solutions;
+}
+
+/// Growth [c/dX] per time of a wave with this sigma; > 0 where |zeta| > 1.
+double growth_of(const HalfSpace& h, Complex sigma) {
+    return h.ghosts == GhostLevel::midpoint
+               ? sigma.real()
+               : std::log(std::abs(1.0 + h.time_step * sigma)) / h.time_step;
 }
 
 double like_ends_supremum(const Reflection& reflection) {
@@ -87,20 +128,21 @@ double norm(const Reflection& reflection) {
 
 std::optional<Complex> growing_mode(const HalfSpace& half_space) {
     std::optional<Complex> fastest;
-    for (const Complex w : polynomial_roots(boundary_mode_polynomial(half_space))) {
-        if (on_unit_circle(w)) {
-            continue;
-        }
-        const Complex rate = boundary_rate(half_space, -std::sqrt(w));  // Re y < 0: |k| < 1
-        // s^2 C^2 = B^2 holds, so s is +-B/C; a decaying wave obeys s C = B with s = B/C.
-        if (rate.real() > 1e-9 && (!fastest || rate.real() > fastest->real())) {
-            fastest = rate;
+    double most = 1e-9;
+    for (const Complex y : evanescent_solutions(half_space)) {
+        const Complex sigma = rate_at(half_space, y);
+        if (growth_of(half_space, sigma) > most) {
+            most = growth_of(half_space, sigma);
+            fastest = sigma;
         }
     }
     return fastest;
 }
 
 std::optional<double> resonance(const HalfSpace& h) {
+    if (h.ghosts == GhostLevel::old) {
+        return std::nullopt;  // B/C is imaginary on the unit circle, sigma is not
+    }
     for (const Complex w : polynomial_roots(boundary_mode_polynomial(h))) {
         if (!on_unit_circle(w)) {
             continue;
@@ -108,7 +150,7 @@ std::optional<double> resonance(const HalfSpace& h) {
         const double xi = wave_number_of(w);
         // i omega C = B at k = exp(i xi) for omega of either sign; at omega > 0 the wave is
         // k = exp(i sign xi), with group velocity -sign omega'(xi) inwards.
-        const double omega = boundary_rate(h, Complex(0, std::tan(xi / 2))).imag();
+        const double omega = rate_at(h, Complex(0, std::tan(xi / 2))).imag();
         const double velocity = -omega_squared_slope(h, xi) / (2 * omega);
         if (velocity > 1e-6) {
             return xi;

@@ -10,8 +10,7 @@ namespace {
 using Complex = std::complex<double>;
 
 Complex residual(const HalfSpace& half_space, double omega, Complex k) {
-    return Complex(0, boundary_frequency(half_space, omega)) * evaluate_C(half_space, k) -
-           evaluate_B(half_space, k);
+    return boundary_rate(half_space, omega) * evaluate_C(half_space, k) - evaluate_B(half_space, k);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct Sample {
 
 class Steps {
   public:
-    explicit Steps(const Table& table) : table_(table) {}
+    Steps(const Table& table, GhostLevel ghosts) : table_(table), ghosts_(ghosts) {}
 
     void cover(const StabilityWindow& window) {
         constexpr double far = 8;
@@ -47,7 +47,7 @@ class Steps {
 
   private:
     double cfl_at(double G) const {
-        return largest_cfl(make_half_space(table_, Rational(G)), GhostLevel::midpoint);
+        return largest_cfl(make_half_space(table_, Rational(G)), ghosts_);
     }
 
     /// At an edge sup rho is 1 or there is a pole; a millionth of the window off, neither.
@@ -68,7 +68,10 @@ class Steps {
     }
 
     void append(double low, double high, double least) {
-        const double cfl = std::max(0.0, std::round(100 * least - 1) / 100);
+        const double cfl = std::round(100 * least - 1) / 100;
+        if (cfl <= 0) {
+            return;
+        }
         if (!steps_.empty() && steps_.back().high == low && steps_.back().cfl == cfl) {
             steps_.back().high = high;
         } else {
@@ -77,14 +80,16 @@ class Steps {
     }
 
     const Table& table_;
+    GhostLevel ghosts_;
     std::vector<StableStep> steps_;
 };
 
 }  // namespace
 
 std::vector<StableStep> stable_steps(const Table& table,
-                                     const std::vector<StabilityWindow>& windows) {
-    Steps steps(table);
+                                     const std::vector<StabilityWindow>& windows,
+                                     GhostLevel ghosts) {
+    Steps steps(table, ghosts);
     for (const StabilityWindow& window : windows) {
         steps.cover(window);
     }

@@ -74,7 +74,7 @@ struct StabilityWindow {
 struct StableStep {
     double low;
     double high;
-    double cfl;  ///< dt omega_max / 2, midpoint ghosts
+    double cfl;  ///< dt omega_max / 2
 };
 
 /// The three levels; ascending, disjoint.
@@ -83,7 +83,8 @@ struct Certificate {
     std::vector<AlgebraicNumber> poles;  ///< where a coefficient has a pole
     std::vector<StabilityWindow> modal;  ///< stable at every length with both ends alike
     std::vector<StabilityWindow> contractive;  ///< and with any other contractive end
-    std::vector<StableStep> max_cfl;           ///< covers the modal windows
+    std::vector<StableStep> max_cfl;           ///< midpoint ghosts; most of the modal windows
+    std::vector<StableStep> max_cfl_explicit;  ///< explicit ghosts, for comparison
 };
 
 }  // namespace nmbcgen

@@ -12,12 +12,6 @@
 
 namespace nmbc {
 
-/// Time level of u in (60) when the ghost velocities at k+1/2 are found.
-enum class GhostRule {
-    midpoint,      ///< the mean of levels k and k+1; costs one division, done once
-    explicit_rule  ///< level k: for comparison; its stable time step is much smaller
-};
-
 enum class End { left, right };
 
 /// Finds the velocities of the ghost nodes at one end of a chain. The scheme it is made for is

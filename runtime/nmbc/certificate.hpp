@@ -30,12 +30,13 @@ constexpr Grade certified_grade(const MatchingTable& table, double G) {
     return holds(table.contractive) ? Grade::contractive : Grade::paired;
 }
 
-/// The largest certified cfl = dt omega_max / 2 at G with midpoint ghosts; 0 where no time step is
-/// certified.
-constexpr double certified_cfl(const MatchingTable& table, double G) {
+/// The largest certified cfl = dt omega_max / 2 at G; 0 where no time step is certified.
+constexpr double certified_cfl(const MatchingTable& table, double G,
+                               GhostRule rule = GhostRule::midpoint) {
     double cfl = 1;
     bool found = false;
-    for (const StableStep& step : table.max_cfl) {
+    for (const StableStep& step :
+         rule == GhostRule::midpoint ? table.max_cfl : table.max_cfl_explicit) {
         if (step.window.contains(G)) {  // two of them where they meet
             cfl = std::min(cfl, step.cfl);
             found = true;

@@ -49,7 +49,13 @@ struct Window {
 /// The upper end of a window that has none.
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// At every G of the window leapfrog with midpoint ghosts is stable in steps of this cfl and less,
+/// Time level of u in (60) when the ghost velocities at k+1/2 are found.
+enum class GhostRule {
+    midpoint,      ///< the mean of levels k and k+1; costs one division, done once
+    explicit_rule  ///< level k: for comparison; its stable time step is much smaller
+};
+
+/// At every G of the window leapfrog is stable in steps of this cfl and less,
 /// cfl = dt omega_max / 2.
 struct StableStep {
     Window window;
@@ -81,7 +87,8 @@ struct MatchingTable {
     /// Where no wave leaves the boundary with more energy than came in, so that the other end may
     /// be any that does not add energy, a fixed or a free one too.
     std::span<const Window> contractive;
-    std::span<const StableStep> max_cfl;  ///< ascending; covers the modal windows
+    std::span<const StableStep> max_cfl;           ///< midpoint ghosts
+    std::span<const StableStep> max_cfl_explicit;  ///< explicit ghosts, for comparison
 
     /// Nodes the interior stencil reaches to each side: also the ghost layers (60) is used on.
     constexpr std::size_t ghost_layers() const { return symbol.size() - 1; }

@@ -200,9 +200,10 @@ Table read_table(const nmbc::MatchingTable& from) {
 }
 
 Table read_table(const Json& from) {
-    constexpr const char* keys[]{"schema", "family",  "order",  "horizon", "stride",     "G",
-                                 "symbol", "energy",  "taylor", "c",       "b",          "source",
-                                 "proved", "windows", "poles",  "max_cfl", "certificate"};
+    constexpr const char* keys[]{"schema",  "family",           "order",      "horizon", "stride",
+                                 "G",       "symbol",           "energy",     "taylor",  "c",
+                                 "b",       "source",           "proved",     "windows", "poles",
+                                 "max_cfl", "max_cfl_explicit", "certificate"};
     std::vector<std::string> found;
     for (const auto& item : from.items()) {
         found.push_back(item.key());

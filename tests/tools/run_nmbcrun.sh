@@ -37,8 +37,8 @@ expect_exit 0
 try run "$scratch/automatic.toml" --set model.horizon=1 --set time.end=4
 expect "the cfl of the table" grep -q 'cfl = 0.69)' "$scratch/stdout"
 try run "$scratch/automatic.toml" --set boundary.ghosts='"explicit"'
-expect_exit 2
-expect_stderr "explicit ghosts have no certified time step"
+expect_exit 4
+expect_stderr "no time step is certified for NMBC1, stride 1, explicit ghosts at G = 0: NMBC1 with"
 try run "$scratch/automatic.toml" --set model.horizon=2 --set model.G=1 --set boundary.order=2
 expect_exit 4
 expect_stderr "at this G: NMBC1 with stride 1, NMBC2 with stride 2"

@@ -21,10 +21,10 @@ nmbcgen::ChainEnd end_of(const Boundary& boundary, const nmbc::MatchingTable& ta
         case BoundaryKind::free:
             return free_end(half_space);
         default:
-            // Explicit ghosts have no such certificate in time steps.
-            return {nmbcgen::EndKind::matching, boundary.ghosts == nmbc::GhostRule::midpoint
-                                                    ? stepped(half_space, time_step)
-                                                    : half_space};
+            return {nmbcgen::EndKind::matching, stepped(half_space, time_step,
+                                                        boundary.ghosts == nmbc::GhostRule::midpoint
+                                                            ? nmbcgen::GhostLevel::midpoint
+                                                            : nmbcgen::GhostLevel::old)};
     }
 }
 
@@ -33,7 +33,7 @@ double growth_per_step(const Boundary& boundary, std::complex<double> sigma, dou
     const std::complex<double> half = sigma * time_step / 2.0;
     return boundary.ghosts == nmbc::GhostRule::midpoint
                ? std::log(std::abs((1.0 + half) / (1.0 - half)))
-               : sigma.real() * time_step;
+               : std::log(std::abs(1.0 + sigma * time_step));
 }
 
 std::string name_of(const Boundary& boundary) {

@@ -126,14 +126,9 @@ struct Plan {
     bool certified = false;
 };
 
-std::string likely_cause(const Scene& scene, const Plan& plan) {
+std::string likely_cause(const Plan& plan) {
     if (!plan.certified) {
         return "these ends are not stable together, see the warning";
-    }
-    for (const Boundary* end : {&scene.left, &scene.right}) {
-        if (end->kind == BoundaryKind::nmbc && end->ghosts == nmbc::GhostRule::explicit_rule) {
-            return "explicit ghosts are stable only at much smaller time steps; use \"midpoint\"";
-        }
     }
     return "its ends are stable; drive.amplitude may be too large for doubles";
 }
@@ -174,7 +169,7 @@ Record simulate(const Scene& scene, nmbc::Chain& chain, const Driver& driver, co
     double driven_peak = 0;
     const auto unstable = [&](const std::string& what) {
         return Unstable(fmt::format("{} at step {} (t = {:.6g}): {}. Energies up to there: {}",
-                                    what, chain.steps(), chain.time(), likely_cause(scene, plan),
+                                    what, chain.steps(), chain.time(), likely_cause(plan),
                                     csv.path().string()));
     };
     while (chain.steps() < plan.steps) {
@@ -234,18 +229,13 @@ double automatic_cfl(const Scene& scene) {
         if (boundary->kind != BoundaryKind::nmbc) {
             continue;
         }
-        if (boundary->ghosts == nmbc::GhostRule::explicit_rule) {
-            throw SceneError(
-                "explicit ghosts have no certified time step: give time.step or time.cfl");
-        }
         const nmbc::MatchingTable& table = table_of(scene, *boundary);
-        cfl = std::min(cfl, nmbc::certified_cfl(table, scene.G));
+        cfl = std::min(cfl, nmbc::certified_cfl(table, scene.G, boundary->ghosts));
         if (cfl == 0) {
             throw Unstable(
-                fmt::format("there is no time step that NMBC{}, stride {}, is certified for at G = "
-                            "{}: {}. Give "
-                            "time.step or time.cfl to try one",
-                            boundary->order, boundary->stride, scene.G,
+                fmt::format("no time step is certified for {} at G = {}: {}. To try one, give "
+                            "time.step or time.cfl, and boundary.allow_unstable = true",
+                            heading_of(*boundary), scene.G,
                             nmbc::certified_choices(table, scene.G, nmbc::generated::tables)));
         }
     }

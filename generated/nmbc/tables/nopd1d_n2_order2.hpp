@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -97,7 +97,37 @@ inline constexpr StableStep max_cfl[]{
     {{3.732730466711755, 3.743098786414839}, 0.3},
     {{3.743098786414839, 3.753467106117922}, 0.25},
     {{3.753467106117922, 3.7638354258210054}, 0.17},
-    {{3.7638354258210054, 3.7742037455240887}, 0},
+};
+
+inline constexpr StableStep max_cfl_explicit[]{
+    {{2.4574271432324952, 2.4677954629355785}, 0.17},
+    {{2.4677954629355785, 2.4781637826386618}, 0.27},
+    {{2.4781637826386618, 2.4885321023417455}, 0.35},
+    {{2.4885321023417455, 2.498900422044829}, 0.42},
+    {{2.498900422044829, 2.5092687417479125}, 0.5},
+    {{2.5092687417479125, 2.530005381154079}, 0.51},
+    {{2.530005381154079, 2.6129519387787465}, 0.52},
+    {{2.6129519387787465, 2.695898496403414}, 0.56},
+    {{2.695898496403414, 2.778845054028081}, 0.61},
+    {{2.778845054028081, 2.861791611652748}, 0.65},
+    {{2.861791611652748, 2.9447381692774157}, 0.69},
+    {{2.9447381692774157, 3.0276847269020832}, 0.72},
+    {{3.0276847269020832, 3.1106312845267503}, 0.76},
+    {{3.1106312845267503, 3.276524399776085}, 0.78},
+    {{3.276524399776085, 3.4424175150254195}, 0.82},
+    {{3.4424175150254195, 3.5253640726500866}, 0.79},
+    {{3.5253640726500866, 3.608310630274754}, 0.74},
+    {{3.608310630274754, 3.6497839090870876}, 0.7},
+    {{3.6497839090870876, 3.6705205484932546}, 0.67},
+    {{3.6705205484932546, 3.6808888681963383}, 0.62},
+    {{3.6808888681963383, 3.6912571878994216}, 0.57},
+    {{3.6912571878994216, 3.701625507602505}, 0.52},
+    {{3.701625507602505, 3.711993827305588}, 0.47},
+    {{3.711993827305588, 3.7223621470086714}, 0.43},
+    {{3.7223621470086714, 3.732730466711755}, 0.39},
+    {{3.732730466711755, 3.743098786414839}, 0.34},
+    {{3.743098786414839, 3.753467106117922}, 0.28},
+    {{3.753467106117922, 3.7638354258210054}, 0.19},
 };
 
 }  // namespace nopd1d_n2_order2_data
@@ -121,6 +151,7 @@ inline constexpr MatchingTable nopd1d_n2_order2{
     .modal = nopd1d_n2_order2_data::modal,
     .contractive = nopd1d_n2_order2_data::contractive,
     .max_cfl = nopd1d_n2_order2_data::max_cfl,
+    .max_cfl_explicit = nopd1d_n2_order2_data::max_cfl_explicit,
 };
 
 }  // namespace nmbc::generated

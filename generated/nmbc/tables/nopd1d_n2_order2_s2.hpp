@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -79,6 +79,37 @@ inline constexpr StableStep max_cfl[]{
     {{2.8289508337793055, 2.9699350992838545}, 0.65},
 };
 
+inline constexpr StableStep max_cfl_explicit[]{
+    {{0.7141868512110727, 0.8551711167156215}, 0.18},
+    {{0.8551711167156215, 0.9961553822201704}, 0.22},
+    {{0.9961553822201704, 1.1371396477247193}, 0.27},
+    {{1.1371396477247193, 1.278123913229268}, 0.32},
+    {{1.278123913229268, 1.419108178733817}, 0.37},
+    {{1.419108178733817, 1.5600924442383657}, 0.42},
+    {{1.5600924442383657, 1.8420609752474635}, 0.45},
+    {{1.8420609752474635, 1.9830452407520123}, 0.48},
+    {{1.9830452407520123, 2.1240295062565613}, 0.51},
+    {{2.1240295062565613, 2.405998037265659}, 0.54},
+    {{2.405998037265659, 2.546982302770208}, 0.6},
+    {{2.546982302770208, 2.617474435522482}, 0.63},
+    {{2.617474435522482, 2.652720501898619}, 0.64},
+    {{2.652720501898619, 2.6703435350866878}, 0.6},
+    {{2.6703435350866878, 2.6879665682747564}, 0.56},
+    {{2.6879665682747564, 2.705589601462825}, 0.51},
+    {{2.705589601462825, 2.723212634650894}, 0.47},
+    {{2.723212634650894, 2.7408356678389625}, 0.43},
+    {{2.7408356678389625, 2.758458701027031}, 0.39},
+    {{2.758458701027031, 2.7760817342151}, 0.35},
+    {{2.7760817342151, 2.7937047674031685}, 0.31},
+    {{2.7937047674031685, 2.811327800591237}, 0.27},
+    {{2.811327800591237, 2.8289508337793055}, 0.23},
+    {{2.8289508337793055, 2.8465738669673737}, 0.2},
+    {{2.8465738669673737, 2.8641969001554424}, 0.16},
+    {{2.8641969001554424, 2.881819933343511}, 0.13},
+    {{2.881819933343511, 2.8994429665315797}, 0.1},
+    {{2.8994429665315797, 2.934689032907717}, 0.04},
+};
+
 }  // namespace nopd1d_n2_order2_s2_data
 
 /// NMBC2, horizon 2 dX, stride 2.
@@ -100,6 +131,7 @@ inline constexpr MatchingTable nopd1d_n2_order2_s2{
     .modal = nopd1d_n2_order2_s2_data::modal,
     .contractive = nopd1d_n2_order2_s2_data::contractive,
     .max_cfl = nopd1d_n2_order2_s2_data::max_cfl,
+    .max_cfl_explicit = nopd1d_n2_order2_s2_data::max_cfl_explicit,
 };
 
 }  // namespace nmbc::generated

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -103,7 +103,30 @@ inline constexpr StableStep max_cfl[]{
     {{21.87970677701695, 22.461123975825494}, 0.14},
     {{22.461123975825494, 22.751832575229763}, 0.09},
     {{22.751832575229763, 22.897186874931897}, 0.06},
-    {{22.897186874931897, 23.042541174634035}, 0},
+};
+
+inline constexpr StableStep max_cfl_explicit[]{
+    {{1.7757506899345756, 1.7769110523871068}, 0.04},
+    {{1.7769110523871068, 1.779231777292169}, 0.06},
+    {{1.779231777292169, 1.7838732271022937}, 0.1},
+    {{1.7838732271022937, 1.7931561267225427}, 0.12},
+    {{1.7931561267225427, 1.8117219259630408}, 0.13},
+    {{1.8117219259630408, 1.830287725203539}, 0.15},
+    {{1.830287725203539, 1.8488535244440372}, 0.17},
+    {{1.8488535244440372, 1.8674193236845353}, 0.19},
+    {{1.8674193236845353, 1.8859851229250335}, 0.21},
+    {{1.8859851229250335, 1.9045509221655317}, 0.23},
+    {{1.9045509221655317, 1.9138338217857807}, 0.25},
+    {{1.9138338217857807, 1.9184752715959053}, 0.26},
+    {{1.9184752715959053, 1.9219563589534987}, 0.27},
+    {{4.437190812760647, 6.762859607994821}, 0.19},
+    {{6.762859607994821, 9.088528403228995}, 0.22},
+    {{9.088528403228995, 11.414197198463167}, 0.2},
+    {{11.414197198463167, 13.739865993697341}, 0.18},
+    {{13.739865993697341, 16.065534788931515}, 0.16},
+    {{16.065534788931515, 18.391203584165687}, 0.12},
+    {{18.391203584165687, 20.716872379399863}, 0.07},
+    {{20.716872379399863, 21.87970677701695}, 0.05},
 };
 
 }  // namespace nopd1d_n2_order3_data
@@ -127,6 +150,7 @@ inline constexpr MatchingTable nopd1d_n2_order3{
     .modal = nopd1d_n2_order3_data::modal,
     .contractive = nopd1d_n2_order3_data::contractive,
     .max_cfl = nopd1d_n2_order3_data::max_cfl,
+    .max_cfl_explicit = nopd1d_n2_order3_data::max_cfl_explicit,
 };
 
 }  // namespace nmbc::generated

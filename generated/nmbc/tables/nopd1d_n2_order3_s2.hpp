@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -76,7 +76,6 @@ inline constexpr Window contractive[]{
 };
 
 inline constexpr StableStep max_cfl[]{
-    {{0.8607759785899654, 0.8701729183702107}, 0},
     {{0.8701729183702107, 0.8795698581504561}, 0.26},
     {{0.8795698581504561, 0.8983637377109467}, 0.3},
     {{0.8983637377109467, 0.935951496831928}, 0.31},
@@ -97,10 +96,28 @@ inline constexpr StableStep max_cfl[]{
     {{2.025996511340386, 2.0353934511206315}, 0.29},
     {{2.0353934511206315, 2.044790390900877}, 0.24},
     {{2.044790390900877, 2.0541873306811222}, 0.17},
-    {{2.0541873306811222, 2.0635842704613676}, 0},
     {{6.948247568314387, 9.046308400188867}, 0.87},
     {{9.046308400188867, 14.29146047987507}, 0.86},
     {{14.29146047987507, 15.340490895812309}, 0.85},
+};
+
+inline constexpr StableStep max_cfl_explicit[]{
+    {{0.8607759785899654, 1.0111270150738907}, 0.07},
+    {{1.0111270150738907, 1.161478051557816}, 0.1},
+    {{1.161478051557816, 1.3118290880417411}, 0.14},
+    {{1.3118290880417411, 1.3870046062837038}, 0.2},
+    {{1.3870046062837038, 1.4621801245256665}, 0.23},
+    {{1.4621801245256665, 1.6125311610095918}, 0.26},
+    {{1.6125311610095918, 1.762882197493517}, 0.3},
+    {{1.762882197493517, 1.9132332339774423}, 0.34},
+    {{1.9132332339774423, 1.9508209930984237}, 0.32},
+    {{1.9508209930984237, 1.988408752219405}, 0.27},
+    {{1.988408752219405, 2.0072026317798954}, 0.24},
+    {{2.0072026317798954, 2.025996511340386}, 0.18},
+    {{2.025996511340386, 2.0353934511206315}, 0.14},
+    {{2.0353934511206315, 2.044790390900877}, 0.11},
+    {{2.044790390900877, 2.0541873306811222}, 0.07},
+    {{6.948247568314387, 15.340490895812309}, 0.82},
 };
 
 }  // namespace nopd1d_n2_order3_s2_data
@@ -124,6 +141,7 @@ inline constexpr MatchingTable nopd1d_n2_order3_s2{
     .modal = nopd1d_n2_order3_s2_data::modal,
     .contractive = nopd1d_n2_order3_s2_data::contractive,
     .max_cfl = nopd1d_n2_order3_s2_data::max_cfl,
+    .max_cfl_explicit = nopd1d_n2_order3_s2_data::max_cfl_explicit,
 };
 
 }  // namespace nmbc::generated

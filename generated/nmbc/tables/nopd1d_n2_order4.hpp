@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -110,7 +110,37 @@ inline constexpr StableStep max_cfl[]{
     {{13.731930766445192, 13.78378236828704}, 0.31},
     {{13.78378236828704, 13.835633970128889}, 0.25},
     {{13.835633970128889, 13.887485571970739}, 0.17},
-    {{13.887485571970739, 13.939337173812588}, 0},
+};
+
+inline constexpr StableStep max_cfl_explicit[]{
+    {{7.302332138055981, 7.354183739897829}, 0.23},
+    {{7.354183739897829, 7.406035341739678}, 0.3},
+    {{7.406035341739678, 7.457886943581526}, 0.37},
+    {{7.457886943581526, 7.5097385454233745}, 0.43},
+    {{7.5097385454233745, 7.717144952790768}, 0.44},
+    {{7.717144952790768, 7.924551360158162}, 0.49},
+    {{7.924551360158162, 8.131957767525556}, 0.52},
+    {{8.131957767525556, 8.546770582260343}, 0.55},
+    {{8.546770582260343, 8.961583396995133}, 0.59},
+    {{8.961583396995133, 9.37639621172992}, 0.63},
+    {{9.37639621172992, 9.791209026464708}, 0.67},
+    {{9.791209026464708, 10.206021841199497}, 0.71},
+    {{10.206021841199497, 10.620834655934285}, 0.74},
+    {{10.620834655934285, 11.45046028540386}, 0.77},
+    {{11.45046028540386, 12.280085914873435}, 0.8},
+    {{12.280085914873435, 12.694898729608223}, 0.78},
+    {{12.694898729608223, 13.10971154434301}, 0.73},
+    {{13.10971154434301, 13.317117951710404}, 0.69},
+    {{13.317117951710404, 13.420821155394101}, 0.66},
+    {{13.420821155394101, 13.47267275723595}, 0.63},
+    {{13.47267275723595, 13.524524359077798}, 0.58},
+    {{13.524524359077798, 13.576375960919647}, 0.53},
+    {{13.576375960919647, 13.628227562761495}, 0.48},
+    {{13.628227562761495, 13.680079164603344}, 0.43},
+    {{13.680079164603344, 13.731930766445192}, 0.38},
+    {{13.731930766445192, 13.78378236828704}, 0.34},
+    {{13.78378236828704, 13.835633970128889}, 0.28},
+    {{13.835633970128889, 13.887485571970739}, 0.19},
 };
 
 }  // namespace nopd1d_n2_order4_data
@@ -134,6 +164,7 @@ inline constexpr MatchingTable nopd1d_n2_order4{
     .modal = nopd1d_n2_order4_data::modal,
     .contractive = nopd1d_n2_order4_data::contractive,
     .max_cfl = nopd1d_n2_order4_data::max_cfl,
+    .max_cfl_explicit = nopd1d_n2_order4_data::max_cfl_explicit,
 };
 
 }  // namespace nmbc::generated

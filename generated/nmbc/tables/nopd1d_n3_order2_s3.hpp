@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -93,6 +93,30 @@ inline constexpr StableStep max_cfl[]{
     {{4.500999868105781, 4.552403904953781}, 0.25},
 };
 
+inline constexpr StableStep max_cfl_explicit[]{
+    {{1.262545546681792, 1.4681616940737914}, 0.2},
+    {{1.4681616940737914, 1.6737778414657907}, 0.24},
+    {{1.6737778414657907, 1.87939398885779}, 0.28},
+    {{1.87939398885779, 2.0850101362497893}, 0.31},
+    {{2.0850101362497893, 2.2906262836417888}, 0.36},
+    {{2.2906262836417888, 2.496242431033788}, 0.4},
+    {{2.496242431033788, 2.907474725817787}, 0.45},
+    {{2.907474725817787, 3.3187070206017855}, 0.49},
+    {{3.3187070206017855, 3.729939315385784}, 0.52},
+    {{3.729939315385784, 4.038363536473783}, 0.57},
+    {{4.038363536473783, 4.089767573321783}, 0.53},
+    {{4.089767573321783, 4.141171610169783}, 0.48},
+    {{4.141171610169783, 4.192575647017783}, 0.44},
+    {{4.192575647017783, 4.243979683865783}, 0.4},
+    {{4.243979683865783, 4.295383720713783}, 0.35},
+    {{4.295383720713783, 4.346787757561782}, 0.3},
+    {{4.346787757561782, 4.398191794409781}, 0.25},
+    {{4.398191794409781, 4.449595831257781}, 0.2},
+    {{4.449595831257781, 4.475297849681781}, 0.17},
+    {{4.475297849681781, 4.500999868105781}, 0.13},
+    {{4.500999868105781, 4.526701886529781}, 0.09},
+};
+
 }  // namespace nopd1d_n3_order2_s3_data
 
 /// NMBC2, horizon 3 dX, stride 3.
@@ -114,6 +138,7 @@ inline constexpr MatchingTable nopd1d_n3_order2_s3{
     .modal = nopd1d_n3_order2_s3_data::modal,
     .contractive = nopd1d_n3_order2_s3_data::contractive,
     .max_cfl = nopd1d_n3_order2_s3_data::max_cfl,
+    .max_cfl_explicit = nopd1d_n3_order2_s3_data::max_cfl_explicit,
 };
 
 }  // namespace nmbc::generated

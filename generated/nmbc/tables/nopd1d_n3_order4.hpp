@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -89,6 +89,20 @@ inline constexpr StableStep max_cfl[]{
     {{11.850411355782619, 11.853447715929715}, 0.55},
 };
 
+inline constexpr StableStep max_cfl_explicit[]{
+    {{11.489084498278213, 11.513375379454981}, 0.04},
+    {{11.513375379454981, 11.561957141808515}, 0.06},
+    {{11.561957141808515, 11.610538904162048}, 0.09},
+    {{11.610538904162048, 11.65912066651558}, 0.12},
+    {{11.65912066651558, 11.707702428869114}, 0.14},
+    {{11.707702428869114, 11.756284191222647}, 0.17},
+    {{11.756284191222647, 11.804865953576181}, 0.18},
+    {{11.804865953576181, 11.829156834752947}, 0.2},
+    {{11.829156834752947, 11.84130227534133}, 0.21},
+    {{11.84130227534133, 11.847374995635523}, 0.22},
+    {{11.847374995635523, 11.850411355782619}, 0.2},
+};
+
 }  // namespace nopd1d_n3_order4_data
 
 /// NMBC4, horizon 3 dX, stride 1.
@@ -110,6 +124,7 @@ inline constexpr MatchingTable nopd1d_n3_order4{
     .modal = nopd1d_n3_order4_data::modal,
     .contractive = {},
     .max_cfl = nopd1d_n3_order4_data::max_cfl,
+    .max_cfl_explicit = nopd1d_n3_order4_data::max_cfl_explicit,
 };
 
 }  // namespace nmbc::generated

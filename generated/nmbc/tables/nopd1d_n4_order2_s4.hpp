@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -102,6 +102,27 @@ inline constexpr StableStep max_cfl[]{
     {{5.560389096602874, 5.5896350925251586}, 0.13},
 };
 
+inline constexpr StableStep max_cfl_explicit[]{
+    {{1.846147614472795, 2.3140835492293403}, 0.22},
+    {{2.3140835492293403, 2.548051516607613}, 0.27},
+    {{2.548051516607613, 2.782019483985886}, 0.3},
+    {{2.782019483985886, 3.2499554187424313}, 0.34},
+    {{3.2499554187424313, 3.483923386120704}, 0.4},
+    {{3.483923386120704, 3.7178913534989766}, 0.44},
+    {{3.7178913534989766, 4.185827288255522}, 0.47},
+    {{4.185827288255522, 4.653763223012067}, 0.51},
+    {{4.653763223012067, 4.88773119039034}, 0.49},
+    {{4.88773119039034, 5.004715174079477}, 0.44},
+    {{5.004715174079477, 5.121699157768614}, 0.39},
+    {{5.121699157768614, 5.23868314145775}, 0.33},
+    {{5.23868314145775, 5.297175133302318}, 0.3},
+    {{5.297175133302318, 5.355667125146886}, 0.26},
+    {{5.355667125146886, 5.4141591169914545}, 0.22},
+    {{5.4141591169914545, 5.472651108836022}, 0.18},
+    {{5.472651108836022, 5.53114310068059}, 0.12},
+    {{5.53114310068059, 5.560389096602874}, 0.08},
+};
+
 }  // namespace nopd1d_n4_order2_s4_data
 
 /// NMBC2, horizon 4 dX, stride 4.
@@ -123,6 +144,7 @@ inline constexpr MatchingTable nopd1d_n4_order2_s4{
     .modal = nopd1d_n4_order2_s4_data::modal,
     .contractive = nopd1d_n4_order2_s4_data::contractive,
     .max_cfl = nopd1d_n4_order2_s4_data::max_cfl,
+    .max_cfl_explicit = nopd1d_n4_order2_s4_data::max_cfl_explicit,
 };
 
 }  // namespace nmbc::generated
