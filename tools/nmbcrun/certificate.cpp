@@ -40,8 +40,9 @@ std::string name_of(const Boundary& boundary) {
     if (boundary.kind != BoundaryKind::nmbc) {
         return boundary.kind == BoundaryKind::fixed ? "a fixed end" : "a free end";
     }
-    return fmt::format("NMBC{}{}", boundary.order,
-                       boundary.stride > 1 ? fmt::format(" of stride {}", boundary.stride) : "");
+    return fmt::format("NMBC{}{}{}", boundary.order,
+                       boundary.stride > 1 ? fmt::format(" of stride {}", boundary.stride) : "",
+                       boundary.ghosts == nmbc::GhostRule::midpoint ? "" : " with explicit ghosts");
 }
 
 }  // namespace

@@ -60,9 +60,10 @@ bool certify(const Scene& scene, double time_step, double cfl) {
         return true;
     }
     if (!scene.allow_unstable) {
-        throw Unstable(problem +
-                       ". Try a smaller time step, another G, order or stride (windows: "
-                       "docs/theory.md), or run it all the same: boundary.allow_unstable = true");
+        throw Unstable(
+            problem +
+            ". Try a smaller time step, another G, order or stride (windows: "
+            "docs/stability.md), or run it all the same: boundary.allow_unstable = true");
     }
     fmt::print(stderr, "nmbcrun: warning: {}\n", problem);
     return false;
