@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// The windows of the committed tables at random G: chains inside do not grow, chains outside do.
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nmbc/certificate.hpp>
+#include <nmbc/tables/tables.hpp>
+#include <vector>
+
+#include "generator/stability/discrete.hpp"
+#include "generator/stability/modal.hpp"
+#include "tests/stability/spectra.hpp"
+#include "tests/support/read_tables.hpp"
+
+namespace {
+
+using nmbc::MatchingTable;
+using nmbc::Window;
+using nmbcgen::HalfSpace;
+using nmbcgen::ModalFailure;
+using nmbcgen::Rational;
+using nmbcgen::test::eigenvalues_by_parity;
+using nmbcgen::test::spectral_abscissa;
+
+/// Decaying waves reach from one end of a shorter chain to the other, which no certificate is
+/// about: exam_short_chains.cpp.
+constexpr std::size_t shortest = 40;
+constexpr std::size_t longest = 160;
+
+/// Roundings of eigenvalues: 2e-12 c/dX at most in thousands of chains without growth. Growth by
+/// less would take 1e11 time units to be seen.
+constexpr double roundings = 1e-11;
+
+/// The committed tables to horizon 3: larger matrices take longer than they tell more.
+std::vector<const MatchingTable*> tables(bool with_window) {
+    std::vector<const MatchingTable*> chosen;
+    std::ranges::copy_if(nmbc::generated::tables, std::back_inserter(chosen),
+                         [with_window](const MatchingTable* table) {
+                             return table->horizon <= 3 && !(with_window && table->modal.empty());
+                         });
+    return chosen;
+}
+
+/// From first to last - 1, all alike: rapidcheck alone would begin with small ones.
+int whole_number(int first, int last) {
+    return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(first, last));
+}
+
+template <class List>
+auto element_of(const List& list) {
+    return list[std::size_t(whole_number(0, int(std::size(list))))];
+}
+
+/// A multiple of 1e-4 in the window; of one without an end, to 20 above its lower edge.
+Rational value_in(const Window& window) {
+    constexpr int denominator = 10000;
+    const double high = std::min(window.high, window.low + 20);
+    return {whole_number(int(std::ceil(window.low * denominator)),
+                         int(std::floor(high * denominator)) + 1),
+            denominator};
+}
+
+HalfSpace half_space(const MatchingTable& table, const Rational& G) {
+    RC_LOG() << table.name << " at G = " << G << '\n';
+    return make_half_space(nmbcgen::test::read_table(table), G);
+}
+
+TEST_CASE("inside a window no chain grows") {
+    CHECK(rc::check([] {
+        const auto& table = *element_of(tables(true));
+        Window window = element_of(table.modal);
+        constexpr double margin = 1e-3;
+        window = {window.low == 0 ? 0 : window.low + margin, window.high - margin};
+        const HalfSpace h = half_space(table, value_in(window));
+        for (const std::size_t nodes : {shortest, shortest + 1, 80UL, 81UL, longest - 1, longest}) {
+            RC_ASSERT(spectral_abscissa(h, nodes) < roundings);
+        }
+    }));
+}
+
+/// Where the amplified band is narrow it takes a length that fits it: at n = 3, N = 2, stride 3,
+/// G = 1.05 those of 61 to 73 nodes, 96 to 109, .. What is amplified by less may need longer ones.
+TEST_CASE("outside of the windows some chain grows") {
+    CHECK(rc::check([] {
+        const auto& table = *element_of(tables(false));
+        const Rational G = value_in({0.01, 12});  // some have a pole at 0
+        RC_PRE(std::ranges::none_of(table.modal, [&G](const Window& window) {
+            constexpr double margin = 0.05;
+            return Window{window.low - margin, window.high + margin}.contains(
+                G.convert_to<double>());
+        }));
+        const HalfSpace h = half_space(table, G);
+        const auto verdict = modal_verdict(h);
+        RC_ASSERT(verdict.failure != ModalFailure::none);
+        RC_PRE(verdict.failure != ModalFailure::amplified_wave || verdict.supremum > 1.02);
+        std::size_t nodes = shortest;
+        while (nodes <= longest && spectral_abscissa(h, nodes) <= roundings) {
+            nodes += 3;
+        }
+        RC_ASSERT(nodes <= longest);
+    }));
+}
+
+TEST_CASE("at the largest cfl of the header no chain grows") {
+    CHECK(rc::check([] {
+        const auto& table = *element_of(tables(true));
+        const Rational G = value_in(element_of(table.max_cfl).window);
+        const double cfl = nmbc::certified_cfl(table, G.convert_to<double>());
+        RC_PRE(cfl > 0);
+        const HalfSpace h = half_space(table, G);
+        const nmbcgen::ChainEnd end{nmbcgen::EndKind::matching, h};
+        const double time_step = 2 * cfl / maximum_frequency(h);
+        for (const std::size_t nodes : {60U, 61U}) {
+            const auto map =
+                one_step_map(end, end, nodes, time_step, nmbcgen::GhostLevel::midpoint);
+            for (const auto factor : eigenvalues_by_parity(map, nodes)) {
+                RC_ASSERT(std::abs(factor) < 1 + roundings);
+            }
+        }
+    }));
+}
+
+}  // namespace

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// What a certificate does not cover: a chain so short that waves which decay from one end still
+/// matter at the other. A half space knows travelling waves of the other end only.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <nmbc/certificate.hpp>
+#include <nmbc/chain.hpp>
+#include <nmbc/energy.hpp>
+
+#include "tests/stability/boundary.hpp"
+#include "tests/stability/spectra.hpp"
+
+namespace {
+
+using nmbcgen::test::Boundary;
+using nmbcgen::test::spectral_abscissa;
+
+TEST_CASE("inside a window chains grow up to some length, and none above it") {
+    struct Case {
+        Boundary boundary;
+        nmbc::Grade grade;
+        std::size_t longest;  ///< that grows; 0: none does
+    };
+    constexpr auto contractive = nmbc::Grade::contractive;
+    // As found; the nearer to an edge, the longer.
+    for (const Case& each : {
+             Case{{1, 2, 1, 0.3}, contractive, 0},
+             Case{{1, 4, 1, 0.3}, contractive, 4},
+             Case{{2, 2, 2, 2.9}, contractive, 5},
+             Case{{2, 3, 2, 1}, contractive, 6},
+             Case{{2, 3, 2, 0.8609}, contractive, 16},
+             Case{{3, 2, 3, 3}, contractive, 0},
+             Case{{3, 2, 3, 4.54}, nmbc::Grade::paired, 15},
+             Case{{3, 3, 3, 2.39}, contractive, 9},
+             Case{{3, 3, 3, 1.8532}, contractive, 25},
+         }) {
+        const Boundary& boundary = each.boundary;
+        CAPTURE(boundary.horizon);
+        CAPTURE(boundary.order);
+        CAPTURE(boundary.G);
+        CHECK(certified_grade(committed_table(boundary), boundary.G) == each.grade);
+        const auto h = half_space(boundary);
+        constexpr double roundings = 1e-11;  // of eigenvalues: 2e-12 at most was found
+        std::size_t longest = 0;
+        for (std::size_t nodes = std::size_t(boundary.order) * boundary.stride; nodes <= 60;
+             ++nodes) {
+            if (spectral_abscissa(h, nodes) > roundings) {
+                longest = nodes;
+            }
+        }
+        CHECK(longest == each.longest);
+    }
+}
+
+TEST_CASE("the runtime's short chain grows so, and a longer one does not") {
+    const Boundary boundary{3, 3, 3, 2};
+    const auto& table = committed_table(boundary);
+    const auto lattice = nmbc::make_lattice(table, boundary.G);
+    const double cfl = 0.5 * nmbc::certified_cfl(table, boundary.G);
+    REQUIRE(cfl > 0);
+    const auto growth = [&](std::size_t nodes, double time) {
+        nmbc::Chain chain(lattice, nmbc::boundary_coefficients(table, boundary.G),
+                          {.nodes = nodes, .time_step = 2 * cfl / maximum_frequency(lattice)});
+        // Neither even nor odd, some of every wave.
+        for (std::size_t node = 0; node < chain.nodes(); ++node) {
+            chain.displacement()[node] = std::sin(double(node * node));
+        }
+        while (chain.time() < time) {
+            chain.step();
+        }
+        const double half_way = nmbc::energies(chain).total();
+        while (chain.time() < 2 * time) {
+            chain.step();
+        }
+        return std::log(nmbc::energies(chain).total() / half_way) / (2 * time);
+    };
+    const double predicted = spectral_abscissa(half_space(boundary), 9);
+    REQUIRE(predicted > 1e-3);
+    // exp(40) until the fit begins leaves no other wave; the energy of a wave that grows swings by
+    // a factor of order 1 in exp(40), and the time step is not 0.
+    CHECK(growth(9, 20 / predicted) == nmbcgen::test::relative(predicted, 0.05));
+    CHECK(growth(40, 20 / predicted) < 0);
+}
+
+}  // namespace
