@@ -99,7 +99,9 @@ std::string certificate_statement(const std::optional<Certificate>& certificate)
         return "not examined";
     }
     return "reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and "
-           "sup over phases of rho(R D) <= 1 on the band, both ends alike, every length; "
+           "sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for "
+           "decaying "
+           "waves to reach the other end; "
            "contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges "
            "are exact where an exact value is given, else in the bracket";
 }

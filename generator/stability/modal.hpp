@@ -3,7 +3,8 @@
 /// ends (theory of Gustafsson, Kreiss and Sundstrom, at one value of G).
 ///
 /// A growing boundary mode is a wave k, |k| < 1, of s C(k) = B(k), s^2 = -omega^2(k), Re s > 0.
-/// Without one, a chain with two like ends is stable at every length if and only if no sequence of
+/// Without one, a chain with two like ends is stable at every length, short ones apart in which
+/// decaying waves reach the other end, if and only if no sequence of
 /// reflections is amplified: sup over diagonal phase matrices D of rho(R(omega) D) <= 1 for every
 /// omega, D being the phases that travelling waves pick up on their way.
 #pragma once

@@ -14,7 +14,7 @@ namespace nmbc {
 
 enum class Grade {
     none,         ///< not certified
-    paired,       ///< stable at every length with the same condition at the other end
+    paired,       ///< stable with the same condition at the other end, but for the shortest chains
     contractive,  ///< and with any other end that adds no energy
 };
 

@@ -83,7 +83,7 @@ inline double maximum_frequency(const Lattice& lattice) {
 }
 
 /// The largest time step [spacing/wave_speed] with which a chain between two ends of this table is
-/// certified to be stable at any length, midpoint ghosts.
+/// certified to be stable, midpoint ghosts.
 /// Throws NotCertified where there is none, as at the very edge of some windows.
 inline double stable_time_step(const MatchingTable& table, double G, double wave_speed,
                                double spacing) {

@@ -111,6 +111,11 @@ unstable "a fixed end on the left and NMBC1 on the right are not stable together
 unstable "cfl = 0.8" --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=0.8
 unstable "cfl = 1" --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=1
 
+# Certified, and yet unstable in a chain of 9 nodes; 40 are enough.
+short_chain=(--set model.horizon=3 --set boundary.order=3 --set boundary.stride=3 --set model.G=2
+    --set drive.centre=5 --set drive.half_width=0.5 --set time.step=0.05)
+unstable "in a chain of 9 nodes, so short" "${short_chain[@]}" --set domain.nodes=9
+
 # Pairs that are stable run without a word.
 stable() {
     try run "$scene" "${short[@]}" "$@"
@@ -128,6 +133,7 @@ stable --set model.horizon=2 --set model.G=1 --set boundary.right.order=2 \
     --set boundary.right.stride=2 --set boundary.left.ghosts=midpoint
 expect_stdout_line "right     NMBC2, stride 2, midpoint ghosts"
 stable --set model.horizon=5
+stable "${short_chain[@]}" --set domain.nodes=40
 # The wave reaches the ends at t = 33 or so, and the total swings by O(dt^2) only.
 try run "$scene" --quiet --set boundary.kind=free --set model.G=1
 expect "free ends keep the energy" awk '/^energy left/ { exit !($3 > 0.99) }' "$scratch/stdout"
