@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "generator/exact/rational.hpp"
@@ -180,9 +181,16 @@ std::vector<double> critical_frequencies(const HalfSpace& half_space) {
             wave_numbers.push_back(std::acos(x.real()));
         }
     }
+    // A frequency of 0 (at G = 0 there are several) is found as the root of what roundings leave.
+    double sum = 0;
+    for (const double coefficient : half_space.symbol) {
+        sum += std::abs(coefficient);
+    }
+    const double roundings = 16 * std::numeric_limits<double>::epsilon() * sum;
     std::vector<double> frequencies{0};
     for (const double xi : wave_numbers) {
-        frequencies.push_back(std::sqrt(std::max(0.0, omega_squared(half_space, xi))));
+        const double square = omega_squared(half_space, xi);
+        frequencies.push_back(square > roundings ? std::sqrt(square) : 0);
     }
     std::ranges::sort(frequencies);
     return frequencies;

@@ -37,6 +37,30 @@ Complex polished(const std::vector<double>& a, Complex x) {
     return x;
 }
 
+/// Scales rows and columns by powers of two until they are about equally large (Parlett and
+/// Reinsch): where roots differ by orders of magnitude, as next to a G where the stencil is
+/// shorter, the small ones would else drown in the roundings of the large ones.
+void balance(Eigen::MatrixXd& matrix) {
+    constexpr double worth_it = 0.95;
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+            const double diagonal = std::abs(matrix(i, i));
+            const double row = matrix.row(i).lpNorm<1>() - diagonal;
+            const double column = matrix.col(i).lpNorm<1>() - diagonal;
+            if (row <= 0 || column <= 0) {
+                continue;
+            }
+            const double factor = std::exp2(std::round(std::log2(row / column) / 2));
+            if (column * factor + row / factor < worth_it * (column + row)) {
+                matrix.col(i) *= factor;
+                matrix.row(i) /= factor;
+                changed = true;
+            }
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<Complex> polynomial_roots(const std::vector<double>& coefficients) {
@@ -51,6 +75,7 @@ std::vector<Complex> polynomial_roots(const std::vector<double>& coefficients) {
             companion(i, i - 1) = 1;
         }
     }
+    balance(companion);
     const Eigen::VectorXcd values = companion.eigenvalues();
     std::vector<Complex> roots(values.begin(), values.end());
     for (Complex& root : roots) {
@@ -73,9 +98,11 @@ std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega) {
             const double velocity = -omega_squared_slope(half_space, xi) / (2 * omega);
             modes.push_back({std::polar(1.0, velocity > 0 ? xi : -xi), std::abs(velocity)});
         } else {
+            // 1/k is the larger one of the two: next to a G where the stencil is shorter x is so
+            // large that the difference would be 0.
             const Complex root = std::sqrt(x * x - 1.0);
-            const Complex k = x + root;
-            modes.push_back({std::abs(k) < 1 ? k : x - root, 0});
+            const bool same_side = std::abs(x + root) > 1;
+            modes.push_back({1.0 / (same_side ? x + root : x - root), 0});
         }
     }
     std::ranges::sort(modes, [](const Mode& left, const Mode& right) {

@@ -2,6 +2,7 @@
 /// The modal verdict on both sides of every window edge that is known.
 #include <doctest/doctest.h>
 
+#include "generator/exact/rational.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/modal.hpp"
 
@@ -75,6 +76,41 @@ TEST_CASE("the kind of failure") {
     CHECK(paired.failure == ModalFailure::none);
     CHECK(paired.supremum == doctest::Approx(1).epsilon(1e-8));
     CHECK_FALSE(paired.contractive);
+}
+
+// At G = n^4/A_n the stencil reaches n nodes, not 2n, and n modes decay at once, k = 0. The double
+// next to 8/5 is not 8/5: those modes are there, with k of about 1e-8.
+TEST_CASE("next to a G where the stencil is shorter") {
+    const auto verdict = [](const Windows& boundary, const Rational& G) {
+        return nmbcgen::modal_verdict(
+            nmbcgen::make_half_space(nmbcgen::derive({"nopd1d", boundary.horizon, boundary.order,
+                                                      boundary.stride, std::nullopt}),
+                                     G));
+    };
+    struct Case {
+        Windows boundary;
+        Rational shorter;
+        bool stable;
+    };
+    const std::vector<Case> cases{
+        {{1, 2, 1, {}, {}}, Rational(1) / 2, true},
+        {{2, 2, 1, {}, {}}, Rational(8) / 5, false},
+        {{3, 3, 3, {}, {}}, Rational(81) / 28, true},
+        {{4, 2, 4, {}, {}}, Rational(64) / 15, true},
+    };
+    for (const Case& each : cases) {
+        CAPTURE(each.boundary.horizon);
+        const auto exact = verdict(each.boundary, each.shorter);
+        CHECK((exact.failure == ModalFailure::none) == each.stable);
+        for (const double relative : {0.0, 1e-14, -1e-12, 1e-10}) {
+            CAPTURE(relative);
+            const auto near = verdict(
+                each.boundary, Rational(nmbcgen::nearest_double(each.shorter) * (1 + relative)));
+            CHECK(near.failure == exact.failure);
+            // The supremum is sampled where modes put it, and moves by less than G does.
+            CHECK(near.supremum == doctest::Approx(exact.supremum).epsilon(1e-6));
+        }
+    }
 }
 
 }  // namespace

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tools/stability_atlas/atlas.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <future>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "generator/exact/algebraic_number.hpp"
+#include "generator/pipeline.hpp"
+#include "generator/stability/discrete.hpp"
+#include "generator/stability/scalar.hpp"
+
+namespace stability_atlas {
+
+using nmbcgen::Failure;
+using nmbcgen::Grade;
+using nmbcgen::HalfSpace;
+using nmbcgen::ModalFailure;
+using nmbcgen::Rational;
+using nmbcgen::Specification;
+using nmbcgen::Table;
+
+namespace {
+
+constexpr double highest_G = 6;
+constexpr unsigned highest_order = 4;
+
+std::vector<Specification> specifications(const std::vector<unsigned>& horizons) {
+    std::vector<Specification> result;
+    for (const unsigned horizon : horizons) {
+        for (unsigned order = 1; order <= highest_order; ++order) {
+            for (const unsigned stride : std::set{1U, horizon}) {
+                result.push_back({"nopd1d", horizon, order, stride, std::nullopt});
+            }
+        }
+    }
+    return result;
+}
+
+Failure failure_of(const nmbcgen::ModalVerdict& verdict) {
+    switch (verdict.failure) {
+        case ModalFailure::growing_mode:
+            return Failure::growing_mode;
+        case ModalFailure::resonance:
+            return Failure::resonance;
+        case ModalFailure::amplified_wave:
+            return verdict.backward ? Failure::backward_band : Failure::amplified_wave;
+        case ModalFailure::none:
+            break;
+    }
+    return Failure::none;
+}
+
+void predict(const HalfSpace& half_space, Point& point) {
+    if (half_space.E.size() == 0 || half_space.E[0] == 0) {  // C(1)
+        point.failure = Failure::jordan_block;
+        return;
+    }
+    const nmbcgen::ModalVerdict verdict = modal_verdict(half_space);
+    point.failure = failure_of(verdict);
+    point.growing_mode_rate = verdict.growth.real();
+    if (verdict.failure == ModalFailure::none || verdict.failure == ModalFailure::amplified_wave) {
+        point.supremum = verdict.supremum;
+    }
+    if (verdict.failure == ModalFailure::none) {
+        point.grade = stability_grade(half_space);
+    }
+}
+
+bool contains(const nmbcgen::Window& window, double G) {
+    const Rational value(G);
+    return compare(window.low, value) <= 0 && (!window.high || compare(*window.high, value) >= 0);
+}
+
+bool contains(const nmbcgen::StabilityWindow& window, double G) {
+    return window.low.inner <= G && (!window.high || G <= window.high->inner);
+}
+
+template <class Windows>
+bool any_contains(const Windows& windows, double G) {
+    return std::ranges::any_of(windows, [G](const auto& window) { return contains(window, G); });
+}
+
+Point point_at(const Table& table, const Method& method, double G) {
+    Point point;
+    point.G = G;
+    point.in_scalar_window = any_contains(method.scalar, G);
+    point.in_modal_window = any_contains(method.windows.modal, G);
+    try {
+        const HalfSpace half_space = make_half_space(table, Rational(G));
+        predict(half_space, point);
+        if (point.failure != Failure::jordan_block) {
+            point.measured_growth = growth(half_space);
+        }
+    } catch (const std::domain_error&) {
+        point.failure = Failure::pole;
+    }
+    return point;
+}
+
+}  // namespace
+
+double growth(const HalfSpace& half_space) {
+    constexpr double cfl = 0.05;
+    constexpr double least = 1e-7;
+    const double time_step = 2 * cfl / maximum_frequency(half_space);
+    const nmbcgen::ChainEnd end{.half_space = half_space};
+    double rate = 0;
+    for (const std::size_t nodes : {40U, 61U}) {
+        const double radius =
+            spectral_radius(end, end, nodes, time_step, nmbcgen::GhostLevel::midpoint);
+        rate = std::max(rate, std::log(radius) / time_step);
+    }
+    return rate < least ? 0 : rate;
+}
+
+std::size_t total_points(const std::vector<unsigned>& horizons, unsigned points) {
+    return specifications(horizons).size() * points;
+}
+
+std::vector<Method> atlas(const std::vector<unsigned>& horizons, unsigned points,
+                          const std::function<void(std::size_t)>& done) {
+    std::vector<Table> tables;
+    for (const Specification& specification : specifications(horizons)) {
+        tables.push_back(nmbcgen::derive(specification));
+    }
+    std::vector<Method> methods(tables.size());
+    std::atomic<std::size_t> started = 0;
+    std::mutex counting;
+    std::size_t finished = 0;
+    const auto work = [&] {
+        // The last ones take longest.
+        for (std::size_t i = started++; i < tables.size(); i = started++) {
+            const std::size_t index = tables.size() - 1 - i;
+            const Table& table = tables[index];
+            Method& method = methods[index];
+            method = {table.specification, scalar_windows(table), modal_windows(table), {}};
+            for (unsigned step = 0; step < points; ++step) {
+                method.points.push_back(point_at(table, method, highest_G * step / (points - 1)));
+                const std::lock_guard lock(counting);
+                done(++finished);
+            }
+        }
+    };
+    std::vector<std::future<void>> workers;
+    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) {
+        workers.push_back(std::async(std::launch::async, work));
+    }
+    for (std::future<void>& worker : workers) {
+        worker.get();  // throws what the worker threw
+    }
+    return methods;
+}
+
+}  // namespace stability_atlas
