@@ -75,8 +75,8 @@ inline constexpr Window modal[]{
 
 inline constexpr Window contractive[]{
     // low: between 1.7766660 and 1.7766664
-    // high: between 1.8862141 and 1.8862144
-    {1.776666378292973, 1.886214050828745},
+    // high: between 1.8861976 and 1.8861980
+    {1.776666378292973, 1.8861976130677431},
 };
 
 inline constexpr StableStep max_cfl[]{
