@@ -31,8 +31,9 @@ struct ModalVerdict {
     std::complex<double> growth = 0;  ///< s [c/dX] of the fastest growing mode
 };
 
-/// supremum above this counts as more than 1: the exact 1 of NMBC1 is found to about 1e-9.
-inline constexpr double amplification_limit = 1 + 1e-8;
+/// A supremum above this counts as more than 1: the exact 1 of NMBC1 is found to 1e-13 or better up
+/// to horizon 5.
+inline constexpr double amplification_limit = 1 + 1e-12;
 
 /// The fastest growing boundary mode: s [c/dX] with the largest Re s > 0, if there is one.
 std::optional<std::complex<double>> growing_mode(const HalfSpace& half_space);
@@ -48,7 +49,7 @@ ModalVerdict modal_verdict(const HalfSpace& half_space);
 
 enum class Grade {
     none,         ///< not stable
-    paired,       ///< sup rho <= 1: stable at every length with its like at the other end
+    paired,       ///< sup rho <= 1: stable with its like at the other end
     contractive,  ///< sigma_max <= 1, too: stable with any contractive other end
 };
 

@@ -98,7 +98,10 @@ class Search {
             const double middle = left + (right - left) / 2;
             ((grade_at(middle) >= least) == opens ? right : left) = middle;
         }
-        Edge edge{.where = Bracket{left, right}, .inner = opens ? right : left};
+        // Where sup rho leaves 1 with a horizontal tangent it does so a little before it is seen.
+        constexpr double unseen = 5e-7;
+        const Bracket bracket{opens ? left : left - unseen, opens ? right + unseen : right};
+        Edge edge{.where = bracket, .inner = opens ? bracket.high : bracket.low};
         if (const auto exact = exact_edge(left, right, opens)) {
             edge = {.where = *exact, .inner = inner_double(*exact, opens)};
         }
