@@ -110,7 +110,7 @@ const std::vector<KnownTable> known_tables{
      1,
      {{bracket(1.774590, backward), bracket(1.923117, backward)},
       {algebraic(4.437191, growing), bracket(23.042541, backward)}},
-     {{bracket(1.776666, paired), bracket(1.886214, paired)}}},
+     {{bracket(1.776666, paired), bracket(1.886198, paired)}}},
     {2,
      4,
      1,
