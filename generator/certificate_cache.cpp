@@ -32,8 +32,8 @@ void CertificateCache::look_up(Table& table) const {
         if (kept.at("inputs") == inputs(table)) {
             table.certificate = read_certificate(kept);
         }
-    } catch (const Json::exception&) {
-        // Cut short or of another time: as if it were not there.
+    } catch (const std::exception&) {
+        // Cut short, damaged or of another time: as if it were not there.
     }
 }
 

@@ -12,11 +12,12 @@
 
 namespace nmbcgen {
 
+using MakeTable = std::function<Table(const Specification&)>;
+
 /// What differs from `fresh`, is missing or is left over in the folder, for people: one line a
 /// file, with the changed lines where a file differs. Empty where the folder is up to date.
 /// Tables outside the set that a user wrote there are compared with what their name asks for, made
 /// by `certified`. Throws FileError.
-using MakeTable = std::function<Table(const Specification&)>;
 std::string staleness(const std::filesystem::path& folder, const std::vector<TextFile>& fresh,
                       const MakeTable& certified);
 

@@ -2,6 +2,7 @@
 /// nmbcgen: exact mathematics to text. The stages are in pipeline.hpp.
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 #include <new>
 #include <stdexcept>
@@ -35,19 +36,20 @@ std::vector<Table> certified(const std::vector<Specification>& specifications,
     for (const Specification& specification : specifications) {
         tables.push_back(derive(specification));
     }
-    if (isatty(STDERR_FILENO) != 0) {
+    if (cache_folder) {
+        for (Table& table : tables) {
+            CertificateCache(*cache_folder).look_up(table);
+        }
+    }
+    const bool all_known = std::ranges::all_of(
+        tables, [](const Table& table) { return table.certificate.has_value(); });
+    if (!all_known && isatty(STDERR_FILENO) != 0) {
         std::cerr << "nmbcgen: certifying (--uncertified leaves it out) ...\n";
     }
-    if (!cache_folder) {
-        certify_all(tables);
-        return tables;
-    }
-    const CertificateCache cache(*cache_folder);
-    for (Table& table : tables) {
-        cache.look_up(table);
-    }
     certify_all(tables);
-    cache.keep(tables);
+    if (cache_folder && !all_known) {
+        CertificateCache(*cache_folder).keep(tables);
+    }
     return tables;
 }
 

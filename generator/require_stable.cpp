@@ -22,7 +22,8 @@ std::string how_it_fails(const Table& table, const Rational& G) {
                                verdict.wave_number);
         default:
             return fmt::format(
-                "waves are amplified by up to {:.6g} a reflection, most at xi = {:.3g}/dX{}",
+                "waves are amplified by up to {:.6g} a reflection, most at the frequency of xi = "
+                "{:.3g}/dX{}",
                 verdict.supremum, verdict.wave_number,
                 verdict.backward ? ", where backward waves travel" : "");
     }

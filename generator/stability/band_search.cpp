@@ -66,8 +66,14 @@ Peak largest_in_piece(double low, double high, const std::function<double(double
     if (samples.empty()) {
         return {};
     }
-    const auto best =
-        std::size_t(std::ranges::max_element(samples, {}, &Peak::value) - samples.begin());
+    std::size_t best = 0;
+    for (bool settled = false; !settled;) {
+        best = std::size_t(std::ranges::max_element(samples, {}, &Peak::value) - samples.begin());
+        const double place = (samples[best].omega - low) / (high - low);
+        const double value = confirmed(place, samples[best].value);
+        settled = value >= 0.99 * samples[best].value;  // the function's own change is less
+        samples[best].value = settled ? samples[best].value : value;
+    }
     // The samples at the ends are near enough.
     if (best == 0 || best + 1 == samples.size()) {
         return samples[best];

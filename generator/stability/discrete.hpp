@@ -24,8 +24,8 @@ double spectral_radius(const ChainEnd& left, const ChainEnd& right, std::size_t 
 double maximum_frequency(const HalfSpace& half_space);
 
 /// The largest cfl = dt omega_max / 2 in steps of 0.01 that is stable, with every 0.05 below it, by
-/// the half-space condition in time steps (half_space.hpp), which holds for every length. 0 where
-/// there is none.
+/// the half-space condition in time steps (half_space.hpp), which holds for every length but short
+/// ones. 0 where there is none.
 double largest_cfl(const HalfSpace& half_space, GhostLevel level);
 
 }  // namespace nmbcgen

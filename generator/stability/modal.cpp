@@ -34,7 +34,7 @@ std::vector<double> rounded_without_zeros(const Polynomial& polynomial) {
     return coefficients;
 }
 
-/// (w - 1)^power
+/// (1 - w)^power
 Polynomial power_of_one_minus_w(std::size_t power) {
     Polynomial result = constant(1);
     const Polynomial factor(std::vector<Rational>{1, -1});

@@ -24,8 +24,9 @@ enum class ModalFailure {
 
 struct ModalVerdict {
     ModalFailure failure = ModalFailure::none;
-    double supremum = 0;              ///< of rho(R D) over the band, 0 where a mode decides
-    double wave_number = 0;           ///< where it is reached, or of the resonance
+    double supremum = 0;  ///< of rho(R D) over the band, 0 where a mode decides
+    double wave_number =
+        0;  ///< the least |xi| of the frequency where it is reached; of the resonance
     bool backward = false;            ///< waves of opposed group and phase velocity travel there
     bool contractive = false;         ///< sigma_max(R) <= 1 on the whole band
     std::complex<double> growth = 0;  ///< s [c/dX] of the fastest growing mode
@@ -35,7 +36,7 @@ struct ModalVerdict {
 /// to horizon 5.
 inline constexpr double amplification_limit = 1 + 1e-12;
 
-/// The fastest growing boundary mode: s [c/dX] with the largest Re s > 0, if there is one.
+/// The fastest growing boundary mode: its s [c/dX], in time steps its sigma, if there is one.
 std::optional<std::complex<double>> growing_mode(const HalfSpace& half_space);
 
 /// The wave number of a resonance other than at a band edge, if there is one.

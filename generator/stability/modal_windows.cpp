@@ -118,15 +118,19 @@ class Search {
     std::optional<AlgebraicNumber> exact_edge(double low, double high, bool opens) const {
         constexpr double width = 1e-6;
         constexpr double indistinct = 1e-4;
+        std::optional<AlgebraicNumber> nearest;
+        double distance = HUGE_VAL;
         for (const AlgebraicNumber& value : critical_) {
             const double candidate = nearest_double(value);
             const double from = low - (opens ? width : indistinct);
             const double to = high + (opens ? indistinct : width);
-            if (from <= candidate && candidate <= to) {
-                return value;
+            const double apart = std::abs(candidate - (low + high) / 2);
+            if (from <= candidate && candidate <= to && apart < distance) {
+                nearest = value;
+                distance = apart;
             }
         }
-        return std::nullopt;
+        return nearest;
     }
 
     /// Whether the edge is a pole or a Jordan block, which it then says.
@@ -179,6 +183,12 @@ class Search {
                                                 std::vector<StabilityWindow> windows) {
         for (const AlgebraicNumber& value : values) {
             for (std::size_t i = 0; i < windows.size(); ++i) {
+                Edge& begin = windows[i].low;
+                if (begin.inner == 0 && compare(value, 0) == 0) {
+                    begin.inner = std::nextafter(0, HUGE_VAL);
+                    begin.beyond = failure;
+                    break;
+                }
                 const bool inside =
                     windows[i].low.inner < inner_double(value, false) &&
                     (!windows[i].high || inner_double(value, true) < windows[i].high->inner);

@@ -2,6 +2,7 @@
 #include "generator/stability/reflection.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 namespace nmbcgen {

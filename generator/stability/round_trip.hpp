@@ -2,8 +2,9 @@
 /// Stability of a chain of any length with two ends of its own choice, like or unlike.
 ///
 /// Neither end may have a growing boundary mode or a resonance by itself. Then the chain is stable
-/// at every length if and only if no round trip is amplified: R_1 and R_2 the reflections at its
-/// ends, D and D' the phases that travelling waves pick up on their way there and back,
+/// at every length, short ones apart (modal.hpp), if and only if no round trip is amplified: R_1
+/// and R_2 the reflections at its ends, D and D' the phases that travelling waves pick up on their
+/// way there and back,
 ///     sup over diagonal phase matrices D, D' of rho(R_1 D R_2 D') <= 1 for every omega.
 /// Ends in time steps, as stepped() makes them, may stand opposite one in continuous time: they
 /// differ in the frequency that their condition sees only.

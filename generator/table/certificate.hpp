@@ -62,8 +62,8 @@ struct Edge {
     std::variant<AlgebraicNumber, Bracket> where;
     double inner = 0;  ///< the double nearest to it on the side of the window
     Failure beyond = Failure::none;
-    double wave_number =
-        0;  ///< |xi| [1/dX] of the resonance or the most amplified wave, to 0.01, else 0
+    double wave_number = 0;  ///< |xi| [1/dX] of the resonance, or the least one of the most
+                             ///< amplified frequency, to 0.01, else 0
 };
 
 /// A window with its edges; without the upper one it has no end.

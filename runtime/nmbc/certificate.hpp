@@ -33,16 +33,14 @@ constexpr Grade certified_grade(const MatchingTable& table, double G) {
 /// The largest certified cfl = dt omega_max / 2 at G; 0 where no time step is certified.
 constexpr double certified_cfl(const MatchingTable& table, double G,
                                GhostRule rule = GhostRule::midpoint) {
-    double cfl = 1;
-    bool found = false;
+    double cfl = 0;
     for (const StableStep& step :
          rule == GhostRule::midpoint ? table.max_cfl : table.max_cfl_explicit) {
-        if (step.window.contains(G)) {  // two of them where they meet
-            cfl = std::min(cfl, step.cfl);
-            found = true;
+        if (step.window.contains(G)) {  // where two of them meet, both hold
+            cfl = std::max(cfl, step.cfl);
         }
     }
-    return found ? cfl : 0;
+    return cfl;
 }
 
 /// A table that is not certified to be stable was asked for. what() names what is.
@@ -70,24 +68,28 @@ inline std::string name_of(const MatchingTable& table) {
 
 }  // namespace detail
 
-/// Says which other choices are certified: the table's own windows of G, and from `others` (such
-/// as nmbc::generated::tables) those of the same lattice at this G.
+/// Says which other choices are certified with a time step: the table's own ranges of G, and from
+/// `others` (such as nmbc::generated::tables) those of the same lattice at this G.
 inline std::string certified_choices(const MatchingTable& table, double G,
                                      std::span<const MatchingTable* const> others = {}) {
-    std::string text;
-    for (const Window& window : table.modal) {
-        text += (text.empty() ? "" : "; ") + detail::to_text(window);
+    std::string ranges;
+    for (std::size_t i = 0; i < table.max_cfl.size();) {
+        Window range = table.max_cfl[i].window;
+        for (++i; i < table.max_cfl.size() && table.max_cfl[i].window.low == range.high; ++i) {
+            range.high = table.max_cfl[i].window.high;
+        }
+        ranges += (ranges.empty() ? "" : "; ") + detail::to_text(range);
     }
-    text =
-        detail::name_of(table) + " is certified for " + (text.empty() ? "no G" : "G from " + text);
     std::string same_G;
     for (const MatchingTable* other : others) {
         if (other->family == table.family && other->horizon == table.horizon &&
-            certified_grade(*other, G) != Grade::none) {
+            certified_cfl(*other, G) > 0) {
             same_G += (same_G.empty() ? "" : ", ") + detail::name_of(*other);
         }
     }
-    return text + (same_G.empty() ? "" : "; at this G: " + same_G);
+    return detail::name_of(table) + " is certified for " +
+           (ranges.empty() ? "no G" : "G from " + ranges) +
+           (same_G.empty() ? "" : "; at this G: " + same_G);
 }
 
 /// Throws NotCertified where the table is not certified at G.

@@ -83,8 +83,8 @@ struct MatchingTable {
     /// general, needed.
     std::span<const Window> reflection;
     /// Where a chain is stable with both ends alike, whatever its length, unless it is so short
-    /// that waves which decay from one end reach the other: below 10 nodes inside a window, 25 near
-    /// its ends (tests/stability/exam_short_chains.cpp).
+    /// that waves which decay from one end reach the other: 9 nodes and less inside a window, up to
+    /// 29 near its ends (tests/stability/exam_short_chains.cpp).
     std::span<const Window> modal;
     /// Where no wave leaves the boundary with more energy than came in, so that the other end may
     /// be any that does not add energy, a fixed or a free one too.

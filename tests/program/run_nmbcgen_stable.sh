@@ -47,10 +47,12 @@ expect "the command" grep -q 'Regenerate: .* --order 8 --horizon 2 --uncertified
 # A kept certificate is the one found anew; one that is cut short, or of another table, is not used.
 try --order 3 --horizon 1 --stdout
 cp "$scratch/stdout" "$scratch/fresh"
-for state in empty kept truncated foreign; do
+for state in empty kept truncated foreign damaged misspelt; do
     kept=cache/nopd1d_n1_order3.json
     case $state in
         truncated) head -c 700 $kept >short && mv short $kept ;;
+        damaged) sed -i 's|"exact": "1/4"|"exact": "1/4x"|' $kept ;;
+        misspelt) sed -i 's|"beyond": "resonance"|"beyond": "resonanze"|' $kept ;;
         foreign) sed -i 's/"value": 2.0/"value": 3.0/; s/"code": "./"code": "?/' $kept ;;
     esac
     try --order 3 --horizon 1 --stdout --cache cache

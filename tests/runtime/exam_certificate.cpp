@@ -50,12 +50,16 @@ TEST_CASE("the largest certified time step") {
     CHECK(nmbc::certified_cfl(nopd1d_n1_order1, 0.5) == 0.98);
     CHECK(nmbc::stable_time_step(nopd1d_n1_order1, 0.5, 3, 0.1) ==
           doctest::Approx(0.98 * 0.1 / 3).epsilon(1e-12));
-    // Where two pieces meet the smaller counts.
+    // Where two pieces meet both hold.
     const auto steps = nopd1d_n1_order1.max_cfl;
     REQUIRE(steps.size() > 1);
     CHECK(nmbc::certified_cfl(nopd1d_n1_order1, steps[0].window.high) ==
-          std::min(steps[0].cfl, steps[1].cfl));
+          std::max(steps[0].cfl, steps[1].cfl));
     CHECK(nmbc::certified_cfl(nopd1d_n2_order2, 1) == 0);
+    // At the very edge of the window, 3.7742, no step is certified, and that is what is said.
+    CHECK(nmbc::certified_grade(nopd1d_n2_order2, 3.774) != nmbc::Grade::none);
+    CHECK(nmbc::certified_choices(nopd1d_n2_order2, 3.774, nmbc::generated::tables)
+              .find("at this G") == std::string::npos);
     CHECK_THROWS_WITH_AS(nmbc::stable_time_step(nopd1d_n2_order2, 1, 1, 1),
                          doctest::Contains("no time step at G = 1"), nmbc::NotCertified);
 }

@@ -122,6 +122,9 @@ stable() {
     expect_exit 0
     expect_no_stderr
 }
+for nodes in 30 60; do
+    stable --set boundary.kind=free --set domain.nodes=$nodes --set drive.centre=15
+done
 stable --set boundary.kind=fixed
 expect_stdout_line "boundary  fixed"
 stable --set boundary.right.kind=free

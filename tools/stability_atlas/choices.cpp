@@ -5,34 +5,20 @@
 
 #include <algorithm>
 #include <array>
+#include <nmbc/certificate.hpp>
 #include <nmbc/tables/tables.hpp>
-#include <span>
 
 namespace stability_atlas {
 namespace {
 
-bool any_contains(std::span<const nmbc::Window> windows, double G) {
-    return std::ranges::any_of(windows,
-                               [G](const nmbc::Window& window) { return window.contains(G); });
-}
-
-/// The larger one where two pieces meet: each holds at its ends.
-double largest_cfl(const nmbc::MatchingTable& table, double G) {
-    double cfl = 0;
-    for (const nmbc::StableStep& step : table.max_cfl) {
-        if (step.window.contains(G)) {
-            cfl = std::max(cfl, step.cfl);
-        }
-    }
-    return cfl;
-}
-
 std::string cell(const nmbc::MatchingTable& table, double G) {
-    if (!any_contains(table.modal, G)) {
+    const nmbc::Grade grade = nmbc::certified_grade(table, G);
+    const double cfl = nmbc::certified_cfl(table, G);
+    if (grade == nmbc::Grade::none || cfl == 0) {
         return "";
     }
-    const char* const mark = any_contains(table.contractive, G) ? "**" : "";
-    return fmt::format("{}{:.2f}{}", mark, largest_cfl(table, G), mark);
+    const char* const mark = grade == nmbc::Grade::contractive ? "**" : "";
+    return fmt::format("{}{:.2f}{}", mark, cfl, mark);
 }
 
 std::vector<const nmbc::MatchingTable*> tables_of(const std::vector<unsigned>& horizons) {
