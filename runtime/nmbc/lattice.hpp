@@ -6,6 +6,7 @@
 #include <nmbc/coefficients.hpp>
 #include <numbers>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 namespace nmbc {
@@ -84,9 +85,15 @@ inline double maximum_frequency(const Lattice& lattice) {
 
 /// The largest time step [spacing/wave_speed] with which a chain between two ends of this table is
 /// certified to be stable, midpoint ghosts.
-/// Throws NotCertified where there is none, as at the very edge of some windows.
+/// Throws NotCertified where there is none, as at the very edge of some windows, and
+/// std::invalid_argument where wave_speed or spacing is not positive and finite.
 inline double stable_time_step(const MatchingTable& table, double G, double wave_speed,
                                double spacing) {
+    for (const double value : {wave_speed, spacing}) {
+        if (!(value > 0) || !std::isfinite(value)) {
+            throw std::invalid_argument("wave speed and spacing must be positive and finite");
+        }
+    }
     const double cfl = certified_cfl(table, G);
     if (cfl == 0) {
         throw NotCertified(std::string(table.name) + " is certified for no time step at G = " +

@@ -50,6 +50,12 @@ TEST_CASE("the largest certified time step") {
     CHECK(nmbc::certified_cfl(nopd1d_n1_order1, 0.5) == 0.98);
     CHECK(nmbc::stable_time_step(nopd1d_n1_order1, 0.5, 3, 0.1) ==
           doctest::Approx(0.98 * 0.1 / 3).epsilon(1e-12));
+    for (const double bad : {0.0, -1.0, std::nan("")}) {
+        CHECK_THROWS_AS(nmbc::stable_time_step(nopd1d_n1_order1, 0.5, bad, 1),
+                        std::invalid_argument);
+        CHECK_THROWS_AS(nmbc::stable_time_step(nopd1d_n1_order1, 0.5, 1, bad),
+                        std::invalid_argument);
+    }
     // Where two pieces meet both hold.
     const auto steps = nopd1d_n1_order1.max_cfl;
     REQUIRE(steps.size() > 1);
