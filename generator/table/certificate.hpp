@@ -79,7 +79,12 @@ struct StableStep {
     double cfl;  ///< dt omega_max / 2
 };
 
-/// The three levels; ascending, disjoint.
+/// Chains of damped lattices are certified from this many interior nodes on: what a boundary
+/// amplifies has to be damped away before it arrives at the other end.
+inline constexpr unsigned least_damped_nodes = 50;
+
+/// The three levels; ascending, disjoint. Of a damped lattice the first and the contractive windows
+/// are not sought: both speak of waves that keep their energy on the way.
 struct Certificate {
     std::vector<Window> reflection;      ///< the paper's scalar |R| <= 1 on the whole band; exact
     std::vector<AlgebraicNumber> poles;  ///< where a coefficient has a pole

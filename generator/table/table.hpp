@@ -19,6 +19,7 @@ struct Specification {
     unsigned order = 1;
     unsigned stride = 1;
     std::optional<Rational> stabilisation;  ///< G; none: G stays symbolic.
+    Rational damping = 0;                   ///< tau >= 0 [c/dX]
 };
 
 /// The ledger entry an energy is counted in.
@@ -40,18 +41,23 @@ struct EnergySquare {
 
 /// A lattice model at one horizon: its energy, and the symbol that follows from it,
 ///     omega^2 = symbol[0] + sum_{m >= 1} symbol[m] (z^m + z^-m),   z = exp(i xi).
+/// Damping is viscous, of the velocities' own stabilisation energy at G = 1, so that long waves
+/// hardly feel it: with tau sigma = damping[0] + sum damping[m] (z^m + z^-m), waves exp(s t) obey
+///     s^2 + tau sigma s + omega^2 = 0.
 struct Model {
     std::string description;
     std::string source;  ///< the equations the model is taken from
     std::vector<EnergySquare> energy;
     std::vector<Polynomial> symbol;
+    std::vector<Rational> damping;  ///< of tau sigma [c/dX], m = 0 .. reach; empty where tau = 0
 };
 
 /// A matching boundary condition with everything it was derived from.
 struct Table {
     Specification specification;
     Model model;
-    std::vector<Polynomial> taylor;   ///< a_1 .. a_{2N+1} of i omega = sum a_k (i xi)^k, (47)
+    std::vector<Polynomial> taylor;   ///< a_1 .. a_{2N+1} of s = sum a_k (i xi)^k, (47); s = i omega
+                                      ///< where nothing is damped
     std::vector<RationalFunction> c;  ///< c_0 .. c_N, c_0 = 1
     std::vector<RationalFunction> b;  ///< b_0 .. b_N
     std::string source;               ///< the equations the table is taken from
