@@ -23,16 +23,17 @@ Certificate certify_at(const Table& table, const Rational& G) {
     const Grade grade = stability_grade(half_space);
     if (grade != Grade::none) {
         certificate.modal = {{edge, edge}};
-        const auto step_with = [&](GhostLevel ghosts) {
-            const double cfl = largest_cfl(half_space, ghosts);
+        const auto step_with = [&](GhostLevel ghosts, Grade least) {
+            const double cfl = largest_cfl(half_space, ghosts, least);
             return cfl > 0 ? std::vector{StableStep{edge.inner, edge.inner, cfl}}
                            : std::vector<StableStep>();
         };
-        certificate.max_cfl = step_with(GhostLevel::midpoint);
-        certificate.max_cfl_explicit = step_with(GhostLevel::old);
-    }
-    if (grade == Grade::contractive) {
-        certificate.contractive = {{edge, edge}};
+        certificate.max_cfl = step_with(GhostLevel::midpoint, Grade::paired);
+        certificate.max_cfl_explicit = step_with(GhostLevel::old, Grade::paired);
+        if (grade == Grade::contractive) {
+            certificate.contractive = {{edge, edge}};
+            certificate.max_cfl_contractive = step_with(GhostLevel::midpoint, Grade::contractive);
+        }
     }
     return certificate;
 }
@@ -44,13 +45,18 @@ Certificate certify(const Table& table) {
         return certify_at(table, *table.specification.stabilisation);
     }
     ModalWindows modal = modal_windows(table);
-    std::vector<StableStep> steps = stable_steps(table, modal.modal, GhostLevel::midpoint);
-    std::vector<StableStep> explicit_steps = stable_steps(table, modal.modal, GhostLevel::old);
+    std::vector<StableStep> steps =
+        stable_steps(table, modal.modal, GhostLevel::midpoint, Grade::paired);
+    std::vector<StableStep> contractive_steps =
+        stable_steps(table, modal.contractive, GhostLevel::midpoint, Grade::contractive);
+    std::vector<StableStep> explicit_steps =
+        stable_steps(table, modal.modal, GhostLevel::old, Grade::paired);
     return {.reflection = scalar_windows(table),
             .poles = poles(even_and_odd_parts(table)),
             .modal = std::move(modal.modal),
             .contractive = std::move(modal.contractive),
             .max_cfl = std::move(steps),
+            .max_cfl_contractive = std::move(contractive_steps),
             .max_cfl_explicit = std::move(explicit_steps)};
 }
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "generator/stability/modal.hpp"
-
 namespace nmbcgen {
 namespace {
 
@@ -47,14 +45,27 @@ void add_ghosts(Eigen::MatrixXd& velocity, const ChainEnd& end, const Numbering&
     }
 }
 
-/// Puts the ghost displacements that a fixed or free end has in the place of the state's own.
+/// Puts the ghosts' values that a fixed or free end has in the place of the state's own.
 void take_ghosts_from_end(Eigen::MatrixXd& map, const ChainEnd& end, const Numbering& node) {
     const auto ghosts = Eigen::Index(end.half_space.reach());
-    for (Eigen::Index layer = 0; layer < ghosts && end.kind != EndKind::matching; ++layer) {
-        if (end.kind == EndKind::free) {
-            map.col(node(2 * ghosts - 1 - layer)) += map.col(node(layer));
+    for (const Eigen::Index field : {Eigen::Index(0), node.all}) {
+        for (Eigen::Index layer = 0; layer < ghosts && end.kind != EndKind::matching; ++layer) {
+            if (end.kind == EndKind::free) {
+                map.col(field + node(2 * ghosts - 1 - layer)) += map.col(field + node(layer));
+            }
+            map.col(field + node(layer)).setZero();
         }
-        map.col(node(layer)).setZero();
+    }
+}
+
+/// Adds factor (symbol_0 + sum_m symbol_m (k^m + k^-m)) to a row, about the given column.
+void add_stencil(Eigen::MatrixXd::RowXpr row, Eigen::Index centre, double factor,
+                 const std::vector<double>& symbol) {
+    for (std::size_t m = 0; m < symbol.size(); ++m) {
+        row(centre + Eigen::Index(m)) += factor * symbol[m];
+        if (m > 0) {
+            row(centre - Eigen::Index(m)) += factor * symbol[m];
+        }
     }
 }
 
@@ -62,8 +73,8 @@ void take_ghosts_from_end(Eigen::MatrixXd& map, const ChainEnd& end, const Numbe
 
 Eigen::MatrixXd one_step_map(const ChainEnd& left, const ChainEnd& right, std::size_t nodes,
                              double time_step, GhostLevel level) {
-    const std::vector<double>& symbol = left.half_space.symbol;
-    const auto ghosts = Eigen::Index(left.half_space.reach());
+    const HalfSpace& lattice = left.half_space;
+    const auto ghosts = Eigen::Index(lattice.reach());
     const auto interior = Eigen::Index(nodes);
     const Eigen::Index all = interior + 2 * ghosts;
     if (interior < std::max(reach_of(left), reach_of(right))) {
@@ -71,22 +82,19 @@ Eigen::MatrixXd one_step_map(const ChainEnd& left, const ChainEnd& right, std::s
     }
 
     // Rows of `velocity`: v at k+1/2 on all nodes as a linear function of the state.
-    Eigen::MatrixXd velocity = Eigen::MatrixXd::Zero(all, all + interior);
-    for (Eigen::Index i = 0; i < interior; ++i) {
-        auto row = velocity.row(ghosts + i);
-        row(all + i) = 1;
-        row(ghosts + i) = -time_step * symbol[0];
-        for (Eigen::Index m = 1; m <= ghosts; ++m) {
-            row(ghosts + i + m) -= time_step * symbol[std::size_t(m)];
-            row(ghosts + i - m) -= time_step * symbol[std::size_t(m)];
-        }
+    Eigen::MatrixXd velocity = Eigen::MatrixXd::Zero(all, 2 * all);
+    for (Eigen::Index i = ghosts; i < ghosts + interior; ++i) {
+        velocity(i, all + i) = 1;
+        add_stencil(velocity.row(i), i, -time_step, lattice.symbol);
+        add_stencil(velocity.row(i), all + i, -time_step, lattice.damping);
     }
     const double implicit_time = level == GhostLevel::midpoint ? time_step / 2 : 0;
     add_ghosts(velocity, left, {true, all}, implicit_time);
     add_ghosts(velocity, right, {false, all}, implicit_time);
-    Eigen::MatrixXd map = Eigen::MatrixXd::Identity(all + interior, all + interior);
+    Eigen::MatrixXd map = Eigen::MatrixXd::Zero(2 * all, 2 * all);
+    map.topLeftCorner(all, all).setIdentity();
     map.topRows(all) += time_step * velocity;
-    map.bottomRows(interior) = velocity.middleRows(ghosts, interior);
+    map.bottomRows(all) = velocity;
     take_ghosts_from_end(map, left, {true, all});
     take_ghosts_from_end(map, right, {false, all});
     return map;
@@ -101,12 +109,12 @@ double maximum_frequency(const HalfSpace& half_space) {
     return critical_frequencies(half_space).back();
 }
 
-double largest_cfl(const HalfSpace& half_space, GhostLevel level) {
+double largest_cfl(const HalfSpace& half_space, GhostLevel level, Grade least) {
     const double top = maximum_frequency(half_space);
     KnownModes modes(half_space);
     const auto stable_at = [&](int hundredths) {
         const double time_step = 2 * hundredths / (100 * top);
-        return stability_grade(stepped(half_space, time_step, level), modes) != Grade::none;
+        return stability_grade(stepped(half_space, time_step, level), modes) >= least;
     };
     constexpr int coarse = 5;
     int largest = 0;

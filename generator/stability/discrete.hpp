@@ -5,11 +5,12 @@
 #include <Eigen/Core>
 
 #include "generator/stability/chain_end.hpp"
+#include "generator/stability/modal.hpp"
 
 namespace nmbcgen {
 
-/// The map of one time step on (u on all nodes, v on the interior nodes), u at level k, v at
-/// k-1/2. nodes: interior ones; time_step in dX/c.
+/// The map of one time step on u and v, each on all nodes, u at level k, v at k-1/2, which damping
+/// reads on the ghosts, too. nodes: interior ones; time_step in dX/c.
 /// The ends are of one lattice. Ghosts of a fixed or free end are as the end has them, whatever the
 /// state says.
 /// Throws std::invalid_argument where the chain is shorter than an end reaches.
@@ -23,9 +24,9 @@ double spectral_radius(const ChainEnd& left, const ChainEnd& right, std::size_t 
 /// The top of the band, omega_max [c/dX].
 double maximum_frequency(const HalfSpace& half_space);
 
-/// The largest cfl = dt omega_max / 2 in steps of 0.01 that is stable, with every 0.05 below it, by
-/// the half-space condition in time steps (half_space.hpp), which holds for every length but short
-/// ones. 0 where there is none.
-double largest_cfl(const HalfSpace& half_space, GhostLevel level);
+/// The largest cfl = dt omega_max / 2 in steps of 0.01 that has at least this grade, with every
+/// 0.05 below it, by the half-space condition in time steps (half_space.hpp), which holds for every
+/// length but short ones. omega_max is that of the undamped band. 0 where there is none.
+double largest_cfl(const HalfSpace& half_space, GhostLevel level, Grade least = Grade::paired);
 
 }  // namespace nmbcgen

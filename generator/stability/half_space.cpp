@@ -29,6 +29,18 @@ Polynomial every_second(const Polynomial& in_y, std::size_t first) {
     return Polynomial(std::move(coefficients));
 }
 
+/// symbol_0 + sum_m symbol_m (k^m + k^-m) times (1-w)^r, r the reach, as a polynomial in w, from
+/// k^m + k^-m = ((1+y)^{2m} + (1-y)^{2m}) / (1-w)^m.
+Polynomial in_w(const std::vector<Rational>& symbol) {
+    const std::size_t reach = symbol.size() - 1;
+    Polynomial sum = constant(symbol[0]) * binomial(-1, reach);
+    for (std::size_t m = 1; m <= reach; ++m) {
+        const Polynomial pair = binomial(1, 2 * m) + binomial(-1, 2 * m);
+        sum += constant(symbol[m]) * every_second(pair, 0) * binomial(-1, reach - m);
+    }
+    return sum;
+}
+
 /// k^{sj} times (1-y)^{Ns}, a polynomial in y.
 Polynomial power_in_y(std::size_t j, std::size_t order, std::size_t stride) {
     return binomial(1, j * stride) * binomial(-1, (order - j) * stride);
@@ -97,24 +109,24 @@ HalfSpace make_half_space(const Table& table, const Rational& G) {
     for (const Polynomial& coefficient : table.model.symbol) {
         symbol.push_back(evaluate(coefficient, G));
     }
+    std::vector<Rational> damping = table.model.damping;
     // At a few G the stencil is shorter (n = 1, G = 1/2: the atom chain). A mode k = 0 is lost,
     // and the amplitudes of the others are the limits, since its factors in them tend to 1.
-    while (symbol.back() == 0) {
+    while (symbol.back() == 0 && damping.empty()) {
         symbol.pop_back();
     }
 
-    // k^m + k^-m = ((1+y)^{2m} + (1-y)^{2m}) / (1-w)^m
-    const std::size_t reach = symbol.size() - 1;
-    Polynomial L = constant(-symbol[0]) * binomial(-1, reach);
-    for (std::size_t m = 1; m <= reach; ++m) {
-        const Polynomial pair = binomial(1, 2 * m) + binomial(-1, 2 * m);
-        L -= constant(symbol[m]) * every_second(pair, 0) * binomial(-1, reach - m);
-    }
     const auto stride = table.specification.stride;
-    return {.L = L,
-            .E = every_second(in_y(c, stride), 0),
-            .O = every_second(in_y(b, stride), 1),
+    const Polynomial C = in_y(c, stride);
+    const Polynomial B = in_y(b, stride);
+    return {.L = -in_w(symbol),
+            .E = every_second(C, 0),
+            .O = every_second(B, 1),
+            .D = damping.empty() ? Polynomial() : in_w(damping),
+            .F = every_second(C, 1),
+            .H = every_second(B, 0),
             .symbol = rounded(symbol),
+            .damping = rounded(damping),
             .c = rounded(c),
             .b = rounded(b),
             .stride = int(stride)};
@@ -147,6 +159,11 @@ std::complex<double> boundary_rate(const HalfSpace& half_space, double omega) {
                                                      : omega * std::complex<double>(-sine, cosine);
 }
 
+std::complex<double> damped_rate(const HalfSpace& half_space, double omega) {
+    const double sine = omega * half_space.time_step / 2;
+    return omega * std::complex<double>(sine, std::sqrt(1 - sine * sine));
+}
+
 std::complex<double> evaluate_C(const HalfSpace& half_space, std::complex<double> k) {
     return horner(half_space.c, std::pow(k, half_space.stride));
 }
@@ -171,8 +188,7 @@ double omega_squared_slope(const HalfSpace& half_space, double xi) {
     return sum;
 }
 
-std::vector<double> omega_squared_in_cosine(const HalfSpace& half_space) {
-    const std::vector<double>& symbol = half_space.symbol;
+std::vector<double> in_cosine(const std::vector<double>& symbol) {
     std::vector<double> before(symbol.size(), 0.0);  // T_{m-1}
     std::vector<double> now(symbol.size(), 0.0);     // T_m
     std::vector<double> sum(symbol.size(), 0.0);

@@ -8,13 +8,19 @@
 ///     -omega^2 = L(w) / (1-w)^r,   C = E(w) / (1-y)^{Ns},   B = y O(w) / (1-y)^{Ns},
 /// r the reach of the stencil, N the order and s the stride of the condition.
 ///
+/// Where the lattice is damped, s^2 + tau sigma(k) s + omega^2(k) = 0 in the interior with
+///     tau sigma = D(w) / (1-w)^r,   C = (E + y F) / (1-y)^{Ns},   B = (y O + H) / (1-y)^{Ns}.
+///
 /// Leapfrog steps change one thing: s in the boundary condition becomes sigma. With zeta the factor
 /// of one step, the interior has (zeta - 2 + 1/zeta)/dt^2 = -omega^2(k), and the ghosts have
 /// sigma C(k) = B(k) with
 ///     midpoint  sigma = (2/dt) (zeta-1)/(zeta+1) = i omega / sqrt(1 - omega^2 dt^2/4)
 ///     explicit  sigma = (zeta-1)/dt              = i omega (sqrt(1 - omega^2 dt^2/4) + i omega
 ///     dt/2)
-/// What grows is |zeta| > 1; with midpoint ghosts that is Re sigma > 0.
+/// What grows is |zeta| > 1; with midpoint ghosts that is Re sigma > 0. Damping acts on the old
+/// velocity, (zeta - 2 + 1/zeta)/dt^2 = -omega^2(k) - tau sigma(k) (1 - 1/zeta)/dt.
+/// The frequency omega of a wave in steps is (2/dt) sin(theta/2), zeta = exp(i theta); undamped,
+/// that is omega(k).
 #pragma once
 
 #include <complex>
@@ -31,14 +37,19 @@ struct HalfSpace {
     Polynomial L;  ///< in w, exact; see above
     Polynomial E;
     Polynomial O;
-    std::vector<double> symbol;  ///< symbol[m], m = 0 .. r, rounded
-    std::vector<double> c;       ///< c_0 .. c_N, rounded
-    std::vector<double> b;       ///< b_0 .. b_N, rounded
+    Polynomial D;  ///< 0 where nothing is damped, as are F and H
+    Polynomial F;
+    Polynomial H;
+    std::vector<double> symbol;   ///< symbol[m], m = 0 .. r, rounded
+    std::vector<double> damping;  ///< damping[m], m = 0 .. r, rounded
+    std::vector<double> c;        ///< c_0 .. c_N, rounded
+    std::vector<double> b;        ///< b_0 .. b_N, rounded
     int stride = 1;
     double time_step = 0;  ///< dt [dX/c] of leapfrog; 0: continuous time
     GhostLevel ghosts = GhostLevel::midpoint;
 
     std::size_t reach() const { return symbol.size() - 1; }
+    bool is_damped() const { return !D.is_zero(); }
 };
 
 /// The half space of a table at an exact G >= 0.
@@ -58,8 +69,11 @@ EvenAndOddParts even_and_odd_parts(const Table& table);
 /// The same half space in steps of time_step [dX/c].
 HalfSpace stepped(HalfSpace half_space, double time_step, GhostLevel ghosts = GhostLevel::midpoint);
 
-/// sigma [c/dX] of a travelling wave of frequency omega; cfl < 1 is assumed.
+/// sigma [c/dX] of a wave of frequency omega; omega dt/2 < 1 is assumed.
 std::complex<double> boundary_rate(const HalfSpace& half_space, double omega);
+
+/// (1 - 1/zeta)/dt, the rate that damping sees; i omega in continuous time.
+std::complex<double> damped_rate(const HalfSpace& half_space, double omega);
 
 /// C(k) and B(k).
 std::complex<double> evaluate_C(const HalfSpace& half_space, std::complex<double> k);
@@ -69,7 +83,8 @@ std::complex<double> evaluate_B(const HalfSpace& half_space, std::complex<double
 double omega_squared(const HalfSpace& half_space, double xi);
 double omega_squared_slope(const HalfSpace& half_space, double xi);
 
-/// omega^2 as a polynomial in x = cos xi, ascending: symbol_0 + 2 sum symbol_m T_m(x).
-std::vector<double> omega_squared_in_cosine(const HalfSpace& half_space);
+/// symbol_0 + 2 sum symbol_m cos(m xi), such as omega^2 or tau sigma, as a polynomial in
+/// x = cos xi, ascending.
+std::vector<double> in_cosine(const std::vector<double>& symbol);
 
 }  // namespace nmbcgen

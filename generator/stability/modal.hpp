@@ -11,6 +11,7 @@
 
 #include <optional>
 
+#include "generator/stability/boundary_modes.hpp"
 #include "generator/stability/modes.hpp"
 
 namespace nmbcgen {
@@ -35,16 +36,6 @@ struct ModalVerdict {
 /// A supremum above this counts as more than 1: the exact 1 of NMBC1 is found to 1e-13 or better up
 /// to horizon 5.
 inline constexpr double amplification_limit = 1 + 1e-12;
-
-/// The fastest growing boundary mode: its s [c/dX], in time steps its sigma, if there is one.
-std::optional<std::complex<double>> growing_mode(const HalfSpace& half_space);
-
-/// The wave number of a resonance other than at a band edge, if there is one.
-std::optional<double> resonance(const HalfSpace& half_space);
-
-/// The frequencies at which R(omega) can change its character: extrema of omega(xi), zeros of B
-/// and of C on the unit circle, and 0; ascending, the largest is the top of the band.
-std::vector<double> critical_frequencies(const HalfSpace& half_space);
 
 ModalVerdict modal_verdict(const HalfSpace& half_space);
 

@@ -1,91 +1,62 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/stability/modes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+
+#include "generator/stability/polynomial_roots.hpp"
 
 namespace nmbcgen {
 namespace {
 
 using Complex = std::complex<double>;
 
-/// A Newton step or three on sum_i a_i x^i, as long as they help.
-Complex polished(const std::vector<double>& a, Complex x) {
-    const auto residual = [&a](Complex at, Complex& slope) {
-        Complex value = 0;
-        slope = 0;
-        for (std::size_t i = a.size(); i-- > 0;) {
-            slope = slope * at + value;
-            value = value * at + a[i];
-        }
-        return value;
-    };
-    Complex slope;
-    Complex value = residual(x, slope);
-    for (int i = 0; i < 3 && slope != 0.0; ++i) {
-        const Complex next = x - value / slope;
-        Complex next_slope;
-        const Complex next_value = residual(next, next_slope);
-        if (std::abs(next_value) >= std::abs(value)) {
-            break;
-        }
-        x = next;
-        value = next_value;
-        slope = next_slope;
-    }
-    return x;
+/// The root k, |k| <= 1, of (k + 1/k)/2 = x, as the inverse of the other: next to a G where the
+/// stencil is shorter x is so large that a difference would be 0.
+Complex inner_root(Complex x) {
+    const Complex root = std::sqrt(x * x - 1.0);
+    return 1.0 / (std::abs(x + root) > 1 ? x + root : x - root);
 }
 
-/// Scales rows and columns by powers of two until they are about equally large (Parlett and
-/// Reinsch): where roots differ by orders of magnitude, as next to a G where the stencil is
-/// shorter, the small ones would else drown in the roundings of the large ones.
-void balance(Eigen::MatrixXd& matrix) {
-    constexpr double worth_it = 0.95;
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-            const double diagonal = std::abs(matrix(i, i));
-            const double row = matrix.row(i).lpNorm<1>() - diagonal;
-            const double column = matrix.col(i).lpNorm<1>() - diagonal;
-            if (row <= 0 || column <= 0) {
-                continue;
-            }
-            const double factor = std::exp2(std::round(std::log2(row / column) / 2));
-            if (column * factor + row / factor < worth_it * (column + row)) {
-                matrix.col(i) *= factor;
-                matrix.row(i) /= factor;
-                changed = true;
-            }
-        }
-    }
+/// Of k, |k| about 1, and 1/k the one that decays inwards when the wave grows in time. The
+/// interior is Q(x, zeta) = omega^2(x) + (1 - 1/zeta)/dt tau sigma(x) + (zeta - 2 + 1/zeta)/dt^2;
+/// slope is its derivative by x.
+Complex decaying_one(const HalfSpace& h, double omega, Complex k, Complex damping, Complex slope) {
+    const double sine = omega * h.time_step / 2;
+    const double cosine = std::sqrt(1 - sine * sine);
+    const Complex half_step(cosine, -sine);  // 1/sqrt(zeta)
+    // dQ / d(log zeta) dt, of the sign of growth
+    const Complex by_growth = Complex(0, 2 * omega * cosine) + damping * half_step * half_step;
+    const Complex log_k_by_growth = -by_growth / slope * 2.0 / (k - 1.0 / k);
+    return log_k_by_growth.real() < 0 ? k : 1.0 / k;
 }
 
-}  // namespace
-
-std::vector<Complex> polynomial_roots(const std::vector<double>& coefficients) {
-    const auto degree = Eigen::Index(coefficients.size()) - 1;
-    if (degree < 1) {
-        return {};
+std::vector<Mode> damped_outgoing_modes(const HalfSpace& h, double omega) {
+    const Complex rate = damped_rate(h, omega);
+    const std::vector<double> square = in_cosine(h.symbol);
+    const std::vector<double> damping = in_cosine(h.damping);
+    std::vector<Complex> polynomial(square.size());
+    for (std::size_t i = 0; i < polynomial.size(); ++i) {
+        polynomial[i] = square[i] + rate * damping[i];
     }
-    Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(degree, degree);
-    for (Eigen::Index i = 0; i < degree; ++i) {
-        companion(i, degree - 1) = -coefficients[std::size_t(i)] / coefficients.back();
-        if (i > 0) {
-            companion(i, i - 1) = 1;
+    polynomial[0] -= omega * omega;
+    std::vector<Mode> modes;
+    for (const Complex x : polynomial_roots(polynomial)) {
+        Complex k = inner_root(x);
+        // Nearer to the unit circle roundings would choose between k and 1/k.
+        constexpr double near = 1e-6;
+        if (1 - std::abs(k) < near) {
+            k = decaying_one(h, omega, k, evaluate_with_slope(damping, x).value,
+                             evaluate_with_slope(polynomial, x).slope);
         }
+        modes.push_back({k, 0});
     }
-    balance(companion);
-    const Eigen::VectorXcd values = companion.eigenvalues();
-    std::vector<Complex> roots(values.begin(), values.end());
-    for (Complex& root : roots) {
-        root = polished(coefficients, root);
-    }
-    return roots;
+    return modes;
 }
 
-std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega) {
-    std::vector<double> polynomial = omega_squared_in_cosine(half_space);
+std::vector<Mode> undamped_outgoing_modes(const HalfSpace& h, double omega) {
+    std::vector<double> polynomial = in_cosine(h.symbol);
     polynomial[0] -= omega * omega;
     std::vector<Mode> modes;
     for (const Complex x : polynomial_roots(polynomial)) {
@@ -95,22 +66,23 @@ std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega) {
         if (std::abs(x.imag()) < real_enough && std::abs(x.real()) < 1) {
             const double xi = std::acos(x.real());
             // exp(i(omega t + xi j)) has the group velocity -d omega/d xi along j.
-            const double velocity = -omega_squared_slope(half_space, xi) / (2 * omega);
+            const double velocity = -omega_squared_slope(h, xi) / (2 * omega);
             modes.push_back({std::polar(1.0, velocity > 0 ? xi : -xi), std::abs(velocity)});
         } else {
-            // 1/k is the larger one of the two: next to a G where the stencil is shorter x is so
-            // large that the difference would be 0.
-            const Complex root = std::sqrt(x * x - 1.0);
-            const bool same_side = std::abs(x + root) > 1;
-            modes.push_back({1.0 / (same_side ? x + root : x - root), 0});
+            modes.push_back({inner_root(x), 0});
         }
     }
-    std::ranges::sort(modes, [](const Mode& left, const Mode& right) {
-        const auto key = [](const Mode& mode) {
-            return std::tuple(!mode.travels(), std::abs(std::arg(mode.k)), std::abs(mode.k),
-                              std::arg(mode.k));
-        };
-        return key(left) < key(right);
+    return modes;
+}
+
+}  // namespace
+
+std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega) {
+    std::vector<Mode> modes = half_space.is_damped() ? damped_outgoing_modes(half_space, omega)
+                                                     : undamped_outgoing_modes(half_space, omega);
+    std::ranges::sort(modes, {}, [](const Mode& mode) {
+        return std::tuple(!mode.travels(), std::abs(std::arg(mode.k)), std::abs(mode.k),
+                          std::arg(mode.k));
     });
     return modes;
 }

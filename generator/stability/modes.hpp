@@ -10,8 +10,9 @@
 
 namespace nmbcgen {
 
-/// A solution u_j = k^j exp(i omega t) of the interior. group_velocity: of a travelling wave
-/// (|k| = 1), positive inwards; 0 for a wave that decays inwards (|k| < 1).
+/// A solution u_j = k^j exp(i omega t) of the interior, or in time steps k^j zeta^t.
+/// group_velocity: of a travelling wave (|k| = 1), positive inwards; 0 for a wave that decays
+/// inwards (|k| < 1), as they all do in a damped lattice.
 struct Mode {
     std::complex<double> k;
     double group_velocity = 0;
@@ -21,10 +22,11 @@ struct Mode {
 
 /// The waves a boundary can send into the half space at frequency omega > 0: travelling inwards,
 /// or decaying inwards; `reach` of them, travelling ones first, by ascending wave number. What
-/// comes in are their mirror images, 1/k, one for each that travels.
+/// comes in are their mirror images, 1/k, one for each that travels, and in a damped lattice one
+/// for each.
 std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega);
 
-/// outgoing_modes() of one lattice, each frequency's found once: time steps and boundary
+/// outgoing_modes() of one undamped lattice, each frequency's found once: time steps and boundary
 /// conditions change, the modes do not.
 class KnownModes {
   public:
@@ -37,8 +39,5 @@ class KnownModes {
     const HalfSpace& half_space_;
     std::unordered_map<double, std::vector<Mode>> known_;
 };
-
-/// All complex roots of a polynomial with real coefficients, ascending powers, leading one not 0.
-std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& coefficients);
 
 }  // namespace nmbcgen

@@ -23,9 +23,11 @@ Reflection reflection(const HalfSpace& half_space, double omega) {
 Reflection reflection(const HalfSpace& half_space, double omega, const std::vector<Mode>& out) {
     Reflection result;
     result.outgoing = out;
-    const auto travelling =
-        Eigen::Index(std::ranges::count_if(out, [](const Mode& mode) { return mode.travels(); }));
     const auto all = Eigen::Index(out.size());
+    const auto travelling = half_space.is_damped()
+                                ? all
+                                : Eigen::Index(std::ranges::count_if(
+                                      out, [](const Mode& mode) { return mode.travels(); }));
     result.amplitudes = Eigen::MatrixXcd(all, travelling);
     result.matrix = Eigen::MatrixXcd(travelling, travelling);
     // Delta(k_o) prod_{l != o} (1/k_o - 1/k_l)
@@ -49,8 +51,10 @@ Reflection reflection(const HalfSpace& half_space, double omega, const std::vect
                 numerator / ((inverse_incident - 1.0 / mode.k) * denominators[std::size_t(o)]);
             result.amplitudes(o, i) = amplitude;
             if (o < travelling) {
-                result.matrix(o, i) =
-                    amplitude * std::sqrt(mode.group_velocity / out[std::size_t(i)].group_velocity);
+                const double flux = half_space.is_damped()
+                                        ? 1
+                                        : mode.group_velocity / out[std::size_t(i)].group_velocity;
+                result.matrix(o, i) = amplitude * std::sqrt(flux);
             }
         }
     }
@@ -82,6 +86,28 @@ double round_trip_supremum(const Reflection& one, const Reflection& other) {
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> squared(X.transpose() * X,
                                                                  Eigen::EigenvaluesOnly);
+    return squared.eigenvalues()(waves - 1);
+}
+
+double damped_round_trip_supremum(const Reflection& one, const Reflection& other,
+                                  std::size_t nodes) {
+    const Eigen::Index waves = one.matrix.rows();
+    const auto k = [&one](Eigen::Index wave) { return one.outgoing[std::size_t(wave)].k; };
+    const double distance = double(nodes) + 1;
+    Eigen::MatrixXcd X(waves, waves);
+    for (Eigen::Index o = 0; o < waves; ++o) {
+        for (Eigen::Index i = 0; i < waves; ++i) {
+            // y_o + y_i is this over (1 + k_o)(1 + k_i)/2, a factor of the row and one of the
+            // column
+            const Complex sum = k(o) * k(i) - 1.0;
+            const double size =
+                std::sqrt(std::abs(one.matrix(o, i)) * std::abs(other.matrix(i, o)) *
+                          std::pow(std::abs(k(o) * k(i)), distance));
+            X(o, i) = std::polar(size, -std::arg(sum));
+        }
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> squared(X.adjoint() * X,
+                                                                  Eigen::EigenvaluesOnly);
     return squared.eigenvalues()(waves - 1);
 }
 

@@ -16,10 +16,11 @@ namespace nmbcgen {
 
 /// Reflection at one frequency.
 struct Reflection {
-    std::vector<Mode> outgoing;  ///< all; the first `matrix.rows()` travel
+    std::vector<Mode>
+        outgoing;  ///< all; the first `matrix.rows()` travel, or the lattice is damped
     /// R(omega) between travelling waves: rows outgoing, columns incident, entry
     /// A_o sqrt(|v_o| / |v_i|), so that |entry|^2 is a fraction of the incident energy flux.
-    /// Column j is the mirror image, 1/k, of row j.
+    /// Column j is the mirror image, 1/k, of row j. In a damped lattice: between all waves, A_o.
     Eigen::MatrixXcd matrix;
     /// A_o for all outgoing modes (rows) and the same columns.
     Eigen::MatrixXcd amplitudes;
@@ -47,5 +48,16 @@ std::complex<double> scalar_reflection(const HalfSpace& half_space, double xi);
 /// rho <= sigma_max(X)^2 for every D, D', with equality where they undo the phases. The entries
 /// of X are those of C in sign and sqrt(|R_1,oi R_2,io|) in size.
 double round_trip_supremum(const Reflection& one, const Reflection& other);
+
+/// Likewise of a damped chain of so many interior nodes, where every wave has faded by |k|^distance
+/// when it arrives, distance = nodes + 1 between the innermost ghosts: a bound for any phases, and
+/// so more than rho itself. It falls with the number of nodes, since rho is subharmonic in the
+/// factors of a way, so that their largest moduli count. Less than 1 at every frequency: nothing
+/// grows in a chain so long or longer.
+///
+/// The same proof, with complex y: X = a C b is complex symmetric but for real factors, and
+/// X v = sigma u has X^T conj(u) = sigma conj(v), so phases exist that reach sigma_max(X)^2.
+double damped_round_trip_supremum(const Reflection& one, const Reflection& other,
+                                  std::size_t nodes);
 
 }  // namespace nmbcgen

@@ -19,7 +19,8 @@ struct Sample {
 
 class Steps {
   public:
-    Steps(const Table& table, GhostLevel ghosts) : table_(table), ghosts_(ghosts) {}
+    Steps(const Table& table, GhostLevel ghosts, Grade least)
+        : table_(table), ghosts_(ghosts), least_(least) {}
 
     void cover(const StabilityWindow& window) {
         constexpr double far = 8;
@@ -47,7 +48,7 @@ class Steps {
 
   private:
     double cfl_at(double G) const {
-        return largest_cfl(make_half_space(table_, Rational(G)), ghosts_);
+        return largest_cfl(make_half_space(table_, Rational(G)), ghosts_, least_);
     }
 
     /// At an edge sup rho is 1 or there is a pole; a millionth of the window off, neither.
@@ -81,15 +82,16 @@ class Steps {
 
     const Table& table_;
     GhostLevel ghosts_;
+    Grade least_;
     std::vector<StableStep> steps_;
 };
 
 }  // namespace
 
 std::vector<StableStep> stable_steps(const Table& table,
-                                     const std::vector<StabilityWindow>& windows,
-                                     GhostLevel ghosts) {
-    Steps steps(table, ghosts);
+                                     const std::vector<StabilityWindow>& windows, GhostLevel ghosts,
+                                     Grade least) {
+    Steps steps(table, ghosts, least);
     for (const StabilityWindow& window : windows) {
         steps.cover(window);
     }

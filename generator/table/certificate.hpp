@@ -90,8 +90,10 @@ struct Certificate {
     std::vector<AlgebraicNumber> poles;  ///< where a coefficient has a pole
     std::vector<StabilityWindow> modal;  ///< stable with both ends alike
     std::vector<StabilityWindow> contractive;  ///< and with any other contractive end
-    std::vector<StableStep> max_cfl;           ///< midpoint ghosts; most of the modal windows
-    std::vector<StableStep> max_cfl_explicit;  ///< explicit ghosts, for comparison
+    std::vector<StableStep> max_cfl;  ///< with both ends alike; midpoint ghosts; most of the modal
+                                      ///< windows
+    std::vector<StableStep> max_cfl_contractive{};  ///< contractive in steps; midpoint ghosts
+    std::vector<StableStep> max_cfl_explicit;       ///< both ends alike; explicit ghosts
 };
 
 }  // namespace nmbcgen

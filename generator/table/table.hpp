@@ -49,19 +49,19 @@ struct Model {
     std::string source;  ///< the equations the model is taken from
     std::vector<EnergySquare> energy;
     std::vector<Polynomial> symbol;
-    std::vector<Rational> damping;  ///< of tau sigma [c/dX], m = 0 .. reach; empty where tau = 0
+    std::vector<Rational> damping{};  ///< of tau sigma [c/dX], m = 0 .. reach; empty where tau = 0
 };
 
 /// A matching boundary condition with everything it was derived from.
 struct Table {
     Specification specification;
     Model model;
-    std::vector<Polynomial> taylor;   ///< a_1 .. a_{2N+1} of s = sum a_k (i xi)^k, (47); s = i omega
-                                      ///< where nothing is damped
-    std::vector<RationalFunction> c;  ///< c_0 .. c_N, c_0 = 1
-    std::vector<RationalFunction> b;  ///< b_0 .. b_N
-    std::string source;               ///< the equations the table is taken from
-    std::string proved;               ///< what prove() established about it
+    std::vector<Polynomial> taylor;  ///< a_1 .. a_{2N+1} of s = sum a_k (i xi)^k, (47); s = i omega
+                                     ///< where nothing is damped
+    std::vector<RationalFunction> c;         ///< c_0 .. c_N, c_0 = 1
+    std::vector<RationalFunction> b;         ///< b_0 .. b_N
+    std::string source;                      ///< the equations the table is taken from
+    std::string proved;                      ///< what prove() established about it
     std::optional<Certificate> certificate;  ///< where it is stable; none before certify()
 };
 

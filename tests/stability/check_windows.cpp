@@ -115,7 +115,7 @@ TEST_CASE("at the largest cfl of the header no chain grows") {
         for (const std::size_t nodes : {60U, 61U}) {
             const auto map =
                 one_step_map(end, end, nodes, time_step, nmbcgen::GhostLevel::midpoint);
-            for (const auto factor : eigenvalues_by_parity(map, nodes)) {
+            for (const auto factor : eigenvalues_by_parity(map, map.rows() / 2)) {
                 RC_ASSERT(std::abs(factor) < 1 + roundings);
             }
         }

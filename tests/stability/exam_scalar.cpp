@@ -7,7 +7,7 @@
 #include "generator/exact/algebraic_number.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/critical_values.hpp"
-#include "generator/stability/modes.hpp"
+#include "generator/stability/polynomial_roots.hpp"
 #include "generator/stability/scalar.hpp"
 
 namespace {
@@ -72,11 +72,7 @@ TEST_CASE("a stride above 1 has no scalar window") {
 std::vector<double> sample_places(const nmbcgen::HalfSpace& h) {
     std::vector<double> zeros{1e-3, 1e3};
     for (const auto* polynomial : {&h.E, &h.O}) {
-        std::vector<double> coefficients;
-        for (const nmbcgen::Rational& coefficient : polynomial->data()) {
-            coefficients.push_back(coefficient.convert_to<double>());
-        }
-        for (const auto w : nmbcgen::polynomial_roots(coefficients)) {
+        for (const auto w : nmbcgen::nonzero_roots(*polynomial)) {
             if (w.real() < 0 && std::abs(w.imag()) < 1e-9 * std::abs(w)) {
                 zeros.push_back(std::sqrt(-w.real()));
             }

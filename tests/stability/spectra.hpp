@@ -41,15 +41,14 @@ inline Eigen::MatrixXd semi_discrete_chain(const HalfSpace& h, std::size_t nodes
     return rate;
 }
 
-/// All eigenvalues of such a matrix, or of a one-step map on the same state. Even states and odd
+/// All eigenvalues of such a matrix or of a one-step map: on u on `all` nodes, then v on the
+/// interior ones or on all, each in the order of the nodes. Even states and odd
 /// ones apart: that takes a quarter of the time, and where modes come in even and odd pairs it
 /// keeps roundings from splitting them.
 inline std::vector<std::complex<double>> eigenvalues_by_parity(const Eigen::MatrixXd& matrix,
-                                                               std::size_t nodes) {
-    const auto interior = Eigen::Index(nodes);
-    const Eigen::Index all = matrix.rows() - interior;
+                                                               Eigen::Index all) {
     const auto mirror = [&](Eigen::Index i) {
-        return i < all ? all - 1 - i : 2 * all + interior - 1 - i;
+        return i < all ? all - 1 - i : matrix.rows() + all - 1 - i;
     };
     std::vector<std::complex<double>> eigenvalues;
     for (const double sign : {1.0, -1.0}) {
@@ -74,7 +73,8 @@ inline std::vector<std::complex<double>> eigenvalues_by_parity(const Eigen::Matr
 /// The largest Re s [c/dX] of the chain in continuous time.
 inline double spectral_abscissa(const HalfSpace& half_space, std::size_t nodes) {
     double largest = -HUGE_VAL;
-    for (const auto s : eigenvalues_by_parity(semi_discrete_chain(half_space, nodes), nodes)) {
+    const auto all = Eigen::Index(nodes + 2 * half_space.reach());
+    for (const auto s : eigenvalues_by_parity(semi_discrete_chain(half_space, nodes), all)) {
         largest = std::max(largest, s.real());
     }
     return largest;

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/stability/damped.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/stability/boundary_modes.hpp"
+#include "generator/stability/polynomial_roots.hpp"
+#include "generator/stability/reflection.hpp"
+
+namespace nmbcgen {
+namespace {
+
+/// Where to look closely: what the undamped band and the zeros of C and B suggest, and as far above
+/// the band as there are waves in time steps, or else four times its top.
+std::vector<double> frequencies_of(const HalfSpace& left, const HalfSpace& right) {
+    std::vector<double> frequencies = critical_frequencies(left);
+    const double top = frequencies.back();
+    const std::vector<double> others = critical_frequencies(right);
+    frequencies.insert(frequencies.end(), others.begin(), others.end());
+    constexpr double lowest = 1e-5;
+    constexpr double highest = 4;
+    const double end = left.time_step > 0 ? (1 - 1e-9) * 2 / left.time_step : highest * top;
+    for (const double part : {0.05, 0.25, 0.5, 0.75, 1.05, 1.25, 2.0}) {
+        frequencies.push_back(part * top);
+    }
+    std::erase_if(frequencies, [&](double omega) { return omega < lowest * top || omega >= end; });
+    frequencies.insert(frequencies.end(), {lowest * top, end});
+    std::ranges::sort(frequencies);
+    return frequencies;
+}
+
+}  // namespace
+
+bool interior_is_stable(const HalfSpace& h) {
+    if (h.time_step == 0) {
+        return true;  // sigma >= 0: it is a sum of squares
+    }
+    const std::vector<double> square = in_cosine(h.symbol);
+    const std::vector<double> damping = in_cosine(h.damping);
+    const double half_step = h.time_step / 2;
+    std::vector<double> load;
+    for (std::size_t i = 0; i < square.size(); ++i) {
+        load.push_back(half_step * (half_step * square[i] + damping[i]));
+    }
+    std::vector<double> slope;
+    for (std::size_t i = 1; i < load.size(); ++i) {
+        slope.push_back(double(i) * load[i]);
+    }
+    std::vector<double> extrema{-1, 1};
+    for (const std::complex<double> x : polynomial_roots(slope)) {
+        extrema.push_back(std::clamp(x.real(), -1.0, 1.0));
+    }
+    return std::ranges::all_of(
+        extrema, [&](double x) { return evaluate_with_slope(load, x).value.real() <= 1; });
+}
+
+Peak damped_amplification(const HalfSpace& left, const HalfSpace& right, std::size_t nodes,
+                          double enough) {
+    const auto round_trip = [&](double omega) {
+        const Reflection one = reflection(left, omega);
+        return damped_round_trip_supremum(
+            one, &right == &left ? one : reflection(right, omega, one.outgoing), nodes);
+    };
+    return largest_over_band(frequencies_of(left, right), round_trip, enough);
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Stability of chains of a damped lattice. Every wave fades on its way, so what a boundary sends
+/// back too strongly may be gone when it arrives at the other end: a chain is stable from some
+/// length on (reflection.hpp, damped_round_trip_supremum). Waves that decay from an end count like
+/// all others, so short chains need no exception here.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+
+#include "generator/stability/band_search.hpp"
+#include "generator/stability/half_space.hpp"
+
+namespace nmbcgen {
+
+/// Whether leapfrog is stable in the interior: omega^2 dt^2/4 + tau sigma dt/2 <= 1 for every wave.
+bool interior_is_stable(const HalfSpace& half_space);
+
+/// The largest amplification of a round trip between two ends of one damped lattice in a chain of
+/// so many interior nodes, and its frequency, from 1e-5 of the band's top on: below, a wave leaves
+/// but for a part of the order omega^2 or less. The search ends at the first value above `enough`.
+Peak damped_amplification(const HalfSpace& left, const HalfSpace& right, std::size_t nodes,
+                          double enough = std::numeric_limits<double>::infinity());
+
+}  // namespace nmbcgen

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/stability/polynomial_roots.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "generator/exact/rational.hpp"
+
+namespace nmbcgen {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// A Newton step or three on sum_i a_i x^i, as long as they help.
+template <class Scalar>
+Complex polished(const std::vector<Scalar>& a, Complex x) {
+    ValueAndSlope here = evaluate_with_slope(a, x);
+    for (int i = 0; i < 3 && here.slope != 0.0; ++i) {
+        const Complex next = x - here.value / here.slope;
+        const ValueAndSlope there = evaluate_with_slope(a, next);
+        if (std::abs(there.value) >= std::abs(here.value)) {
+            break;
+        }
+        x = next;
+        here = there;
+    }
+    return x;
+}
+
+/// Scales rows and columns by powers of two until they are about equally large (Parlett and
+/// Reinsch): where roots differ by orders of magnitude, as next to a G where the stencil is
+/// shorter, the small ones would else drown in the roundings of the large ones.
+template <class Matrix>
+void balance(Matrix& matrix) {
+    constexpr double worth_it = 0.95;
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+            const double diagonal = std::abs(matrix(i, i));
+            const double row = matrix.row(i).template lpNorm<1>() - diagonal;
+            const double column = matrix.col(i).template lpNorm<1>() - diagonal;
+            if (row <= 0 || column <= 0) {
+                continue;
+            }
+            const double factor = std::exp2(std::round(std::log2(row / column) / 2));
+            if (column * factor + row / factor < worth_it * (column + row)) {
+                matrix.col(i) *= factor;
+                matrix.row(i) /= factor;
+                changed = true;
+            }
+        }
+    }
+}
+
+template <class Scalar>
+std::vector<Complex> roots_of(const std::vector<Scalar>& coefficients) {
+    using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    const auto degree = Eigen::Index(coefficients.size()) - 1;
+    if (degree < 1) {
+        return {};
+    }
+    Matrix companion = Matrix::Zero(degree, degree);
+    for (Eigen::Index i = 0; i < degree; ++i) {
+        companion(i, degree - 1) = -coefficients[std::size_t(i)] / coefficients.back();
+        if (i > 0) {
+            companion(i, i - 1) = 1;
+        }
+    }
+    balance(companion);
+    const Eigen::VectorXcd values = companion.eigenvalues();
+    std::vector<Complex> roots(values.begin(), values.end());
+    for (Complex& root : roots) {
+        root = polished(coefficients, root);
+    }
+    return roots;
+}
+
+/// An exact polynomial rounded, scaled to a largest coefficient of 1, zeros at w = 0 divided out.
+std::vector<double> rounded_without_zeros(const Polynomial& polynomial) {
+    std::size_t first = 0;
+    while (first < polynomial.size() && polynomial[first] == 0) {
+        ++first;
+    }
+    Rational largest = 0;
+    for (std::size_t i = first; i < polynomial.size(); ++i) {
+        largest = std::max(largest, Rational(abs(polynomial[i])));
+    }
+    std::vector<double> coefficients;
+    for (std::size_t i = first; i < polynomial.size(); ++i) {
+        coefficients.push_back(nearest_double(polynomial[i] / largest));
+    }
+    return coefficients;
+}
+
+}  // namespace
+
+std::vector<Complex> polynomial_roots(const std::vector<double>& coefficients) {
+    return roots_of(coefficients);
+}
+
+std::vector<Complex> polynomial_roots(const std::vector<Complex>& coefficients) {
+    return roots_of(coefficients);
+}
+
+std::vector<Complex> nonzero_roots(const Polynomial& polynomial) {
+    return roots_of(rounded_without_zeros(polynomial));
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Roots of polynomials in doubles. Coefficients by ascending powers.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "generator/table/exact.hpp"
+
+namespace nmbcgen {
+
+/// All complex roots; the leading coefficient is not 0.
+std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& coefficients);
+std::vector<std::complex<double>> polynomial_roots(
+    const std::vector<std::complex<double>>& coefficients);
+
+/// The roots other than 0 of an exact polynomial.
+std::vector<std::complex<double>> nonzero_roots(const Polynomial& polynomial);
+
+struct ValueAndSlope {
+    std::complex<double> value;
+    std::complex<double> slope;
+};
+
+template <class Scalar>
+ValueAndSlope evaluate_with_slope(const std::vector<Scalar>& coefficients, std::complex<double> x) {
+    ValueAndSlope at_x{0, 0};
+    for (std::size_t i = coefficients.size(); i-- > 0;) {
+        at_x.slope = at_x.slope * x + at_x.value;
+        at_x.value = at_x.value * x + coefficients[i];
+    }
+    return at_x;
+}
+
+}  // namespace nmbcgen
