@@ -25,7 +25,7 @@ struct MatchingPolynomials {
 };
 
 /// Why there is no condition at the given coefficients. All but vanishing_at_one make (49)
-/// singular; that one is its only solution, of no use.
+/// singular; that one is its only solution, of no use (unless c_0 = 0, too, which damping allows).
 enum class Degeneracy {
     none,
     pade_block,        ///< no single approximant: every minor vanishes
