@@ -110,7 +110,7 @@ TEST_CASE("damping: nothing without tau, and a fixed answer for n = 1") {
 TEST_CASE("wrong requests") {
     CHECK_THROWS_AS(make_model("nopd1d", 1, -1), std::invalid_argument);
     Model strain_only = make_model("nopd1d", 1);
-    strain_only.energy.resize(1);
+    strain_only.energy.erase(strain_only.energy.begin() + 1, strain_only.energy.end());
     CHECK_THROWS_AS(damp(strain_only, Rational(1, 10)), std::invalid_argument);
     CHECK_NOTHROW(damp(strain_only, 0));
     CHECK_THROWS_AS(make_model("nopd3d", 1), std::invalid_argument);
