@@ -63,7 +63,8 @@ std::string compare(const std::string& name, const std::string& found, const std
 /// order or horizon are no table that anybody could have made.
 std::optional<Specification> specification_of(const std::string& file_name) {
     static const std::regex pattern(
-        R"((\w+?)_n(\d{1,2})_order(\d{1,2})(?:_s(\d{1,2}))?(?:_G(\d+)o(\d+))?\.(hpp|json))");
+        R"((\w+?)_n([1-9]\d?)_order([1-9]\d?)(?:_s([1-9]\d?))?(?:_tau(\d+)o(\d+))?)"
+        R"((?:_G(\d+)o(\d+))?\.(hpp|json))");
     std::smatch match;
     if (!std::regex_match(file_name, match, pattern)) {
         return std::nullopt;
@@ -72,9 +73,13 @@ std::optional<Specification> specification_of(const std::string& file_name) {
                        .horizon = unsigned(std::stoul(match[2])),
                        .order = unsigned(std::stoul(match[3])),
                        .stride = match[4].matched ? unsigned(std::stoul(match[4])) : 1,
-                       .stabilisation = {}};
+                       .stabilisation = {},
+                       .damping = 0};
     if (match[5].matched) {
-        what.stabilisation = parse_rational(match[5].str() + "/" + match[6].str());
+        what.damping = parse_rational(match[5].str() + "/" + match[6].str());
+    }
+    if (match[7].matched) {
+        what.stabilisation = parse_rational(match[7].str() + "/" + match[8].str());
     }
     return what;
 }
@@ -86,8 +91,8 @@ std::string compare_own_table(const std::filesystem::path& file, const MakeTable
     std::string left_over = "left over: " + name + " (no table has this name: delete it)\n";
     try {
         const auto what = specification_of(name);
-        if (!what) {
-            return left_over;
+        if (!what || table_name(*what) + file.extension().string() != name) {
+            return left_over;  // a number not in lowest terms is not a name that we write
         }
         const bool header = file.extension() == ".hpp";
         const auto emitted = [header](const Table& table) {
@@ -104,7 +109,7 @@ std::string compare_own_table(const std::filesystem::path& file, const MakeTable
                          regenerating_command(*what) + (header ? "" : " --format json") + "\n";
     } catch (const NoSuchBoundary&) {
         return left_over;
-    } catch (const std::invalid_argument&) {  // a family or a G that does not exist
+    } catch (const std::invalid_argument&) {  // a family or a number that does not exist
         return left_over;
     }
 }

@@ -92,6 +92,7 @@ struct SpecificationOptions {
     CLI::Option* order;
     CLI::Option* horizon;
     CLI::Option* stride;
+    CLI::Option* damping;
     CLI::Option* G;
 };
 
@@ -105,6 +106,9 @@ SpecificationOptions add_specification(CLI::App& app, Specification& what) {
                               "horizon n in units of dX, >= 1"),
         .stride = add_parsed(app, "--stride", what.stride, parse_count,
                              "node offsets of the condition are 0, s, 2s, .. Ns (default 1)"),
+        .damping = add_parsed(app, "--damping", what.damping, parse_rational,
+                              "tau, viscous damping of the stabilisation, an exact number in c/dX "
+                              "such as 1/10 (default 0)"),
         .G = add_parsed(app, "--G", what.stabilisation, parse_rational,
                         "fix the stabilisation G, an exact number such as 1/2 or 0.3 "
                         "(default: coefficients are functions of G)"),
@@ -159,8 +163,9 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         "--check", check,
         "compare the committed set in the folder with a fresh one; exit code 1 if it is stale");
     for (CLI::Option* whole_set : {all_flag, check_flag}) {
-        for (CLI::Option* other : {single.family, single.order, single.horizon, single.stride,
-                                   single.G, format, to_stdout, require_stable, uncertified}) {
+        for (CLI::Option* other :
+             {single.family, single.order, single.horizon, single.stride, single.damping, single.G,
+              format, to_stdout, require_stable, uncertified}) {
             whole_set->excludes(other);
         }
     }
@@ -179,6 +184,10 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         if (!all && !check && !reflect->parsed() &&
             (single.order->count() == 0 || single.horizon->count() == 0)) {
             throw CLI::RequiredError("--order and --horizon (or --all, or --check)");
+        }
+        if (reflect->parsed() && request.specification.damping != 0) {
+            throw CLI::ValidationError(
+                "--damping", "reflect knows the waves of an undamped lattice only; 0 is allowed");
         }
     } catch (const CLI::Success& help) {
         return app.exit(help, std::cout, std::cerr);

@@ -41,14 +41,15 @@ std::vector<RationalFunction> over_first(const std::vector<Polynomial>& numerato
 }  // namespace
 
 Table derive(const Specification& specification) {
-    Table table{.specification = specification,
-                .model = make_model(specification.family, specification.horizon),
-                .taylor = {},
-                .c = {},
-                .b = {},
-                .source = {},
-                .proved = {},
-                .certificate = std::nullopt};
+    Table table{
+        .specification = specification,
+        .model = make_model(specification.family, specification.horizon, specification.damping),
+        .taylor = {},
+        .c = {},
+        .b = {},
+        .source = {},
+        .proved = {},
+        .certificate = std::nullopt};
     table.source = table.model.source +
                    "; Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)";
     if (specification.stabilisation) {
@@ -56,14 +57,17 @@ Table derive(const Specification& specification) {
     }
 
     const GiNaC::symbol G("G");
-    std::vector<GiNaC::ex> symbol;
+    Dispersion dispersion;
     for (const Polynomial& coefficient : table.model.symbol) {
-        symbol.push_back(thaw(coefficient, G));
+        dispersion.symbol.push_back(thaw(coefficient, G));
     }
-    const auto taylor = taylor_coefficients(symbol, 2 * specification.order + 1);
+    for (const Rational& coefficient : table.model.damping) {
+        dispersion.damping.push_back(thaw(constant(coefficient), G));
+    }
+    const auto taylor = taylor_coefficients(dispersion, 2 * specification.order + 1);
     const auto matching = match(taylor, specification.stride, specification.order);
     if (const Degeneracy found = degeneracy(matching); found != Degeneracy::none) {
-        throw NoSuchBoundary(reason(found, specification, symbol, taylor));
+        throw NoSuchBoundary(reason(found, specification, dispersion, taylor));
     }
 
     const auto freeze_all = [&G](const std::vector<GiNaC::ex>& expressions) {

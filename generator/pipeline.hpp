@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// The generator, stage by stage. Each stage is a function from data to data:
 ///
-///   specification      family, horizon, order, stride, G or none            table/table.hpp
-///     | make_model     a family's energy as squares, hence the symbol       families/family.hpp
+///   specification      family, horizon, order, stride, damping, G or none   table/table.hpp
+///     | make_model     a family's energy as squares, hence symbol, damping  families/family.hpp
 ///   model
 ///     | thaw           into the algebra system                              matching/freeze.hpp
 ///     | taylor         a_1 .. a_{2N+1} of the dispersion relation (47)      matching/taylor.hpp
@@ -30,8 +30,8 @@ struct NoSuchBoundary : std::runtime_error {
 };
 
 /// Derives and proves one table.
-/// Throws NoSuchBoundary, std::invalid_argument for an unknown family, and std::logic_error
-/// where the proof fails (a defect of the generator).
+/// Throws NoSuchBoundary, std::invalid_argument for an unknown family or damping that it cannot
+/// have, and std::logic_error where the proof fails (a defect of the generator).
 Table derive(const Specification& specification);
 
 /// Certifies the tables that have no certificate, on all cores. Takes seconds a table at horizons

@@ -12,7 +12,7 @@ namespace nmbcgen {
 /// wave and each outgoing mode it makes: omega [c/dX]; incident_xi [1/dX], signed, of
 /// exp(i(omega t + xi j)) with j counted inwards; the outgoing k, its amplitude, and the fraction
 /// of the incident energy flux it carries away (0 for a mode that decays). table: made for the
-/// fixed G of its specification.
+/// fixed G of its specification, undamped.
 std::string reflection_csv(const Table& table, unsigned samples);
 
 }  // namespace nmbcgen

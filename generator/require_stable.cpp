@@ -48,12 +48,15 @@ void require_stable(const Table& table) {
     const Specification& what = table.specification;
     const Rational& G = *what.stabilisation;
     std::string message = fmt::format(
-        "NMBC{} at horizon {}, stride {}, G = {} is not stable: {}. Nothing was "
+        "NMBC{} at horizon {}, stride {},{} G = {} is not stable: {}. Nothing was "
         "written.\nG where it is stable:",
-        what.order, what.horizon, what.stride, to_string(G), how_it_fails(table, G));
+        what.order, what.horizon, what.stride,
+        what.damping != 0 ? " damping " + to_string(what.damping) + "," : std::string(),
+        to_string(G), how_it_fails(table, G));
     std::vector<Table> open;
     for (const unsigned stride : std::set{1U, what.horizon, what.stride}) {
-        open.push_back(derive({what.family, what.horizon, what.order, stride, std::nullopt}));
+        open.push_back(
+            derive({what.family, what.horizon, what.order, stride, std::nullopt, what.damping}));
     }
     certify_all(open);
     for (const Table& other : open) {

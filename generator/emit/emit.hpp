@@ -16,7 +16,7 @@ inline constexpr int schema = 1;
 /// Of the headers: nmbc::table_schema in runtime/nmbc/table.hpp.
 inline constexpr int header_schema = 2;
 
-/// FAMILY_nH_orderN[_sS][_GPoQ], the name of the table and of its files.
+/// FAMILY_nH_orderN[_sS][_tauPoQ][_GPoQ], the name of the table and of its files.
 std::string table_name(const Specification& specification);
 
 /// The command line that makes this table again.

@@ -12,6 +12,10 @@ std::string table_name(const Specification& specification) {
     if (specification.stride != 1) {
         name += fmt::format("_s{}", specification.stride);
     }
+    if (specification.damping != 0) {
+        name += fmt::format("_tau{}o{}", numerator(specification.damping).str(),
+                            denominator(specification.damping).str());
+    }
     if (specification.stabilisation) {
         name += fmt::format("_G{}o{}", numerator(*specification.stabilisation).str(),
                             denominator(*specification.stabilisation).str());
@@ -25,6 +29,9 @@ std::string regenerating_command(const Specification& specification) {
                     specification.order, specification.horizon);
     if (specification.stride != 1) {
         command += fmt::format(" --stride {}", specification.stride);
+    }
+    if (specification.damping != 0) {
+        command += " --damping " + to_string(specification.damping);
     }
     if (specification.stabilisation) {
         command += " --G " + to_string(*specification.stabilisation);

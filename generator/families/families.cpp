@@ -3,6 +3,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "generator/exact/rational.hpp"
+#include "generator/exact/rational_function.hpp"
 #include "generator/exact/symbol.hpp"
 #include "generator/families/family.hpp"
 
@@ -15,7 +17,32 @@ std::span<const Family> families() {
     return list;
 }
 
-Model make_model(std::string_view family, unsigned horizon) {
+void damp(Model& model, const Rational& damping) {
+    if (damping < 0) {
+        throw std::invalid_argument("damping has to be 0 or more, not " + to_string(damping));
+    }
+    if (damping == 0) {
+        return;
+    }
+    std::vector<EnergySquare> at_unit_weight;  // the stabilisation at G = 1
+    for (const EnergySquare& square : model.energy) {
+        if (square.part == EnergyPart::stabilisation) {
+            at_unit_weight.push_back(
+                {square.part, constant(evaluate(square.weight, 1)), square.stencil});
+        }
+    }
+    if (at_unit_weight.empty()) {
+        throw std::invalid_argument("damping " + to_string(damping) +
+                                    ": this model has no stabilisation to be damped by");
+    }
+    for (const Polynomial& coefficient : symbol_of(at_unit_weight)) {
+        model.damping.push_back(damping * evaluate(coefficient, 0));
+    }
+    model.description += ", damping tau = " + to_string(damping);
+    model.source += "; damping: not in the paper";
+}
+
+Model make_model(std::string_view family, unsigned horizon, const Rational& damping) {
     const auto known = families();
     const auto found = std::ranges::find(known, family, &Family::name);
     if (found == known.end()) {
@@ -23,6 +50,7 @@ Model make_model(std::string_view family, unsigned horizon) {
     }
     Model model = found->describe(horizon);
     model.symbol = symbol_of(model.energy);
+    damp(model, damping);
     return model;
 }
 

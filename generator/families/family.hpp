@@ -13,17 +13,22 @@ namespace nmbcgen {
 
 struct Family {
     std::string_view name;
-    /// The energy, description and source of the model with the given horizon >= 1; the symbol
-    /// is filled in by make_model.
+    /// The energy, description and source of the model with the given horizon >= 1; symbol and
+    /// damping are filled in by make_model. The weight of stabilisation is proportional to G.
     Model (*describe)(unsigned horizon);
 };
 
 /// The families there are, in the order they are listed to a user.
 std::span<const Family> families();
 
-/// The model of a family at a horizon, its symbol derived from its energy.
-/// Throws std::invalid_argument where there is no such family.
-Model make_model(std::string_view family, unsigned horizon);
+/// The model of a family at a horizon, with damping tau >= 0 [c/dX]; symbol and damping are derived
+/// from its energy. Throws std::invalid_argument where there is no such family, where tau < 0, and
+/// for tau > 0 in a family without stabilisation.
+Model make_model(std::string_view family, unsigned horizon, const Rational& damping = 0);
+
+/// What make_model does for the damping, with a model that has its energy: tau times the symbol of
+/// the stabilisation at G = 1, and a word of it in description and source.
+void damp(Model& model, const Rational& damping);
 
 Model nopd1d(unsigned horizon);
 

@@ -39,7 +39,8 @@ Model nopd1d(unsigned horizon) {
                                        horizon),
             .source = "Nicely 2018: strain (16), stabilisation (34), symbol (41)",
             .energy = std::move(energy),
-            .symbol = {}};
+            .symbol = {},
+            .damping = {}};
 }
 
 }  // namespace nmbcgen

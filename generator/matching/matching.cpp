@@ -27,21 +27,24 @@ Series multiply(const Series& left, const Series& right) {
     return product;
 }
 
-/// g_0 .. g_{count-1} of  i omega = y g(y^2), from  i xi = (2/h) artanh(y).
-Series odd_series(const std::vector<ex>& taylor, const ex& spacing, unsigned count) {
-    Series slope(count);  // artanh(y)/y in powers of y^2
+/// g_0 .. g_{count-1} of  s = y g(w), w = y^p, from  i xi = (2/h) artanh(y); s has the powers
+/// 1, 1 + p, 1 + 2p, .. of i xi only.
+Series series_of(const std::vector<ex>& taylor, const ex& spacing, unsigned p, unsigned count) {
+    Series slope(count, ex(0));  // artanh(y)/y in powers of w
     for (unsigned k = 0; k < count; ++k) {
-        slope[k] = numeric(1, 2 * long(k) + 1);
+        if (p * k % 2 == 0) {
+            slope[k] = numeric(1, long(p) * long(k) + 1);
+        }
     }
-    const Series slope_squared = multiply(slope, slope);
-    Series power = slope;  // (artanh(y)/y)^(2k+1)
+    const Series slope_to_p = p == 2 ? multiply(slope, slope) : slope;
+    Series power = slope;  // (artanh(y)/y)^(pk+1)
     Series g(count, ex(0));
     for (unsigned k = 0; k < count; ++k) {
-        const ex factor = taylor[2 * k + 1] * GiNaC::pow(2 / spacing, int(2 * k + 1));
+        const ex factor = taylor[p * k + 1] * GiNaC::pow(2 / spacing, int(p * k + 1));
         for (unsigned j = k; j < count; ++j) {
             g[j] += factor * power[j - k];
         }
-        power = multiply(power, slope_squared);
+        power = multiply(power, slope_to_p);
     }
     for (ex& coefficient : g) {
         coefficient = coefficient.expand();
@@ -105,26 +108,30 @@ MatchingPolynomials match(const std::vector<ex>& taylor, const ex& spacing, unsi
     if (order < 1 || taylor.size() < 2 * std::size_t(order) + 1) {
         throw std::invalid_argument("match: order N needs the Taylor coefficients a_0 .. a_2N");
     }
-    for (std::size_t k = 0; k < taylor.size(); k += 2) {
+    if (!taylor[0].is_zero()) {
+        throw std::invalid_argument("match: a_0 is not zero");
+    }
+    unsigned power = 2;  // p of w = y^p
+    for (unsigned k = 2; k <= 2 * order; k += 2) {
         if (!taylor[k].is_zero()) {
-            throw std::invalid_argument("match: an even Taylor coefficient is not zero");
+            power = 1;
         }
     }
-    const unsigned m = order / 2;        // degree of P
-    const unsigned l = (order - 1) / 2;  // degree of Q
-    const Series g = odd_series(taylor, spacing, order);
+    const unsigned m = order / power;        // degree of P
+    const unsigned l = (order - 1) / power;  // degree of Q
+    const Series g = series_of(taylor, spacing, power, l + m + 1);
     const Series p = denominator_by_minors(g, m, l);
 
     MatchingPolynomials result{Series(order + 1, ex(0)), Series(order + 1, ex(0))};
     for (unsigned k = 0; k <= m; ++k) {
-        add_factors(result.C, p[k], 2 * k, order - 2 * k);
+        add_factors(result.C, p[k], power * k, order - power * k);
     }
     for (unsigned k = 0; k <= l; ++k) {
         ex q = 0;
         for (unsigned j = 0; j <= std::min(k, m); ++j) {
             q += p[j] * g[k - j];
         }
-        add_factors(result.B, q.expand(), 2 * k + 1, order - 2 * k - 1);
+        add_factors(result.B, q.expand(), power * k + 1, order - power * k - 1);
     }
     for (unsigned j = 0; j <= order; ++j) {
         result.C[j] = result.C[j].expand();
@@ -138,7 +145,7 @@ Degeneracy degeneracy(const MatchingPolynomials& matching) {
         return Degeneracy::pade_block;
     }
     // Where det of the Hankel system, and with it C(1), is not zero, Q/P is in lowest terms, and
-    // z + 1 is the only factor C and B can still share.
+    // z + 1 is the only factor C and B can still share (where w = y^2: else they share none).
     if (value_at(matching.C, 1).is_zero()) {
         return Degeneracy::vanishing_at_one;
     }

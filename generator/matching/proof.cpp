@@ -26,6 +26,48 @@ Rational power_over_factorial(const Rational& base, std::size_t power) {
     return result;
 }
 
+/// Coefficient of x^power, x = i xi, in  symbol[0] + sum_{m >= 1} symbol[m] (z^m + z^-m).
+template <class Coefficient>
+Coefficient moment(const std::vector<Coefficient>& symbol, std::size_t power) {
+    Coefficient sum{};
+    for (std::size_t m = 0; m < symbol.size(); ++m) {
+        const Rational z = power_over_factorial(m, power);
+        const Rational inverse = power % 2 == 0 ? z : Rational(-z);
+        sum += symbol[m] * Coefficient(m == 0 ? z : Rational(z + inverse));
+    }
+    return sum;
+}
+
+/// Whether the table has damping and its own data tell the weight of the stabilisation at G = 1.
+bool shows_damping(const Table& table) {
+    return table.specification.damping != 0 && table.specification.stabilisation != Rational(0);
+}
+
+void prove_damping(const Table& table) {
+    const Rational& tau = table.specification.damping;
+    require(tau >= 0, "damping tau >= 0");
+    require((tau == 0) == table.model.damping.empty(), "damping where tau > 0, and only there");
+    if (!shows_damping(table)) {
+        return;
+    }
+    const auto& fixed_G = table.specification.stabilisation;
+    std::vector<EnergySquare> stabilisation;
+    for (const EnergySquare& square : table.model.energy) {
+        if (square.part == EnergyPart::stabilisation) {
+            stabilisation.push_back(square);
+        }
+    }
+    require(!stabilisation.empty(), "damping needs an energy of stabilisation");
+    // The symbol of the stabilisation is G sigma, its weight being proportional to G.
+    const Polynomial G = fixed_G ? constant(*fixed_G) : Polynomial(std::vector<Rational>{0, 1});
+    const std::vector<Polynomial> expected = symbol_of(stabilisation);
+    require(expected.size() == table.model.damping.size(), "damping reaches as far as its energy");
+    for (std::size_t m = 0; m < expected.size(); ++m) {
+        require(G * constant(table.model.damping[m]) == expected[m] * constant(tau),
+                "damping follows from the energy of stabilisation");
+    }
+}
+
 void prove_taylor(const Table& table) {
     const auto& a = table.taylor;  // a[k-1] is a_k
     require(!a.empty() && a.front() == constant(1), "Taylor coefficients: a_1 = c = 1");
@@ -36,13 +78,12 @@ void prove_taylor(const Table& table) {
                 square += a[i - 1] * a[k - i - 1];
             }
         }
-        Polynomial moment;  // coefficient of x^k in omega^2
-        for (std::size_t m = 0; m < table.model.symbol.size(); ++m) {
-            const Rational z = power_over_factorial(m, k);
-            const Rational inverse = k % 2 == 0 ? z : Rational(-z);
-            moment += table.model.symbol[m] * constant(m == 0 ? z : Rational(z + inverse));
+        Polynomial damped;  // coefficient of x^k in tau sigma s
+        for (std::size_t i = 1; i <= k && i <= a.size(); ++i) {
+            damped += a[i - 1] * constant(moment(table.model.damping, k - i));
         }
-        require((square + moment).is_zero(), fmt::format("Taylor coefficients at x^{}", k));
+        require((square + damped + moment(table.model.symbol, k)).is_zero(),
+                fmt::format("Taylor coefficients at x^{}", k));
     }
 }
 
@@ -89,14 +130,17 @@ void prove_normal_form(const std::vector<RationalFunction>& functions) {
 
 std::string prove(const Table& table) {
     require(table.model.symbol == symbol_of(table.model.energy), "symbol follows from the energy");
+    prove_damping(table);
     prove_taylor(table);
     prove_residual(table);
     prove_normal_form(table.c);
     prove_normal_form(table.b);
-    return table.specification.stabilisation
-               ? "residual of (49) zero at this G; symbol = sum of the energy's squares; C(1) != 0"
-               : "residual of (49) identically zero in G; symbol = sum of the energy's squares; "
-                 "C(1) not identically zero";
+    const bool fixed = table.specification.stabilisation.has_value();
+    return fmt::format(
+        "residual of (49) {}; symbol = sum of the energy's squares; {}C(1) {}",
+        fixed ? "zero at this G" : "identically zero in G",
+        shows_damping(table) ? "damping = tau times those of stabilisation at G = 1; " : "",
+        fixed ? "!= 0" : "not identically zero");
 }
 
 }  // namespace nmbcgen

@@ -8,10 +8,18 @@
 namespace nmbcgen {
 namespace {
 
-/// Whether (i omega)^2 C^2 = B^2 holds for every z: the condition is then exact, and i omega
-/// itself is the rational function B/C.
-bool is_exact(const MatchingPolynomials& matching, const std::vector<GiNaC::ex>& symbol,
-              unsigned stride) {
+/// symbol[0] + sum_{m >= 1} symbol[m] (z^m + z^-m)
+GiNaC::ex laurent_sum(const std::vector<GiNaC::ex>& symbol, const GiNaC::ex& z) {
+    GiNaC::ex sum = 0;
+    for (std::size_t m = 0; m < symbol.size(); ++m) {
+        sum += symbol[m] * (m == 0 ? 1 : GiNaC::pow(z, int(m)) + GiNaC::pow(z, -int(m)));
+    }
+    return sum;
+}
+
+/// Whether s = B/C solves s^2 + tau sigma s + omega^2 = 0 for every z: the condition is then exact,
+/// and s itself a rational function.
+bool is_exact(const MatchingPolynomials& matching, const Dispersion& dispersion, unsigned stride) {
     const GiNaC::symbol z("z");
     GiNaC::ex C = 0;
     GiNaC::ex B = 0;
@@ -19,55 +27,73 @@ bool is_exact(const MatchingPolynomials& matching, const std::vector<GiNaC::ex>&
         C += matching.C[j] * GiNaC::pow(z, int(j * stride));
         B += matching.B[j] * GiNaC::pow(z, int(j * stride));
     }
-    GiNaC::ex omega_squared = symbol[0];
-    for (std::size_t m = 1; m < symbol.size(); ++m) {
-        omega_squared += symbol[m] * (GiNaC::pow(z, int(m)) + GiNaC::pow(z, -int(m)));
+    const GiNaC::ex omega_squared = laurent_sum(dispersion.symbol, z);
+    const GiNaC::ex tau_sigma = laurent_sum(dispersion.damping, z);
+    return !C.is_zero() && (B * B + tau_sigma * B * C + omega_squared * C * C).expand().is_zero();
+}
+
+/// How often z - 1 divides the polynomial, which is not zero.
+unsigned zeros_at_one(const std::vector<GiNaC::ex>& polynomial) {
+    for (unsigned k = 0;; ++k) {  // the k-th derivative at 1, over k!
+        GiNaC::ex derivative = 0;
+        for (std::size_t j = k; j < polynomial.size(); ++j) {
+            derivative +=
+                GiNaC::binomial(GiNaC::numeric(long(j)), GiNaC::numeric(long(k))) * polynomial[j];
+        }
+        if (!derivative.expand().is_zero()) {
+            return k;
+        }
     }
-    return !C.is_zero() && (omega_squared * C * C + B * B).expand().is_zero();
 }
 
 }  // namespace
 
 std::string reason(Degeneracy found, const Specification& specification,
-                   const std::vector<GiNaC::ex>& symbol, const std::vector<GiNaC::ex>& taylor) {
+                   const Dispersion& dispersion, const std::vector<GiNaC::ex>& taylor) {
     const std::string where =
-        fmt::format("NMBC{} does not exist for horizon {}, stride {} at {}", specification.order,
+        fmt::format("NMBC{} does not exist for horizon {}, stride {}{} at {}", specification.order,
                     specification.horizon, specification.stride,
+                    specification.damping != 0 ? ", damping " + to_string(specification.damping)
+                                               : std::string(),
                     specification.stabilisation ? "G = " + to_string(*specification.stabilisation)
                                                 : std::string("any G"));
 
     unsigned lower = 0;  // the highest order below that exists
     for (unsigned order = 1; order <= specification.order; ++order) {
         const auto matching = match(taylor, specification.stride, order);
-        if (is_exact(matching, symbol, specification.stride)) {
+        const bool exists = degeneracy(matching) == Degeneracy::none;
+        if (is_exact(matching, dispersion, specification.stride)) {
+            const unsigned singular = exists ? order + 1 : order;
             return fmt::format(
-                "{}: i*omega is itself a rational function of z there (a block of the Pade "
+                "{}: {} is itself a rational function of z there (a block of the Pade "
                 "table), so (49) is singular for every order N >= {}. Use an order below {}, "
                 "another stride or another G.",
-                where, order, order);
+                where, dispersion.damping.empty() ? "i*omega" : "s", singular, singular);
         }
-        if (degeneracy(matching) == Degeneracy::none) {
+        if (exists) {
             lower = order;
         }
     }
     const std::string instead =
         lower > 0 ? fmt::format("Use order {}, or another G.", lower) : "Use another G.";
     switch (found) {
-        case Degeneracy::vanishing_at_one:
+        case Degeneracy::vanishing_at_one: {
+            const auto C = match(taylor, specification.stride, specification.order).C;
+            const unsigned zeros = zeros_at_one(C);
+            const std::string power = zeros > 1 ? fmt::format("^{}", zeros) : "";
             return fmt::format(
-                "{}: it would be (z-1)^2 times NMBC{}, with C(1) = 0 and a Jordan block at s = 0 "
-                "(growth like t^2). {}",
-                where, lower, instead);
-        case Degeneracy::lower_order:
+                "{}: it would be (z-1){} times NMBC{}, with C(1) = 0 and a Jordan block at s = 0 "
+                "(growth like t{}). {}",
+                where, power, lower, power, instead);
+        }
+        case Degeneracy::pole:
+            return fmt::format("{}: the coefficients have a pole there (c_0 = 1 is impossible). {}",
+                               where, instead);
+        default:  // pade_block and lower_order: more than one approximant, of one value
             return fmt::format(
                 "{}: NMBC{} meets its conditions already, and so does every multiple of it, so "
                 "(49) is singular. {}",
                 where, lower, instead);
-        case Degeneracy::pole:
-            return fmt::format("{}: the coefficients have a pole there (c_0 = 1 is impossible). {}",
-                               where, instead);
-        default:
-            return fmt::format("{}: (49) is singular. {}", where, instead);
     }
 }
 

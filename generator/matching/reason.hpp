@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "generator/matching/matching.hpp"
+#include "generator/matching/taylor.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
 
-/// One or two sentences for the given degeneracy of the specification; symbol and taylor are
+/// One or two sentences for the given degeneracy of the specification; dispersion and taylor are
 /// those it was found with.
 std::string reason(Degeneracy found, const Specification& specification,
-                   const std::vector<GiNaC::ex>& symbol, const std::vector<GiNaC::ex>& taylor);
+                   const Dispersion& dispersion, const std::vector<GiNaC::ex>& taylor);
 
 }  // namespace nmbcgen

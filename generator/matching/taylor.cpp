@@ -9,9 +9,9 @@ using GiNaC::ex;
 
 namespace {
 
-/// Coefficient of (i xi)^power in (i omega)^2 = -omega^2. Odd ones vanish by symmetry.
+/// Coefficient of (i xi)^power in -omega^2, or in -tau sigma. Odd ones vanish by symmetry.
 ex moment(const std::vector<ex>& symbol, unsigned power) {
-    if (power % 2 != 0) {
+    if (power % 2 != 0 || symbol.empty()) {
         return 0;
     }
     ex sum = power == 0 ? symbol[0] : ex(0);
@@ -23,16 +23,23 @@ ex moment(const std::vector<ex>& symbol, unsigned power) {
 
 }  // namespace
 
-std::vector<ex> taylor_coefficients(const std::vector<ex>& symbol, unsigned highest) {
+std::vector<ex> taylor_coefficients(const Dispersion& dispersion, unsigned highest) {
+    const auto& [symbol, damping] = dispersion;
     if (!moment(symbol, 0).is_zero() || !moment(symbol, 2).is_equal(1)) {
         throw std::invalid_argument("the symbol must start as omega^2 = xi^2 (c = 1)");
     }
-    // Compare powers in (sum a_k x^k)^2 = sum moment_k x^k; a_0 = 0 and a_1 = c = 1.
+    if (!moment(damping, 0).is_zero()) {
+        throw std::invalid_argument("damping must leave a rigid motion alone (tau sigma(0) = 0)");
+    }
+    // Compare powers of x in s^2 = -omega^2 - tau sigma s; a_0 = 0 and a_1 = c = 1.
     std::vector<ex> a{0, 1};
     for (unsigned k = 2; k <= highest; ++k) {
         ex rest = moment(symbol, k + 1);
         for (unsigned i = 2; i < k; ++i) {
             rest -= a[i] * a[k + 1 - i];
+        }
+        for (unsigned i = 1; i < k; ++i) {
+            rest += a[i] * moment(damping, k + 1 - i);
         }
         a.push_back((rest / 2).expand());
     }

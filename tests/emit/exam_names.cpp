@@ -12,12 +12,13 @@ using namespace nmbcgen;
 namespace {
 
 Specification specification(unsigned horizon, unsigned order, unsigned stride,
-                            std::optional<Rational> G) {
+                            std::optional<Rational> G, const Rational& damping = 0) {
     return {.family = "nopd1d",
             .horizon = horizon,
             .order = order,
             .stride = stride,
-            .stabilisation = std::move(G)};
+            .stabilisation = std::move(G),
+            .damping = damping};
 }
 
 }  // namespace
@@ -29,6 +30,9 @@ TEST_CASE("the name leaves out what is usual") {
     CHECK(table_name(specification(1, 2, 3, Rational(6, 4))) == "nopd1d_n1_order2_s3_G3o2");
     CHECK(table_name(specification(1, 1, 1, Rational(2))) == "nopd1d_n1_order1_G2o1");
     CHECK(table_name(specification(1, 1, 1, Rational(0))) == "nopd1d_n1_order1_G0o1");
+    CHECK(table_name(specification(2, 2, 1, {}, Rational(2, 20))) == "nopd1d_n2_order2_tau1o10");
+    CHECK(table_name(specification(2, 2, 2, Rational(1, 2), 3)) ==
+          "nopd1d_n2_order2_s2_tau3o1_G1o2");
 }
 
 TEST_CASE("the command says all that the name says") {
@@ -38,6 +42,8 @@ TEST_CASE("the command says all that the name says") {
           "nmbcgen --family nopd1d --order 2 --horizon 1 --stride 3 --G 3/2");
     CHECK(regenerating_command(specification(1, 1, 1, Rational(0))) ==
           "nmbcgen --family nopd1d --order 1 --horizon 1 --G 0");
+    CHECK(regenerating_command(specification(2, 2, 2, Rational(1, 2), Rational(2, 20))) ==
+          "nmbcgen --family nopd1d --order 2 --horizon 2 --stride 2 --damping 1/10 --G 1/2");
 }
 
 TEST_CASE("different requests have different names and commands") {
@@ -50,15 +56,17 @@ TEST_CASE("different requests have different names and commands") {
                 for (const std::optional<Rational>& G :
                      {std::optional<Rational>{}, std::optional<Rational>{0},
                       std::optional<Rational>{Rational(1, 2)}, std::optional<Rational>{12}}) {
-                    const Specification what = specification(horizon, order, stride, G);
-                    names.insert(table_name(what));
-                    commands.insert(regenerating_command(what));
-                    ++requests;
+                    for (const Rational& tau : {Rational(0), Rational(1, 2), Rational(12)}) {
+                        const Specification what = specification(horizon, order, stride, G, tau);
+                        names.insert(table_name(what));
+                        commands.insert(regenerating_command(what));
+                        ++requests;
+                    }
                 }
             }
         }
     }
-    CHECK(requests == 3 * 3 * 3 * 4);
+    CHECK(requests == 3 * 3 * 3 * 4 * 3);
     CHECK(names.size() == requests);
     CHECK(commands.size() == requests);
 }

@@ -95,7 +95,24 @@ TEST_CASE("a fixed answer: n = 1") {
     CHECK(model.energy[2].weight == once);
 }
 
+TEST_CASE("damping: nothing without tau, and a fixed answer for n = 1") {
+    const Model undamped = make_model("nopd1d", 1, 0);
+    CHECK(undamped.damping.empty());
+    CHECK(undamped.description == make_model("nopd1d", 1).description);
+    // sigma = 2(1 - cos)^2 = 3 - 4 cos(xi) + cos(2 xi)
+    const Model damped = make_model("nopd1d", 1, Rational(1, 10));
+    CHECK(damped.damping ==
+          std::vector<Rational>{Rational(3, 10), Rational(-2, 10), Rational(1, 20)});
+    CHECK(damped.symbol == undamped.symbol);
+    CHECK(damped.description == undamped.description + ", damping tau = 1/10");
+}
+
 TEST_CASE("wrong requests") {
+    CHECK_THROWS_AS(make_model("nopd1d", 1, -1), std::invalid_argument);
+    Model strain_only = make_model("nopd1d", 1);
+    strain_only.energy.erase(strain_only.energy.begin() + 1, strain_only.energy.end());
+    CHECK_THROWS_AS(damp(strain_only, Rational(1, 10)), std::invalid_argument);
+    CHECK_NOTHROW(damp(strain_only, 0));
     CHECK_THROWS_AS(make_model("nopd3d", 1), std::invalid_argument);
     CHECK_THROWS_AS(make_model("", 1), std::invalid_argument);
     CHECK_THROWS_AS(symbol_of({}), std::logic_error);

@@ -80,6 +80,16 @@ ex model_symbol(int n, const ex& stabilisation) {
     return sum.subs(parameter == stabilisation);
 }
 
+/// The model's tau sigma, in z.
+ex model_damping(int n, const nmbcgen::Rational& tau) {
+    const nmbcgen::Model model = nmbcgen::make_model("nopd1d", unsigned(n), tau);
+    ex sum = to_ginac(model.damping.at(0));
+    for (std::size_t m = 1; m < model.damping.size(); ++m) {
+        sum += to_ginac(model.damping[m]) * (pow(z, int(m)) + pow(z, -int(m)));
+    }
+    return sum;
+}
+
 ex sine(int m) {  // sin(m xi dX)
     return (pow(z, m) - pow(z, -m)) / (2 * GiNaC::I);
 }
@@ -193,6 +203,16 @@ TEST_CASE("(40) and (41): stabilised dispersion relation") {
         CHECK(identical(printed, with_micromodulus));
         CHECK(identical(printed.subs(dX == 1), model_symbol(n, G)));
     }
+}
+
+TEST_CASE("damping is tau times what G is multiplied with in (41)") {
+    const nmbcgen::Rational tau(3, 7);
+    for (int n = 1; n <= 6; ++n) {
+        CAPTURE(n);
+        const ex sigma = -4 / pow(numeric(n), 4) * (cosine_sum(n) + pow(sine_sum(n), 2) / shape(n));
+        CHECK(identical(model_damping(n, tau), to_ginac(tau) * sigma));
+    }
+    CHECK(identical(model_damping(1, 1), 2 * pow(1 - cosine(1), 2)));
 }
 
 TEST_CASE("n = 1: omega^2 = sin^2 + 2G(1 - cos)^2, and at G = 1/2 the atom chain (56)") {

@@ -18,11 +18,12 @@ using namespace nmbcgen::test;
 
 namespace {
 
-/// a_0 .. a_2N with random odd entries; a_1 > 0, as for every model that carries waves.
-std::vector<Rational> random_taylor(unsigned order) {
+/// a_0 .. a_2N with random entries, with step 2 odd ones only; a_1 > 0, as for every model that
+/// carries waves.
+std::vector<Rational> random_taylor(unsigned order, unsigned step) {
     std::vector<Rational> a(2 * order + 1, Rational(0));
     a[1] = *positive_rational();
-    for (std::size_t k = 3; k < a.size(); k += 2) {
+    for (std::size_t k = 1 + step; k < a.size(); k += step) {
         a[k] = *small_rational();
     }
     return a;
@@ -56,7 +57,7 @@ TEST_CASE("random Taylor coefficients, orders 1 to 5, random strides") {
         const unsigned order = *rc::gen::inRange(1U, 6U);
         const unsigned stride = *rc::gen::inRange(1U, 5U);
         const Rational dX = int(stride) * *positive_rational();
-        const auto a = random_taylor(order);
+        const auto a = random_taylor(order, *rc::gen::inRange(1U, 3U));
         const auto solution = solve_literally(a, dX, order);
         const auto found = matched(a, dX, order);
         const Degeneracy reported = degeneracy(found);
@@ -99,15 +100,55 @@ TEST_CASE("small whole Taylor coefficients, which are often degenerate") {
     CHECK(singular > 10);
 }
 
-TEST_CASE("the tables of the model, at random G, orders and strides") {
+TEST_CASE("the same with even ones, as damping makes them") {
+    int none = 0;
+    int vanishing = 0;
+    int both = 0;
+    int singular = 0;
+    for (int second = -2; second <= 2; ++second) {
+        for (int third = -4; third <= 4; ++third) {
+            for (int fourth = -4; fourth <= 4; ++fourth) {
+                const std::vector<Rational> a{0, 1, Rational(second, 2), Rational(third, 12),
+                                              Rational(fourth, 24)};
+                const auto found = matched(a, 1, 2);
+                const Degeneracy reported = degeneracy(found);
+                const auto solution = solve_literally(a, 1, 2);
+                CAPTURE(second);
+                CAPTURE(third);
+                CAPTURE(fourth);
+                // Here C(1) = 0 can come together with c_0 = 0.
+                const bool solvable =
+                    reported == Degeneracy::none ||
+                    (reported == Degeneracy::vanishing_at_one && !found.C.front().is_zero());
+                REQUIRE(solution.has_value() == solvable);
+                if (solution) {
+                    REQUIRE(normalised(found) == *solution);
+                }
+                none += int(reported == Degeneracy::none);
+                vanishing += int(reported == Degeneracy::vanishing_at_one);
+                both += int(reported == Degeneracy::vanishing_at_one && !solvable);
+                singular += int(!solvable);
+            }
+        }
+    }
+    CHECK(none > 300);
+    CHECK(vanishing > 5);
+    CHECK(both > 0);
+    CHECK(singular > 5);
+}
+
+TEST_CASE("the tables of the model, at random G, orders, strides and dampings") {
     CHECK(rc::check("derive() solves (49)", [] {
-        const Specification what{.family = "nopd1d",
-                                 .horizon = *rc::gen::inRange(1U, 6U),
-                                 .order = *rc::gen::inRange(1U, 6U),
-                                 .stride = *rc::gen::inRange(1U, 4U),
-                                 .stabilisation = *positive_rational()};
-        const auto taylor =
-            nopd1d_taylor(what.horizon, to_ginac(*what.stabilisation), 2 * what.order);
+        Specification what{.family = "nopd1d",
+                           .horizon = *rc::gen::inRange(1U, 6U),
+                           .order = *rc::gen::inRange(1U, 6U),
+                           .stride = *rc::gen::inRange(1U, 4U),
+                           .stabilisation = *positive_rational()};
+        if (*rc::gen::arbitrary<bool>()) {
+            what.damping = *positive_damping();
+        }
+        const auto taylor = nopd1d_taylor(what.horizon, to_ginac(*what.stabilisation),
+                                          2 * what.order, to_ginac(what.damping));
         const auto solution =
             solve_literally(to_rationals(taylor), Rational(int(what.stride)), what.order);
         try {

@@ -8,10 +8,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/matching/proof.hpp"
 #include "generator/pipeline.hpp"
 #include "tests/support/generators.hpp"
+#include "tests/support/mutations.hpp"
 
 using namespace nmbcgen;
 using namespace nmbcgen::test;
@@ -27,6 +29,9 @@ Specification random_specification() {
     if (*rc::gen::arbitrary<bool>()) {
         what.stabilisation = *positive_rational();
     }
+    if (*rc::gen::arbitrary<bool>()) {
+        what.damping = *positive_damping();
+    }
     return what;
 }
 
@@ -37,6 +42,12 @@ Table random_table() {
     } catch (const NoSuchBoundary&) {
         RC_DISCARD("no such boundary condition");
     }
+}
+
+Table random_damped_table() {
+    Table table = random_table();
+    RC_PRE(table.specification.damping != 0);
+    return table;
 }
 
 /// What prove() says against the table; empty where it accepts it.
@@ -127,6 +138,71 @@ TEST_CASE("a table changed in one place is refused, and the place is named") {
         function.numerator *= factor;
         function.denominator *= factor;
     });
+}
+
+TEST_CASE("damping changed in one place is refused, and the place is named") {
+    const auto refused = [](const std::string& name, const std::string& reason,
+                            const std::function<void(Table&)>& change) {
+        CHECK(rc::check(name, [&] {
+            Table table = random_damped_table();
+            change(table);
+            RC_LOG(objection(table));
+            RC_ASSERT(objection(table).find(reason) != std::string::npos);
+        }));
+    };
+    refused("tau", "damping follows", [](Table& table) { table.specification.damping *= 2; });
+    refused("tau < 0", "tau >= 0", [](Table& table) {
+        table.specification.damping *= -1;
+        for (Rational& coefficient : table.model.damping) {
+            coefficient *= -1;
+        }
+    });
+    refused("tau = 0", "only there", [](Table& table) { table.specification.damping = 0; });
+    refused("no damping", "only there", [](Table& table) { table.model.damping.clear(); });
+    refused("a reach too short", "reaches as far",
+            [](Table& table) { table.model.damping.pop_back(); });
+    refused("a square counted as strain", "damping",
+            [](Table& table) { table.model.energy.back().part = EnergyPart::strain; });
+    CHECK(rc::check("damping that nobody asked for", [] {
+        Table table = random_table();
+        RC_PRE(table.specification.damping == 0);
+        table.model.damping.assign(table.model.symbol.size(), Rational(0));
+        RC_ASSERT(objection(table) == "not proved: damping where tau > 0, and only there");
+    }));
+}
+
+TEST_CASE("no number of the damping can be changed, G open, fixed or zero") {
+    for (const std::optional<Rational>& G :
+         {std::optional<Rational>(), std::optional<Rational>(Rational(2, 3)),
+          std::optional<Rational>(0)}) {
+        Table table = derive({.family = "nopd1d",
+                              .horizon = 2,
+                              .order = 2,
+                              .stride = 2,
+                              .stabilisation = G,
+                              .damping = Rational(1, 10)});
+        REQUIRE(objection(table).empty());
+        // At G = 0 nothing in the table tells the weight of the stabilisation at G = 1.
+        CHECK((table.proved.find("damping") == std::string::npos) == (G == Rational(0)));
+        int mutants = 0;
+        for (Rational& coefficient : table.model.damping) {
+            const Rational before = coefficient;
+            for (const std::string& mutant : mutations(to_string(before))) {
+                const std::size_t slash = mutant.find('/');
+                const Integer denominator =
+                    slash == std::string::npos ? Integer(1) : Integer(mutant.substr(slash + 1));
+                if (denominator == 0) {
+                    continue;
+                }
+                coefficient = Rational(Integer(mutant.substr(0, slash)), denominator);
+                CAPTURE(mutant);
+                CHECK(objection(table).starts_with("not proved"));
+                ++mutants;
+            }
+            coefficient = before;
+        }
+        CHECK(mutants > 30);
+    }
 }
 
 TEST_CASE("C(1) = 0 is refused even where the residual vanishes") {

@@ -122,10 +122,9 @@ TEST_CASE("the committed set is symmetric: c_j = c_{N-j}, b_j = -b_{N-j}") {
 
 TEST_CASE("match refuses what it cannot use") {
     CHECK_THROWS_AS(match({0, 1, 0}, 1, 0), std::invalid_argument);
-    CHECK_THROWS_AS(match({0, 1}, 1, 1), std::invalid_argument);           // needs a_0 .. a_2
-    CHECK_THROWS_AS(match({0, 1, 0, 1}, 1, 2), std::invalid_argument);     // needs a_0 .. a_4
-    CHECK_THROWS_AS(match({0, 1, 2, 1, 0}, 1, 2), std::invalid_argument);  // a_2 is not zero
-    CHECK_THROWS_AS(match({1, 1, 0}, 1, 1), std::invalid_argument);        // a_0 is not zero
+    CHECK_THROWS_AS(match({0, 1}, 1, 1), std::invalid_argument);        // needs a_0 .. a_2
+    CHECK_THROWS_AS(match({0, 1, 0, 1}, 1, 2), std::invalid_argument);  // needs a_0 .. a_4
+    CHECK_THROWS_AS(match({1, 1, 0}, 1, 1), std::invalid_argument);     // a_0 is not zero
     Specification unknown;
     unknown.family = "nopd9d";
     CHECK_THROWS_AS(derive(unknown), std::invalid_argument);

@@ -139,9 +139,33 @@ TEST_CASE("n = 1, worked by hand") {
     }
 }
 
+TEST_CASE("n = 1 with damping, worked by hand") {
+    // With x = i xi: sigma = 2(1 - cos)^2 = x^4/2 + x^6/12 + .., s = x + a_3 x^3 + a_4 x^4 + ..;
+    // the powers 5, 7 and 8 of s^2 + tau sigma s + omega^2 are
+    //     2 a_4 + tau/2,   2 a_6 + 2 a_3 a_4 + tau (a_3/2 + 1/12),
+    //     2 a_7 + 2 a_3 a_5 + a_4^2 + tau a_4/2 + what is there without damping.
+    const GiNaC::symbol tau("tau");
+    const auto plain = nopd1d_taylor(1, G, 7);
+    const auto a = nopd1d_taylor(1, G, 7, tau);
+    CHECK(a[2].is_zero());
+    CHECK(identical(a[3], plain[3]));
+    CHECK(identical(a[4], -tau / 4));
+    CHECK(identical(a[5], plain[5]));
+    CHECK(identical(a[6], -tau / 24));
+    CHECK(identical(a[7], plain[7] + pow(tau, 2) / 32));
+}
+
+TEST_CASE("a damped rigid motion is refused") {
+    CHECK_THROWS_AS(nmbcgen::taylor_coefficients({{2, -1}, {1}}, 3), std::invalid_argument);
+    CHECK_THROWS_AS(nmbcgen::taylor_coefficients({{2, -1}, {3, -1}}, 3), std::invalid_argument);
+    // tau sigma = xi^2 + ..: s = x + x^2/2 + ..
+    CHECK(nmbcgen::taylor_coefficients({{2, -1}, {2, -1}}, 3)[2].is_equal(numeric(1, 2)));
+}
+
 TEST_CASE("a symbol that does not start as xi^2 is refused") {
     // omega^2 = 1: no acoustic branch. omega^2 = 2(2 - z - 1/z) = 2 xi^2 + ..: c is not 1.
-    CHECK_THROWS_AS(nmbcgen::taylor_coefficients({1, 0}, 3), std::invalid_argument);
-    CHECK_THROWS_AS(nmbcgen::taylor_coefficients({4, -2}, 3), std::invalid_argument);
-    CHECK(nmbcgen::taylor_coefficients({2, -1}, 3)[3].is_equal(numeric(1, 24)));  // 2 sin(xi/2)
+    CHECK_THROWS_AS(nmbcgen::taylor_coefficients({{1, 0}, {}}, 3), std::invalid_argument);
+    CHECK_THROWS_AS(nmbcgen::taylor_coefficients({{4, -2}, {}}, 3), std::invalid_argument);
+    CHECK(
+        nmbcgen::taylor_coefficients({{2, -1}, {}}, 3)[3].is_equal(numeric(1, 24)));  // 2 sin(xi/2)
 }

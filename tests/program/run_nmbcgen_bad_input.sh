@@ -38,13 +38,19 @@ for option in --order --horizon --stride; do
     done
 done
 
-for bad in nan inf -1 -1/2 +1 1e400 1/3/5 1.2.3 .5 5. / "" " 1" 0x1 1,5 one; do
-    refuses --G "'$bad'" "non-negative exact number" "1/2" -- --order 1 --horizon 1 --G "$bad"
-done
-refuses --G "'1/0'" "denominator 0" -- --order 1 --horizon 1 --G 1/0
 sixty=$(printf '7%.0s' {1..60})
-refuses --G "at most 40 digits" -- --order 1 --horizon 1 --G "$sixty"
-refuses --G "at most 40 digits" -- --order 1 --horizon 1 --G "1/$sixty"
+for option in --G --damping; do
+    for bad in nan inf -1 -1/2 +1 1e400 1/3/5 1.2.3 .5 5. / "" " 1" 0x1 1,5 one; do
+        refuses $option "'$bad'" "non-negative exact number" "1/2" -- \
+            --order 1 --horizon 1 $option "$bad"
+    done
+    refuses $option "'1/0'" "denominator 0" -- --order 1 --horizon 1 $option 1/0
+    refuses $option "at most 40 digits" -- --order 1 --horizon 1 $option "$sixty"
+    refuses $option "at most 40 digits" -- --order 1 --horizon 1 $option "1/$sixty"
+    refuses $option "At Most 1" -- --order 1 --horizon 1 $option 1 $option 1
+done
+refuses --damping "undamped" "0 is allowed" -- \
+    reflect --order 1 --horizon 1 --G 1 --damping 1/10
 
 refuses --family "'nopd7d'" "allowed: nopd1d" -- --order 1 --horizon 1 --family nopd7d
 refuses --family "''" "allowed: nopd1d" -- --order 1 --horizon 1 --family ""
@@ -60,7 +66,6 @@ refuses stray "not expected" -- --order 1 --horizon 1 stray
 refuses --order "At Most 1" -- --order 1 --order 2 --horizon 1
 refuses --order "At Most 1" -- --order 1 --order 1 --horizon 1
 refuses --horizon "At Most 1" -- --order 1 --horizon 1 --horizon 1
-refuses --G "At Most 1" -- --order 1 --horizon 1 --G 1 --G 1
 
 refuses "--order and --horizon" "--all" "--check" -- --order 1
 refuses "--order and --horizon" "--all" "--check" -- --horizon 1
@@ -73,6 +78,8 @@ refuses --all --order excludes -- --all --order 1
 refuses --all --horizon excludes -- --all --horizon 1
 refuses --all --stdout excludes -- --all --stdout
 refuses --all --G excludes -- --all --G 1
+refuses --all --damping excludes -- --all --damping 1/10
+refuses --check --damping excludes -- --check --damping 0
 refuses --all --check excludes -- --all --check
 refuses --all --check excludes -- --check --all
 refuses --check --order excludes -- --check --order 1

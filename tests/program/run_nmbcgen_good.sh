@@ -30,6 +30,10 @@ for G in 0.5 2/4 0.50 00.5 5/10; do
     writes out/nopd1d_n1_order1_G1o2.hpp --order 1 --horizon 1 --G "$G" --out out
     expect_same out/nopd1d_n1_order1_G1o2.hpp "$scratch/half"
 done
+writes out/nopd1d_n1_order2_tau1o10.hpp --order 2 --horizon 1 --damping 0.1 --out out --uncertified
+writes out/nopd1d_n2_order2_s2_tau1o10_G1o2.json --order 2 --horizon 2 --stride 2 --G 1/2 \
+    --damping 2/20 --out out --uncertified --format json
+writes out/nopd1d_n1_order1.hpp --order 1 --horizon 1 --damping 0 --out out
 writes out/nopd1d_n1_order1_G2o1.json --order 1 --horizon 1 --G 2 --format json --out out
 writes out/a/b/nopd1d_n1_order1.hpp --order 1 --horizon 1 --out out/a/b
 writes "out/with space/nopd1d_n1_order1.hpp" --order 1 --horizon 1 --out "out/with space"
@@ -49,13 +53,23 @@ for request in "--order 3 --horizon 2" "--order 3 --horizon 2 --format json" \
 done
 
 # The banner's command makes the file again.
-"$program" --order 2 --horizon 2 --stride 2 --G 0.75 --stdout >"$scratch/first"
-command=$(sed -n 's/.*Regenerate: nmbcgen //p' "$scratch/first")
-expect "the command in the banner" test "$command" = \
-    "--family nopd1d --order 2 --horizon 2 --stride 2 --G 3/4"
-# shellcheck disable=SC2086
-try $command --stdout
+for request in "--order 2 --horizon 2 --stride 2 --G 3/4" \
+    "--order 2 --horizon 2 --stride 2 --damping 1/10 --G 3/4 --uncertified"; do
+    # shellcheck disable=SC2086
+    "$program" $request --stdout >"$scratch/first"
+    command=$(sed -n 's/.*Regenerate: nmbcgen //p' "$scratch/first")
+    expect "the command in the banner" test "$command" = "--family nopd1d $request"
+    # shellcheck disable=SC2086
+    try $command --stdout
+    expect_exit 0
+    expect_same "$scratch/stdout" "$scratch/first"
+done
+
+# reflect without damping is as without the option.
+try reflect --order 1 --horizon 1 --G 1 --samples 3
 expect_exit 0
+cp "$scratch/stdout" "$scratch/first"
+try reflect --order 1 --horizon 1 --G 1 --samples 3 --damping 0
 expect_same "$scratch/stdout" "$scratch/first"
 
 try --version
@@ -64,7 +78,7 @@ expect "name and version" grep -qxE 'nmbcgen [0-9]+\.[0-9]+\.[0-9]+' "$scratch/s
 try --help
 expect_exit 0
 expect_no_stderr
-for option in --family --order --horizon --stride --G --format --stdout --out --all --check; do
+for option in --family --order --horizon --stride --damping --G --format --stdout --out --all --check; do
     expect "$option in the help" grep -qF -- "$option" "$scratch/stdout"
 done
 expect_nothing_written

@@ -46,6 +46,19 @@ done
 
 does_not_exist 2 2 128/85 "pole" "G = 128/85" "Use order 1"
 
+# Damped: (z-1) and not (z-1)^2, as even Taylor coefficients appear; no block at G = 0, but one
+# where the damped symbol is rational.
+try --order 2 --horizon 1 --damping 1/10 --G 1
+expect_exit 3
+expect_stderr "damping 1/10 at G = 1: it would be (z-1) times NMBC1"
+expect_stderr "(growth like t)"
+try --order 2 --horizon 1 --damping 1/10 --G 0 --uncertified --stdout
+expect_exit 0
+try --order 3 --horizon 1 --damping 1 --G 2
+expect_exit 3
+expect_stderr "s is itself a rational function"
+expect_stderr "every order N >= 3"
+
 # With a stride, G = 0 has no such block; with G left open the condition exists.
 try --order 2 --horizon 1 --G 0 --stride 2 --stdout
 expect_exit 0

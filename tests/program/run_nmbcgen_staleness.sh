@@ -92,7 +92,8 @@ is_up_to_date
 
 # Files that belong to no table: --check names them, and says that they are to be deleted.
 for left_over in notes.txt nopd1d_n2_order3.hpp.orig nopd1d_n2_order3.hpp.new-4711 \
-    nopd7d_n1_order1.hpp nopd1d_n1_order2_G1o1.hpp; do  # the last: no such boundary condition
+    nopd7d_n1_order1.hpp nopd1d_n0_order1.hpp nopd1d_n1_order1_tau0o1.hpp \
+    nopd1d_n1_order2_G2o4.hpp nopd1d_n1_order2_G1o1.hpp; do  # the last: no such condition
     echo "something" >"tables/$left_over"
     is_stale "left over: $left_over" "delete it"
     rm "tables/$left_over"
@@ -103,7 +104,9 @@ done
 "$program" --order 5 --horizon 2 --out tables >/dev/null
 "$program" --order 2 --horizon 1 --G 1/2 --out tables >/dev/null
 "$program" --order 2 --horizon 2 --stride 2 --G 0.75 --format json --out tables >/dev/null
+"$program" --order 2 --horizon 1 --damping 1/10 --uncertified --out tables >/dev/null
 expect_file tables/nopd1d_n2_order5.hpp
+expect_file tables/nopd1d_n1_order2_tau1o10.hpp
 expect_file tables/nopd1d_n1_order2_G1o2.hpp
 expect_file tables/nopd1d_n2_order2_s2_G3o4.json
 is_up_to_date

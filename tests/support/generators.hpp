@@ -22,6 +22,12 @@ inline rc::Gen<Rational> positive_rational() {
                           rc::gen::inRange(1, 25));
 }
 
+/// A value of tau > 0 such as people choose, and larger ones.
+inline rc::Gen<Rational> positive_damping() {
+    return rc::gen::apply([](int p, int q) { return Rational(p, q); }, rc::gen::inRange(1, 9),
+                          rc::gen::inRange(1, 60));
+}
+
 /// Of degree < size, often less, sometimes zero.
 inline rc::Gen<Polynomial> polynomial(std::size_t size) {
     return rc::gen::map(rc::gen::container<std::vector<Rational>>(size, small_rational()),

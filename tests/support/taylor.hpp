@@ -13,20 +13,25 @@
 
 namespace nmbcgen::test {
 
-/// The symbol of nopd1d with the stabilisation G, a symbol or a number, for taylor_coefficients.
-inline std::vector<GiNaC::ex> thawed_symbol(unsigned horizon, const GiNaC::ex& G) {
+/// The dispersion relation of nopd1d with stabilisation G and damping tau, symbols or numbers.
+inline Dispersion nopd1d_dispersion(unsigned horizon, const GiNaC::ex& G,
+                                    const GiNaC::ex& tau = 0) {
     const GiNaC::symbol parameter("G");
-    std::vector<GiNaC::ex> symbol;
-    for (const Polynomial& coefficient : make_model("nopd1d", horizon).symbol) {
-        symbol.push_back(thaw(coefficient, parameter).subs(parameter == G));
+    const Model model = make_model("nopd1d", horizon, 1);
+    Dispersion result;
+    for (const Polynomial& coefficient : model.symbol) {
+        result.symbol.push_back(thaw(coefficient, parameter).subs(parameter == G));
     }
-    return symbol;
+    for (const Rational& coefficient : model.damping) {
+        result.damping.push_back(tau * thaw(constant(coefficient), parameter));
+    }
+    return result;
 }
 
 /// a_0 .. a_highest of nopd1d, dX = c = 1.
-inline std::vector<GiNaC::ex> nopd1d_taylor(unsigned horizon, const GiNaC::ex& G,
-                                            unsigned highest) {
-    return taylor_coefficients(thawed_symbol(horizon, G), highest);
+inline std::vector<GiNaC::ex> nopd1d_taylor(unsigned horizon, const GiNaC::ex& G, unsigned highest,
+                                            const GiNaC::ex& tau = 0) {
+    return taylor_coefficients(nopd1d_dispersion(horizon, G, tau), highest);
 }
 
 /// Numbers out of the algebra system.
