@@ -40,11 +40,12 @@ void CertificateCache::look_up(Table& table) const {
 void CertificateCache::keep(const std::vector<Table>& tables) const {
     std::vector<TextFile> files;
     for (const Table& table : tables) {
-        const Json kept = {{"inputs", inputs(table)},
-                           {"windows", windows_object(*table.certificate)},
-                           {"poles", poles_array(*table.certificate)},
-                           {"max_cfl", steps_array(table.certificate->max_cfl)},
-                           {"max_cfl_explicit", steps_array(table.certificate->max_cfl_explicit)}};
+        const Json kept = {
+            {"inputs", inputs(table)},
+            {"windows", windows_object(*table.certificate, table.specification.damping > 0)},
+            {"poles", poles_array(*table.certificate)},
+            {"max_cfl", steps_array(table.certificate->max_cfl)},
+            {"max_cfl_explicit", steps_array(table.certificate->max_cfl_explicit)}};
         files.push_back({file_of(folder_, table), kept.dump(1) + "\n"});
     }
     write_files(files);

@@ -99,6 +99,9 @@ void read_end(const Json& end, Edge& edge) {
 template <class SomeWindow>
 std::vector<SomeWindow> read_windows(const Json& array) {
     std::vector<SomeWindow> windows;
+    if (array.is_null()) {
+        return windows;  // not sought
+    }
     for (const Json& ends : array) {
         SomeWindow window;
         read_end(ends.at(0), window.low);
@@ -122,10 +125,10 @@ std::vector<StableStep> read_steps(const Json& array) {
 
 }  // namespace
 
-Json windows_object(const Certificate& certificate) {
-    return {{"reflection", window_array(certificate.reflection)},
+Json windows_object(const Certificate& certificate, bool damped) {
+    return {{"reflection", damped ? Json(nullptr) : window_array(certificate.reflection)},
             {"modal", window_array(certificate.modal)},
-            {"contractive", window_array(certificate.contractive)}};
+            {"contractive", damped ? Json(nullptr) : window_array(certificate.contractive)}};
 }
 
 Json poles_array(const Certificate& certificate) {

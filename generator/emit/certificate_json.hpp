@@ -8,7 +8,8 @@
 
 namespace nmbcgen {
 
-nlohmann::ordered_json windows_object(const Certificate& certificate);
+/// damped: of a table with tau > 0; the windows that are not sought of one are null.
+nlohmann::ordered_json windows_object(const Certificate& certificate, bool damped);
 nlohmann::ordered_json poles_array(const Certificate& certificate);
 nlohmann::ordered_json steps_array(const std::vector<StableStep>& steps);
 

@@ -82,21 +82,36 @@ std::string window_arrays(const Certificate& certificate) {
            array("StableStep", "max_cfl_explicit", certificate.max_cfl_explicit);
 }
 
-std::string window_members(const std::string& table_name, const Certificate& certificate) {
+std::string window_members(const std::string& table_name, const Certificate& certificate,
+                           bool damped) {
     const auto member = [&table_name](const std::string& name, bool empty) {
         return fmt::format("    .{} = {},\n", name,
                            empty ? "{}" : fmt::format("{}_data::{}", table_name, name));
     };
-    return member("reflection", certificate.reflection.empty()) +
+    const auto undamped_member = [&](const std::string& name, bool empty) {
+        return damped ? fmt::format("    .{} = {{}},  // not sought of a damped lattice\n", name)
+                      : member(name, empty);
+    };
+    return undamped_member("reflection", certificate.reflection.empty()) +
            member("modal", certificate.modal.empty()) +
-           member("contractive", certificate.contractive.empty()) +
+           undamped_member("contractive", certificate.contractive.empty()) +
            member("max_cfl", certificate.max_cfl.empty()) +
            member("max_cfl_explicit", certificate.max_cfl_explicit.empty());
 }
 
-std::string certificate_statement(const std::optional<Certificate>& certificate) {
-    if (!certificate) {
+std::string certificate_statement(const Table& table) {
+    if (!table.certificate) {
         return "not examined";
+    }
+    if (table.specification.damping > 0) {
+        return fmt::format(
+            "modal: no growing boundary mode and no growth by round trips on the band, both ends "
+            "alike, in chains of {} interior nodes and more, on whose length the damping takes "
+            "back what an end amplifies; max_cfl: the same of the leapfrog scheme, damping force "
+            "from the old velocities; reflection and contractive: not sought, since waves lose "
+            "energy on the way; modal edges are exact where an exact value is given, else in the "
+            "bracket",
+            least_damped_nodes);
     }
     return "reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and "
            "sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for "

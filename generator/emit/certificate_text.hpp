@@ -2,10 +2,9 @@
 /// A certificate as C++ source and as a sentence.
 #pragma once
 
-#include <optional>
 #include <string>
 
-#include "generator/table/certificate.hpp"
+#include "generator/table/table.hpp"
 
 namespace nmbcgen {
 
@@ -13,10 +12,12 @@ namespace nmbcgen {
 /// they are not empty, with a comment on both ends of every window.
 std::string window_arrays(const Certificate& certificate);
 
-/// The initialisers of the table's members of these names.
-std::string window_members(const std::string& table_name, const Certificate& certificate);
+/// The initialisers of the table's members of these names; those that are not sought of a damped
+/// table are empty, with a comment.
+std::string window_members(const std::string& table_name, const Certificate& certificate,
+                           bool damped);
 
-/// What the windows mean and how they were found.
-std::string certificate_statement(const std::optional<Certificate>& certificate);
+/// What the windows of a table mean and how they were found.
+std::string certificate_statement(const Table& table);
 
 }  // namespace nmbcgen

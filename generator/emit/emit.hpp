@@ -11,10 +11,10 @@
 namespace nmbcgen {
 
 /// Of the JSON: raised by any change that an old reader would misread.
-inline constexpr int schema = 1;
+inline constexpr int schema = 2;
 
 /// Of the headers: nmbc::table_schema in runtime/nmbc/table.hpp.
-inline constexpr int header_schema = 2;
+inline constexpr int header_schema = 3;
 
 /// FAMILY_nH_orderN[_sS][_tauPoQ][_GPoQ], the name of the table and of its files.
 std::string table_name(const Specification& specification);
@@ -28,10 +28,10 @@ std::string emit_header(const Table& table);
 /// tables.hpp: includes the headers of all tables, and lists them in nmbc::generated::tables.
 std::string emit_registry(std::span<const Table> tables);
 
-/// One table as JSON, schema 1 (docs/json.md).
+/// One table as JSON, schema 2 (docs/json.md).
 std::string emit_json(const Table& table);
 
-/// tables.json: {"schema": 1, "tables": [...]}.
+/// tables.json: {"schema": 2, "tables": [...]}.
 std::string emit_json(std::span<const Table> tables);
 
 }  // namespace nmbcgen

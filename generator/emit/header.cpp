@@ -26,6 +26,10 @@ std::string initialiser(const Polynomial& polynomial) {
     return initialiser(to_rational_function(polynomial));
 }
 
+std::string initialiser(const Rational& number) {
+    return initialiser(constant(number));
+}
+
 std::string initialiser(const EnergySquare& square) {
     // The stencil as integers over a common divisor: a polynomial in z over an integer.
     const RationalFunction stencil =
@@ -40,6 +44,9 @@ std::string initialiser(const EnergySquare& square) {
 template <class Item>
 std::string array(const std::string& type, const std::string& name,
                   const std::vector<Item>& items) {
+    if (items.empty()) {
+        return "";  // C++ has no array without an element
+    }
     std::string text = fmt::format("inline constexpr {} {}[]{{\n", type, name);
     for (const Item& item : items) {
         text += fmt::format("    {},\n", initialiser(item));
@@ -79,22 +86,29 @@ std::string emit_header(const Table& table) {
     const Specification& what = table.specification;
     const std::string name = table_name(what);
     const std::string G = what.stabilisation ? to_string(*what.stabilisation) : "";
+    const bool damped = what.damping > 0;
+    const std::string tau = to_string(what.damping);
     const Certificate certificate = table.certificate.value_or(Certificate{});
 
     std::string text =
         banner(regenerating_command(what) + (table.certificate ? "" : " --uncertified"));
-    text += fmt::format("// model   {}{}\n", table.model.description,
+    text += fmt::format("// model   {}{}{}\n", table.model.description,
+                        damped ? fmt::format(", damping tau = {}", tau) : "",
                         G.empty() ? "" : fmt::format("; here G = {}", G));
     text += fmt::format("// source  {}\n", table.source);
     text +=
-        "// units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension\n"
+        fmt::format("// units   xi in 1/dX, omega{} and b_j in c/dX, c_j and G without dimension\n",
+                    damped ? ", tau" : "");
+    text +=
         "// sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the "
         "ghost node M, s the stride\n";
     text += fmt::format("// proved  {}\n", table.proved);
-    text += fmt::format("// stable  {}\n", certificate_statement(table.certificate));
+    text += fmt::format("// stable  {}\n", certificate_statement(table));
     text += "#pragma once\n\n#include <nmbc/table.hpp>\n\n" + schema_check() + "\n";
     text += fmt::format("namespace nmbc::generated {{\n\nnamespace {}_data {{\n\n", name);
     text += array("RationalFunction", "symbol", table.model.symbol) + "\n";
+    const std::string damping = array("RationalFunction", "damping", table.model.damping);
+    text += damping.empty() ? "" : damping + "\n";
     text += array("EnergySquare", "energy", table.model.energy) + "\n";
     text += array("RationalFunction", "taylor", table.taylor) + "\n";
     text += array("RationalFunction", "c", table.c) + "\n";
@@ -106,8 +120,8 @@ std::string emit_header(const Table& table) {
         text += rounded_array("rounded_b", table.b) + "\n";
     }
     text += fmt::format("}}  // namespace {}_data\n\n", name);
-    text += fmt::format("/// NMBC{}, horizon {} dX, stride {}{}.\n", what.order, what.horizon,
-                        what.stride, G.empty() ? "" : ", G = " + G);
+    text += fmt::format("/// NMBC{}, horizon {} dX, stride {}{}{}.\n", what.order, what.horizon,
+                        what.stride, damped ? ", tau = " + tau : "", G.empty() ? "" : ", G = " + G);
     text += fmt::format(
         "inline constexpr MatchingTable {0}{{\n"
         "    .name = \"{0}\",\n"
@@ -116,15 +130,19 @@ std::string emit_header(const Table& table) {
         "    .order = {3},\n"
         "    .stride = {4},\n"
         "    .fixed_G = \"{5}\",\n"
-        "    .source = \"{6}\",\n"
-        "    .proved = \"{7}\",\n"
+        "    .tau = \"{6}\",\n"
+        "    .source = \"{7}\",\n"
+        "    .proved = \"{8}\",\n"
         "    .symbol = {0}_data::symbol,\n"
+        "    .damping = {9},\n"
         "    .energy = {0}_data::energy,\n"
         "    .taylor = {0}_data::taylor,\n"
         "    .c = {0}_data::c,\n"
         "    .b = {0}_data::b,\n",
-        name, what.family, what.horizon, what.order, what.stride, G, table.source, table.proved);
-    text += window_members(name, certificate);
+        name, what.family, what.horizon, what.order, what.stride, G, tau, table.source,
+        table.proved, damping.empty() ? "{}" : name + "_data::damping");
+    text += window_members(name, certificate, damped);
+    text += fmt::format("    .least_nodes = {},\n", damped ? least_damped_nodes : 0);
     return text + "};\n\n}  // namespace nmbc::generated\n";
 }
 

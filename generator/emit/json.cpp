@@ -36,6 +36,10 @@ Json exact(const Polynomial& polynomial, bool at_fixed_G) {
     return exact(to_rational_function(polynomial), at_fixed_G);
 }
 
+Json exact(const Rational& number, bool at_fixed_G) {
+    return exact(constant(number), at_fixed_G);
+}
+
 template <class Item>
 Json exact_array(const std::vector<Item>& items, bool at_fixed_G) {
     Json array = Json::array();
@@ -62,26 +66,30 @@ Json energy_array(const std::vector<EnergySquare>& energy, bool at_fixed_G) {
 Json table_object(const Table& table) {
     const Specification& what = table.specification;
     const bool fixed = what.stabilisation.has_value();
+    const bool damped = what.damping > 0;
     const Certificate certificate = table.certificate.value_or(Certificate{});
-    return {{"schema", schema},
-            {"family", what.family},
-            {"order", what.order},
-            {"horizon", what.horizon},
-            {"stride", what.stride},
-            {"G", fixed ? Json(to_string(*what.stabilisation)) : Json(nullptr)},
-            {"symbol", exact_array(table.model.symbol, fixed)},
-            {"energy", energy_array(table.model.energy, fixed)},
-            {"taylor", exact_array(table.taylor, fixed)},
-            {"c", exact_array(table.c, fixed)},
-            {"b", exact_array(table.b, fixed)},
-            {"source", table.source},
-            {"proved", table.proved},
-            {"windows", windows_object(certificate)},
-            {"poles", poles_array(certificate)},
-            {"max_cfl", steps_array(certificate.max_cfl)},
-            {"max_cfl_explicit", steps_array(certificate.max_cfl_explicit)},
-            {"certificate",
-             table.certificate ? Json(certificate_statement(table.certificate)) : Json(nullptr)}};
+    return {
+        {"schema", schema},
+        {"family", what.family},
+        {"order", what.order},
+        {"horizon", what.horizon},
+        {"stride", what.stride},
+        {"G", fixed ? Json(to_string(*what.stabilisation)) : Json(nullptr)},
+        {"tau", to_string(what.damping)},
+        {"symbol", exact_array(table.model.symbol, fixed)},
+        {"damping", exact_array(table.model.damping, fixed)},
+        {"energy", energy_array(table.model.energy, fixed)},
+        {"taylor", exact_array(table.taylor, fixed)},
+        {"c", exact_array(table.c, fixed)},
+        {"b", exact_array(table.b, fixed)},
+        {"source", table.source},
+        {"proved", table.proved},
+        {"windows", windows_object(certificate, damped)},
+        {"least_nodes", damped ? least_damped_nodes : 0},
+        {"poles", poles_array(certificate)},
+        {"max_cfl", steps_array(certificate.max_cfl)},
+        {"max_cfl_explicit", steps_array(certificate.max_cfl_explicit)},
+        {"certificate", table.certificate ? Json(certificate_statement(table)) : Json(nullptr)}};
 }
 
 std::string to_text(const Json& json) {

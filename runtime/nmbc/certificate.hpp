@@ -13,12 +13,14 @@
 namespace nmbc {
 
 enum class Grade {
-    none,         ///< not certified
-    paired,       ///< stable with the same condition at the other end, but for the shortest chains
+    none,  ///< not certified
+    /// Stable with the same condition at the other end, but for short chains: see
+    /// MatchingTable::modal, and of a damped table least_nodes.
+    paired,
     contractive,  ///< and with any other end that adds no energy
 };
 
-/// The grade of a table at G.
+/// The grade of a table at G; a damped one has no contractive windows.
 constexpr Grade certified_grade(const MatchingTable& table, double G) {
     const auto holds = [G](std::span<const Window> windows) {
         return std::ranges::any_of(windows,
@@ -30,7 +32,8 @@ constexpr Grade certified_grade(const MatchingTable& table, double G) {
     return holds(table.contractive) ? Grade::contractive : Grade::paired;
 }
 
-/// The largest certified cfl = dt omega_max / 2 at G; 0 where no time step is certified.
+/// The largest certified cfl = dt omega_max / 2 at G, omega_max that of the lattice without its
+/// damping, which the certified value allows for; 0 where no time step is certified.
 constexpr double certified_cfl(const MatchingTable& table, double G,
                                GhostRule rule = GhostRule::midpoint) {
     double cfl = 0;
@@ -63,13 +66,15 @@ inline std::string to_text(const Window& window) {
 }
 
 inline std::string name_of(const MatchingTable& table) {
-    return "NMBC" + std::to_string(table.order) + " with stride " + std::to_string(table.stride);
+    return "NMBC" + std::to_string(table.order) + " with stride " + std::to_string(table.stride) +
+           (table.tau == "0" ? "" : " and tau " + std::string(table.tau));
 }
 
 }  // namespace detail
 
 /// Says which other choices are certified with a time step: the table's own ranges of G, and from
-/// `others` (such as nmbc::generated::tables) those of the same lattice at this G.
+/// `others` (such as nmbc::generated::tables) those of the same lattice, damping included, at this
+/// G.
 inline std::string certified_choices(const MatchingTable& table, double G,
                                      std::span<const MatchingTable* const> others = {}) {
     std::string ranges;
@@ -83,7 +88,7 @@ inline std::string certified_choices(const MatchingTable& table, double G,
     std::string same_G;
     for (const MatchingTable* other : others) {
         if (other->family == table.family && other->horizon == table.horizon &&
-            certified_cfl(*other, G) > 0) {
+            other->tau == table.tau && certified_cfl(*other, G) > 0) {
             same_G += (same_G.empty() ? "" : ", ") + detail::name_of(*other);
         }
     }
@@ -92,7 +97,8 @@ inline std::string certified_choices(const MatchingTable& table, double G,
            (same_G.empty() ? "" : "; at this G: " + same_G);
 }
 
-/// Throws NotCertified where the table is not certified at G.
+/// Throws NotCertified where the table is not certified at G. How long the chain is, is not known
+/// here: see BoundaryCoefficients::least_nodes.
 inline void require_certified(const MatchingTable& table, double G,
                               std::span<const MatchingTable* const> others = {}) {
     if (certified_grade(table, G) == Grade::none) {

@@ -33,7 +33,8 @@ struct ChainParameters {
 class Chain {
   public:
     /// At rest, at t = 0. Throws std::invalid_argument where a parameter is not positive and
-    /// finite or the chain is too short for its ends, and as MatchingBoundary does.
+    /// finite or the chain is too short for its ends, and as MatchingBoundary does; NotCertified
+    /// where it is shorter than the certificate of an end allows.
     Chain(Lattice lattice, const ChainEnd& left, const ChainEnd& right,
           const ChainParameters& parameters)
         : lattice_(std::move(lattice)),
@@ -45,9 +46,15 @@ class Chain {
             throw std::invalid_argument("the chain needs at least " + std::to_string(smallest) +
                                         " interior nodes for these ends");
         }
+        require_certified_length(left);
+        require_certified_length(right);
         displacement_.resize(nodes(), 0.0);
         velocity_.resize(nodes(), 0.0);
         acceleration_.resize(nodes(), 0.0);
+        if (is_damped()) {
+            deceleration_.resize(nodes(), 0.0);
+            damped_.resize(nodes(), 0.0);
+        }
     }
 
     /// Between two like matching boundaries with the ghost rule of the parameters.
@@ -68,6 +75,10 @@ class Chain {
     std::span<const double> velocity() const { return velocity_; }
     std::span<double> velocity() { return velocity_; }
 
+    /// Energy [per cross-section area] that the damping force has taken out at each node since the
+    /// start, ghosts (which it does not act on) included; empty where the lattice is undamped.
+    std::span<const double> damped() const { return damped_; }
+
     /// Sets u and v at t = 0 on all nodes; v is moved to -dt/2 by the lattice's acceleration. The
     /// ghosts of a fixed or free end are as it has them, here and in every step, whatever is given.
     void start(std::span<const double> u, std::span<const double> v) {
@@ -77,10 +88,11 @@ class Chain {
                 "included");
         }
         steps_ = 0;
+        std::ranges::fill(damped_, 0.0);
         std::ranges::copy(u, displacement_.begin());
         std::ranges::copy(v, velocity_.begin());
-        impose_on(displacement_);
-        accelerate(-parameters_.time_step / 2);
+        find_accelerations();
+        kick(-parameters_.time_step / 2);
         impose_on(velocity_);
     }
 
@@ -89,10 +101,12 @@ class Chain {
     template <class Prescribe>
     void step(Prescribe&& prescribe) {
         const double dt = parameters_.time_step;
-        impose_on(displacement_);
-        accelerate(dt);
+        find_accelerations();
+        count_damped();
+        kick(dt);
         ++steps_;
         prescribe(std::span<const double>(displacement_), std::span<double>(velocity_), time());
+        count_damped();
         match(left_, End::left);
         match(right_, End::right);
         impose_on(velocity_);
@@ -141,6 +155,17 @@ class Chain {
         return std::holds_alternative<FixedEnd>(end) ? Condition(FixedEnd{}) : FreeEnd{};
     }
 
+    void require_certified_length(const ChainEnd& end) const {
+        const auto* matching = std::get_if<MatchingEnd>(&end);
+        const int least = matching == nullptr ? 0 : matching->coefficients.least_nodes;
+        if (least > 0 && parameters_.nodes < static_cast<std::size_t>(least)) {
+            throw NotCertified("a chain with this damped matching boundary is certified from " +
+                               std::to_string(least) + " interior nodes on, and has " +
+                               std::to_string(parameters_.nodes) +
+                               "; take the coefficients with allow_unstable to run it");
+        }
+    }
+
     /// Interior nodes that an end reads; one at least, so that there is a chain.
     std::size_t reach_of(const Condition& condition) const {
         if (const auto* matching = std::get_if<MatchingBoundary>(&condition)) {
@@ -167,10 +192,36 @@ class Chain {
         }
     }
 
-    /// v += duration * a on the interior nodes.
-    void accelerate(double duration) {
+    bool is_damped() const { return !lattice_.damping.empty(); }
+
+    /// Of the interior nodes, from u and, where the lattice is damped, the old v.
+    void find_accelerations() {
+        impose_on(displacement_);
+        impose_on(velocity_);
         const double rate = parameters_.wave_speed() / parameters_.spacing;
         accelerations(lattice_, rate * rate, displacement_, acceleration_);
+        if (is_damped()) {
+            decelerations(lattice_, rate, velocity_, deceleration_);
+            for (std::size_t node = ghosts(); node + ghosts() < nodes(); ++node) {
+                acceleration_[node] -= deceleration_[node];
+            }
+        }
+    }
+
+    /// Half of a step's work against the damping force: its path is dt times the mean of the old
+    /// velocities and the new ones, each of which is there once.
+    void count_damped() {
+        if (!is_damped()) {
+            return;
+        }
+        const double half = parameters_.density * parameters_.spacing * parameters_.time_step / 2;
+        for (std::size_t node = ghosts(); node + ghosts() < nodes(); ++node) {
+            damped_[node] += half * deceleration_[node] * velocity_[node];
+        }
+    }
+
+    /// v += duration * a on the interior nodes.
+    void kick(double duration) {
         for (std::size_t node = ghosts(); node + ghosts() < nodes(); ++node) {
             velocity_[node] += duration * acceleration_[node];
         }
@@ -183,6 +234,8 @@ class Chain {
     std::vector<double> displacement_;
     std::vector<double> velocity_;
     std::vector<double> acceleration_;
+    std::vector<double> deceleration_;  // the damping's part of it; empty where undamped
+    std::vector<double> damped_;
     std::size_t steps_ = 0;
 };
 

@@ -20,6 +20,10 @@ struct BoundaryCoefficients {
     std::vector<double> c;
     std::vector<double> b;
     int stride = 1;
+    /// Interior nodes a chain needs for the certificate of a damped table to hold; 0: undamped, or
+    /// taken without a certificate. Chain refuses shorter ones; loops of your own have to see to
+    /// it.
+    int least_nodes = 0;
 };
 
 /// The value does not exist: a pole of the coefficients, or C(1) = 0. what() says which and where.
@@ -236,6 +240,7 @@ inline BoundaryCoefficients boundary_coefficients(
     const MatchingTable& table, double G, std::span<const MatchingTable* const> others = {}) {
     BoundaryCoefficients result = boundary_coefficients(table, G, allow_unstable);
     require_certified(table, G, others);
+    result.least_nodes = table.least_nodes;
     return result;
 }
 

@@ -18,7 +18,12 @@ struct Energies {
     /// keeps it exactly in a chain without ends, or between two free ones (beside a fixed end, the
     /// strain of the ghost nodes is missing); `total` is above it by O(dt^2), and swings.
     double staggered = 0;
+    /// Taken out at these nodes by the damping force since the start, with the scheme's own
+    /// velocities: between free ends, `staggered` falls by exactly as much as `damped` rises. Other
+    /// ends and prescribed velocities do work of their own.
+    double damped = 0;
 
+    /// Of the chain, so that `damped` is not in it.
     double total() const { return kinetic + strain + stabilisation; }
 };
 
@@ -55,6 +60,11 @@ inline Energies energies(const Chain& chain, std::size_t first, std::size_t last
         result.kinetic += p.spacing * p.density * v[node] * v[node] / 2;
     }
     result.staggered = result.kinetic;
+    if (!chain.damped().empty()) {
+        for (const double damped : chain.damped().subspan(begin, end - begin)) {
+            result.damped += damped;
+        }
+    }
     for (const Lattice::Square& square : chain.lattice().energy) {
         const std::size_t half_width = square.stencil.size() / 2;  // at most ghosts() / 2
         const double factor = square.weight * p.youngs_modulus / p.spacing / 2;

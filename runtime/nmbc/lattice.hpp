@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// The interior of a uniform chain: stencil, band edge and energy of a table's lattice model.
+/// The interior of a uniform chain: stencils, band edge and energy of a table's lattice model.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <nmbc/coefficients.hpp>
 #include <numbers>
@@ -19,8 +20,10 @@ struct Lattice {
         double weight;
         std::vector<double> stencil;
     };
-    std::vector<double> symbol;  ///< omega^2 = symbol[0] + 2 sum symbol[m] cos(m xi)
-    std::vector<Square> energy;  ///< squares of zero weight left out
+    std::vector<double> symbol;   ///< omega^2 = symbol[0] + 2 sum symbol[m] cos(m xi)
+    std::vector<Square> energy;   ///< squares of zero weight left out
+    std::vector<double> damping;  ///< tau sigma = damping[0] + 2 sum damping[m] cos(m xi); empty
+                                  ///< where nothing is damped
 
     /// Nodes the stencil reaches to each side; also the ghost layers an end needs.
     std::size_t reach() const { return symbol.size() - 1; }
@@ -30,7 +33,7 @@ struct Lattice {
 /// than the table was made for.
 inline Lattice make_lattice(const MatchingTable& table, double G) {
     detail::require_own_G(table, G);
-    Lattice lattice{evaluate(table.symbol, G), {}};
+    Lattice lattice{evaluate(table.symbol, G), {}, evaluate(table.damping, 0)};
     for (const EnergySquare& square : table.energy) {
         const double weight = evaluate(square.weight, G);
         if (weight == 0) {
@@ -45,46 +48,78 @@ inline Lattice make_lattice(const MatchingTable& table, double G) {
     return lattice;
 }
 
-/// omega^2 [c^2/dX^2] at wave number xi [1/dX].
-inline double omega_squared(const Lattice& lattice, double xi) {
-    double sum = lattice.symbol[0];
-    for (std::size_t m = 1; m < lattice.symbol.size(); ++m) {
-        sum += 2 * lattice.symbol[m] * std::cos(static_cast<double>(m) * xi);
+namespace detail {
+
+/// stencil[0] + 2 sum_{m >= 1} stencil[m] cos(m xi).
+inline double symbol_at(std::span<const double> stencil, double xi) {
+    double sum = stencil[0];
+    for (std::size_t m = 1; m < stencil.size(); ++m) {
+        sum += 2 * stencil[m] * std::cos(static_cast<double>(m) * xi);
     }
     return sum;
 }
 
-/// The largest omega of the band, omega_max [c/dX]; cfl = dt omega_max / 2 is 1 at the interior's
-/// own limit. Found by sampling omega^2, a trigonometric polynomial of degree `reach`, and
-/// golden-section search around the best sample.
-inline double maximum_frequency(const Lattice& lattice) {
+/// The largest value on the band of a smooth function of xi made of a lattice's symbols, by
+/// sampling and golden-section search around the best sample.
+template <class Function>
+double maximum_on_band(const Lattice& lattice, Function value) {
     // A trigonometric polynomial of degree r has at most r maxima in (0, pi); 64 samples to each
     // leave one between the neighbours of the best sample.
     const std::size_t samples = 64 * lattice.reach();
     const double step = std::numbers::pi / static_cast<double>(samples);
     std::size_t best = 0;
     for (std::size_t i = 1; i <= samples; ++i) {
-        if (omega_squared(lattice, static_cast<double>(i) * step) >
-            omega_squared(lattice, static_cast<double>(best) * step)) {
+        if (value(static_cast<double>(i) * step) > value(static_cast<double>(best) * step)) {
             best = i;
         }
     }
     double low = (static_cast<double>(best) - 1) * step;
     double high = (static_cast<double>(best) + 1) * step;
-    // 48 steps shrink the bracket below the point where omega^2 can tell its ends apart.
+    // 48 steps shrink the bracket below the point where the value can tell its ends apart.
     for (int i = 0; i < 48; ++i) {
         const double inset = (high - low) * (1 - 1 / std::numbers::phi);
-        if (omega_squared(lattice, low + inset) > omega_squared(lattice, high - inset)) {
+        if (value(low + inset) > value(high - inset)) {
             high -= inset;
         } else {
             low += inset;
         }
     }
-    return std::sqrt(omega_squared(lattice, (low + high) / 2));
+    return value((low + high) / 2);
+}
+
+}  // namespace detail
+
+/// omega^2 [c^2/dX^2] at wave number xi [1/dX], without damping.
+inline double omega_squared(const Lattice& lattice, double xi) {
+    return detail::symbol_at(lattice.symbol, xi);
+}
+
+/// The largest omega of the band without damping, omega_max [c/dX], in which time steps are
+/// counted: cfl = dt omega_max / 2.
+inline double maximum_frequency(const Lattice& lattice) {
+    return std::sqrt(
+        detail::maximum_on_band(lattice, [&](double xi) { return omega_squared(lattice, xi); }));
+}
+
+/// The interior's own limit of cfl: 1 without damping, less with it.
+///
+/// One step multiplies a wave by zeta, zeta^2 - (2 - dt^2 omega^2 - dt tau sigma) zeta +
+/// (1 - dt tau sigma) = 0: both roots are within the unit circle while dt^2 omega^2 +
+/// 2 dt tau sigma <= 4, which is dt <= 2/p with p = tau sigma/2 + sqrt((tau sigma/2)^2 + omega^2).
+inline double interior_cfl(const Lattice& lattice) {
+    if (lattice.damping.empty()) {
+        return 1;
+    }
+    const double p = detail::maximum_on_band(lattice, [&](double xi) {
+        const double half = detail::symbol_at(lattice.damping, xi) / 2;
+        // At xi = 0 both are 0 up to roundings, of either sign.
+        return half + std::sqrt(std::max(half * half + omega_squared(lattice, xi), 0.0));
+    });
+    return maximum_frequency(lattice) / p;
 }
 
 /// The largest time step [spacing/wave_speed] with which a chain between two ends of this table is
-/// certified to be stable, midpoint ghosts.
+/// certified to be stable, midpoint ghosts; of a damped table, from table.least_nodes nodes on.
 /// Throws NotCertified where there is none, as at the very edge of some windows, and
 /// std::invalid_argument where wave_speed or spacing is not positive and finite.
 inline double stable_time_step(const MatchingTable& table, double G, double wave_speed,
@@ -114,6 +149,21 @@ inline void accelerations(const Lattice& lattice, double stiffness, std::span<co
             sum += lattice.symbol[m] * (u[node + m] + u[node - m]);
         }
         a[node] = -stiffness * sum;
+    }
+}
+
+/// Decelerations of the interior nodes by the damping, d_I = (c/dX) sum_m damping[|m|] v_{I+m}.
+/// The lattice is damped. v: all nodes, `reach` ghosts first and last; d: the same length, ghost
+/// entries untouched. rate: c/dX [1/time].
+inline void decelerations(const Lattice& lattice, double rate, std::span<const double> v,
+                          std::span<double> d) {
+    const std::size_t reach = lattice.damping.size() - 1;
+    for (std::size_t node = reach; node + reach < v.size(); ++node) {
+        double sum = lattice.damping[0] * v[node];
+        for (std::size_t m = 1; m <= reach; ++m) {
+            sum += lattice.damping[m] * (v[node + m] + v[node - m]);
+        }
+        d[node] = rate * sum;
     }
 }
 

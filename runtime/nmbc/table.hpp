@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// The contract between generator and runtime: what an emitted table holds.
 ///
-/// Units: dX = 1 and c = sqrt(E/rho) = 1, so xi is in 1/dX, omega in c/dX, c_j and G without
-/// dimension, b_j in c/dX. Equation numbers: Nicely, Tang, Qian 2018.
+/// Units: dX = 1 and c = sqrt(E/rho) = 1, so xi is in 1/dX, omega and tau in c/dX, c_j and G
+/// without dimension, b_j in c/dX. Equation numbers: Nicely, Tang, Qian 2018.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace nmbc {
 
 /// Raised by any change that an old reader would misread; every emitted header asserts it.
-inline constexpr int table_schema = 2;
+inline constexpr int table_schema = 3;
 
 /// An exact rational function of the stabilisation G. Each string is a polynomial: its integer
 /// coefficients in ascending powers of G, in decimal, one space between. "576 -170" over
@@ -70,40 +70,51 @@ struct MatchingTable {
     int order;                 ///< N of NMBCN
     int stride;                ///< node offsets of the condition are 0, s, 2s, .. Ns
     std::string_view fixed_G;  ///< "p/q" where G was fixed when the table was made, else ""
+    std::string_view tau;      ///< damping of the lattice [c/dX], "p/q"; "0": undamped
     std::string_view source;   ///< the equations it is taken from
     std::string_view proved;   ///< what the generator established exactly
     /// omega^2 = symbol[0] + sum_{m >= 1} symbol[m] (z^m + z^-m), z = exp(i xi dX): the interior
     /// stencil is minus this, rho u_tt = -(E/dX^2) sum_m symbol[|m|] u_{I+m}.
     std::span<const RationalFunction> symbol;
+    /// tau sigma = damping[0] + sum_{m >= 1} damping[m] (z^m + z^-m), numbers, as many as in
+    /// `symbol`; empty where tau = 0. sigma is the symbol of the stabilisation at G = 1, and the
+    /// damping force -(rho c/dX) sum_m damping[|m|] v_{I+m}: s^2 + tau sigma s + omega^2 = 0.
+    std::span<const RationalFunction> damping;
     std::span<const EnergySquare> energy;      ///< the squares the symbol follows from
-    std::span<const RationalFunction> taylor;  ///< a_1 .. a_{2N+1} of (47)
+    std::span<const RationalFunction> taylor;  ///< a_1 .. a_{2N+1} of s = sum a_k (i xi)^k (47)
     std::span<const RationalFunction> c;       ///< c_0 .. c_N, c_0 = 1 (60)
     std::span<const RationalFunction> b;       ///< b_0 .. b_N (60)
     /// Where the paper's scalar |R| <= 1 on the whole band: neither enough for stability nor, in
-    /// general, needed.
+    /// general, needed. Not sought where tau > 0, and empty.
     std::span<const Window> reflection;
-    /// Where a chain is stable with both ends alike, whatever its length, unless it is so short
-    /// that waves which decay from one end reach the other: 9 nodes and less inside a window, up to
-    /// 29 near its ends (tests/stability/exam_short_chains.cpp).
+    /// Where a chain is stable with both ends alike. With tau = 0: whatever its length, unless it
+    /// is so short that waves which decay from one end reach the other: 9 nodes and less inside a
+    /// window, up to 29 near its ends (tests/stability/exam_short_chains.cpp). With tau > 0: from
+    /// `least_nodes` interior nodes on.
     std::span<const Window> modal;
     /// Where no wave leaves the boundary with more energy than came in, so that the other end may
-    /// be any that does not add energy, a fixed or a free one too.
+    /// be any that does not add energy, a fixed or a free one too. Not sought where tau > 0, and
+    /// empty.
     std::span<const Window> contractive;
     std::span<const StableStep> max_cfl;           ///< midpoint ghosts
     std::span<const StableStep> max_cfl_explicit;  ///< explicit ghosts, for comparison
+    /// Interior nodes a chain needs for `modal` and the steps to hold where tau > 0: what an end
+    /// amplifies is damped away on the way to the other. 0 where tau = 0.
+    int least_nodes;
 
     /// Nodes the interior stencil reaches to each side: also the ghost layers (60) is used on.
     constexpr std::size_t ghost_layers() const { return symbol.size() - 1; }
 };
 
-/// The table with these properties, or nullptr. `tables` is nmbc::generated::tables of
+/// The table with these properties, or nullptr; a damped one only where its tau is asked for, in
+/// lowest terms, as in the table. `tables` is nmbc::generated::tables of
 /// <nmbc/tables/tables.hpp>, or any list of tables of the user's own.
 constexpr const MatchingTable* find_table(std::span<const MatchingTable* const> tables,
                                           std::string_view family, int horizon, int order,
-                                          int stride = 1) {
+                                          int stride = 1, std::string_view tau = "0") {
     const auto found = std::ranges::find_if(tables, [&](const MatchingTable* table) {
         return table->family == family && table->horizon == horizon && table->order == order &&
-               table->stride == stride;
+               table->stride == stride && table->tau == tau;
     });
     return found == tables.end() ? nullptr : *found;
 }

@@ -20,6 +20,7 @@ namespace {
 struct Copy {
     explicit Copy(const nmbc::MatchingTable& from) : table(from) {
         table.symbol = symbol;
+        table.damping = damping;
         table.energy = energy;
         table.taylor = taylor;
         table.c = c;
@@ -30,8 +31,8 @@ struct Copy {
 
     std::vector<std::string_view*> texts() {
         std::vector<std::string_view*> all{&table.name, &table.family, &table.fixed_G,
-                                           &table.source, &table.proved};
-        for (auto* list : {&symbol, &taylor, &c, &b}) {
+                                           &table.tau,  &table.source, &table.proved};
+        for (auto* list : {&symbol, &damping, &taylor, &c, &b}) {
             for (nmbc::RationalFunction& function : *list) {
                 all.insert(all.end(), {&function.numerator, &function.denominator});
             }
@@ -45,6 +46,7 @@ struct Copy {
 
     nmbc::MatchingTable table;
     std::vector<nmbc::RationalFunction> symbol{table.symbol.begin(), table.symbol.end()};
+    std::vector<nmbc::RationalFunction> damping{table.damping.begin(), table.damping.end()};
     std::vector<nmbc::EnergySquare> energy{table.energy.begin(), table.energy.end()};
     std::vector<nmbc::RationalFunction> taylor{table.taylor.begin(), table.taylor.end()};
     std::vector<nmbc::RationalFunction> c{table.c.begin(), table.c.end()};
@@ -85,7 +87,8 @@ void try_mutants(const nmbc::MatchingTable& original, Count& count) {
         }
         *text = before;
     }
-    for (int* number : {&copy.table.horizon, &copy.table.order, &copy.table.stride}) {
+    for (int* number :
+         {&copy.table.horizon, &copy.table.order, &copy.table.stride, &copy.table.least_nodes}) {
         const int before = *number;
         for (const std::string& mutant : mutations(std::to_string(before))) {
             *number = std::stoi(mutant);

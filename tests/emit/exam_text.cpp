@@ -26,6 +26,24 @@ Table nopd1d_table(unsigned horizon, unsigned order, unsigned stride = 1,
                    .stabilisation = std::move(G)});
 }
 
+/// NMBC1 of a damped lattice: of order xi^4, sigma leaves a_1 .. a_3 as they are.
+Table damped_table() {
+    Table table = nopd1d_table(1, 1);
+    table.specification.damping = Rational(1, 4);
+    table.model.damping = {Rational(3, 4), Rational(-1, 2), Rational(1, 8)};
+    return table;
+}
+
+Certificate certificate_from_0_to_2() {
+    const auto edge = [](int at) {
+        return Edge{.where = Bracket{double(at), double(at)}, .inner = double(at)};
+    };
+    Certificate certificate;
+    certificate.modal = {{edge(0), edge(2)}};
+    certificate.max_cfl = {{0, 2, 0.5}};
+    return certificate;
+}
+
 std::vector<std::string> keys(const Json& object) {
     std::vector<std::string> result;
     for (const auto& item : object.items()) {
@@ -50,16 +68,16 @@ std::vector<Table> some_tables() {
 
 }  // namespace
 
-TEST_CASE("JSON: the keys of schema 1 in order") {
-    const std::vector<std::string> schema_1{"schema",           "family",     "order",  "horizon",
-                                            "stride",           "G",          "symbol", "energy",
-                                            "taylor",           "c",          "b",      "source",
-                                            "proved",           "windows",    "poles",  "max_cfl",
-                                            "max_cfl_explicit", "certificate"};
+TEST_CASE("JSON: the keys of schema 2 in order") {
+    const std::vector<std::string> schema_2{
+        "schema",  "family",           "order",      "horizon", "stride",      "G",
+        "tau",     "symbol",           "damping",    "energy",  "taylor",      "c",
+        "b",       "source",           "proved",     "windows", "least_nodes", "poles",
+        "max_cfl", "max_cfl_explicit", "certificate"};
     for (const Table& table : some_tables()) {
         const Json json = Json::parse(emit_json(table));
-        CHECK(keys(json) == schema_1);
-        CHECK(json["schema"] == 1);
+        CHECK(keys(json) == schema_2);
+        CHECK(json["schema"] == 2);
         CHECK(json["energy"].is_array());
         for (const Json& square : json["energy"]) {
             CHECK(keys(square) == std::vector<std::string>{"part", "weight", "stencil"});
@@ -90,6 +108,59 @@ TEST_CASE("JSON with G left open: rational functions as lists of strings") {
                                   {"stencil", {"-1/2", "0", "1/2"}}},
                                  bond,
                                  bond});
+}
+
+TEST_CASE("JSON of a damped table") {
+    Table table = damped_table();
+    Json json = Json::parse(emit_json(table));
+    CHECK(json["tau"] == "1/4");
+    CHECK(json["damping"] ==
+          Json{fraction({"3"}, {"4"}), fraction({"-1"}, {"2"}), fraction({"1"}, {"8"})});
+    CHECK(json["least_nodes"] == 50);
+    CHECK(json["windows"].dump() == R"({"reflection":null,"modal":[],"contractive":null})");
+    CHECK(emit_json(read_table(json)) == emit_json(table));
+    // What was found of it comes back, and nothing where nothing was sought.
+    table.certificate = certificate_from_0_to_2();
+    json = Json::parse(emit_json(table));
+    CHECK(json["windows"]["contractive"].is_null());
+    const auto found = read_table(json).certificate;
+    REQUIRE(found);
+    CHECK(found->modal.size() == 1);
+    CHECK(found->contractive.empty());
+    CHECK(found->max_cfl.size() == 1);
+    CHECK(json["certificate"].get<std::string>().find("chains of 50 interior nodes and more") !=
+          std::string::npos);
+    // No reader may take it for an undamped one, or for one of another damping.
+    for (const char* key : {"tau", "damping", "least_nodes"}) {
+        Json other = json;
+        other[key] = Json::parse(emit_json(nopd1d_table(1, 1)))[key];
+        CAPTURE(key);
+        CHECK(objection(other) != "");
+    }
+}
+
+TEST_CASE("the header of a damped table") {
+    Table table = damped_table();
+    table.certificate = certificate_from_0_to_2();
+    const std::string header = emit_header(table);
+    for (const std::string line :
+         {", damping tau = 1/4\n", "omega, tau and b_j in c/dX",
+          "horizon 1 dX, stride 1, tau = 1/4.\n",
+          "inline constexpr RationalFunction damping[]{\n    {\"3\", \"4\"},\n    {\"-1\", "
+          "\"2\"},\n    {\"1\", \"8\"},\n};\n",
+          "    .tau = \"1/4\",\n", "_data::damping,\n", "    .least_nodes = 50,\n",
+          "    .reflection = {},  // not sought of a damped lattice\n", "_data::modal,\n",
+          "    .contractive = {},  // not sought of a damped lattice\n"}) {
+        CAPTURE(line);
+        CHECK(header.find(line) != std::string::npos);
+    }
+    const std::string undamped = emit_header(nopd1d_table(1, 1));
+    for (const std::string line :
+         {"    .tau = \"0\",\n", "    .damping = {},\n", "    .least_nodes = 0,\n"}) {
+        CAPTURE(line);
+        CHECK(undamped.find(line) != std::string::npos);
+    }
+    CHECK(undamped.find("damp") == undamped.find("damping = {}"));
 }
 
 TEST_CASE("JSON at a fixed G: every exact number is one string p/q") {

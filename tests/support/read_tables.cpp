@@ -9,6 +9,7 @@
 #include "generator/emit/emit.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
+#include "generator/exact/symbol.hpp"
 #include "generator/families/family.hpp"
 #include "generator/matching/proof.hpp"
 #include "generator/pipeline.hpp"
@@ -109,6 +110,16 @@ std::vector<Polynomial> read_polynomials(const List& list) {
     return result;
 }
 
+template <class List>
+std::vector<Rational> read_numbers(const List& list) {
+    std::vector<Rational> result;
+    for (const Polynomial& number : read_polynomials(list)) {
+        require(number.size() <= 1, "a number, the same at every G");
+        result.push_back(evaluate(number, 0));
+    }
+    return result;
+}
+
 EnergySquare read_square(const nmbc::EnergySquare& square) {
     const Integer divisor = read_integer(std::string(square.divisor));
     require(divisor > 0, "a positive divisor");
@@ -151,10 +162,34 @@ unsigned read_count(long long value) {
     return unsigned(value);
 }
 
+/// tau sigma, from the family's stabilisation at G = 1; none where tau = 0.
+std::vector<Rational> expected_damping(const Model& model, const Rational& tau) {
+    std::vector<Rational> damping;
+    if (tau == 0) {
+        return damping;
+    }
+    std::vector<EnergySquare> stabilisation;
+    for (const EnergySquare& square : model.energy) {
+        if (square.part == EnergyPart::stabilisation) {
+            stabilisation.push_back(square);
+        }
+    }
+    for (const Polynomial& coefficient : symbol_of(stabilisation)) {
+        damping.push_back(tau * evaluate(coefficient, 1));
+    }
+    return damping;
+}
+
+void require_least_nodes(long long nodes, const Rational& tau) {
+    require(nodes == (tau > 0 ? least_damped_nodes : 0), "the least number of nodes");
+}
+
 /// Beyond prove(): the family has this very model, and the words are the generator's.
 void verify(const Table& table) {
     require(prove(table) == table.proved, "the statement of what is proved");
     Model model = make_model(table.specification.family, table.specification.horizon);
+    require(table.model.damping == expected_damping(model, table.specification.damping),
+            "the damping of the family");
     if (const auto& G = table.specification.stabilisation) {
         for (Polynomial& coefficient : model.symbol) {
             coefficient = constant(evaluate(coefficient, *G));
@@ -185,10 +220,13 @@ Table read_table(const nmbc::MatchingTable& from) {
                            .horizon = read_count(from.horizon),
                            .order = read_count(from.order),
                            .stride = read_count(from.stride),
-                           .stabilisation = {}};
+                           .stabilisation = {},
+                           .damping = read_rational(std::string(from.tau))};
+    require_least_nodes(from.least_nodes, table.specification.damping);
     if (!from.fixed_G.empty()) {
         table.specification.stabilisation = read_rational(std::string(from.fixed_G));
     }
+    table.model.damping = read_numbers(from.damping);
     table.model.energy = read_energy(from.energy);
     table.model.symbol = read_polynomials(from.symbol);
     table.taylor = read_polynomials(from.taylor);
@@ -200,16 +238,17 @@ Table read_table(const nmbc::MatchingTable& from) {
 }
 
 Table read_table(const Json& from) {
-    constexpr const char* keys[]{"schema",  "family",           "order",      "horizon", "stride",
-                                 "G",       "symbol",           "energy",     "taylor",  "c",
-                                 "b",       "source",           "proved",     "windows", "poles",
-                                 "max_cfl", "max_cfl_explicit", "certificate"};
+    constexpr const char* keys[]{
+        "schema",  "family",           "order",      "horizon", "stride",      "G",
+        "tau",     "symbol",           "damping",    "energy",  "taylor",      "c",
+        "b",       "source",           "proved",     "windows", "least_nodes", "poles",
+        "max_cfl", "max_cfl_explicit", "certificate"};
     std::vector<std::string> found;
     for (const auto& item : from.items()) {
         found.push_back(item.key());
     }
-    require(std::ranges::equal(found, keys), "the keys of schema 1, in order");
-    require(from.at("schema") == 1, "schema 1");
+    require(std::ranges::equal(found, keys), "the keys of schema 2, in order");
+    require(from.at("schema") == 2, "schema 2");
     const auto count = [&from](const char* key) {
         require(from.at(key).is_number_integer(), std::string(key) + " is a whole number");
         return read_count(from.at(key).get<long long>());
@@ -219,10 +258,14 @@ Table read_table(const Json& from) {
                            .horizon = count("horizon"),
                            .order = count("order"),
                            .stride = count("stride"),
-                           .stabilisation = {}};
+                           .stabilisation = {},
+                           .damping = read_rational(from.at("tau").get<std::string>())};
+    require(from.at("least_nodes").is_number_integer(), "least_nodes is a whole number");
+    require_least_nodes(from.at("least_nodes").get<long long>(), table.specification.damping);
     if (!from.at("G").is_null()) {
         table.specification.stabilisation = read_rational(from.at("G").get<std::string>());
     }
+    table.model.damping = read_numbers(from.at("damping"));
     table.model.energy = read_energy(from.at("energy"));
     table.model.symbol = read_polynomials(from.at("symbol"));
     table.taylor = read_polynomials(from.at("taylor"));
@@ -250,7 +293,7 @@ std::string objection(const Json& from) {
 
 std::string file_objection(const Json& file) {
     return message_of([&file] {
-        require(file.size() == 2 && file.at("schema") == 1, "schema 1 and tables");
+        require(file.size() == 2 && file.at("schema") == 2, "schema 2 and tables");
         const auto set = committed_set();
         require(file.at("tables").size() == set.size(), "as many tables as the committed set");
         for (std::size_t i = 0; i < set.size(); ++i) {

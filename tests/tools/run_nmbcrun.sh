@@ -12,7 +12,7 @@ expect_exit 0
 expect_no_stderr
 expect_stdout_line "scene     bar of Nicely 2018, section 5"
 expect_stdout_line "energies     results/bar1d.csv"
-expect "a header line" grep -qx 'time,kinetic,strain,stabilisation,total,staggered' \
+expect "a header line" grep -qx 'time,kinetic,strain,stabilisation,total,staggered,damped' \
     results/bar1d.csv
 expect "10 rows for 100 steps" test "$(wc -l <results/bar1d.csv)" -eq 11
 expect "the last row at t - dt/2" grep -q '^1.99,' results/bar1d.csv
@@ -73,6 +73,15 @@ setting 2 "no table for family nopd9" model.family=nopd9
 for bad in -1 nan inf 1e400 true '"1"'; do
     setting 2 "model.G must be a number not below 0" "model.G=$bad"
 done
+for bad in -1 nan 1e-30 '"1/0"' '"x"'; do
+    setting 2 "model.damping must be an exact number not below 0" "model.damping=$bad"
+done
+setting 2 "model.damping must be a number, or one as a string" model.damping=true
+for tau in 7/3 '"14/6"'; do
+    setting 2 "order 1, stride 1, damping tau = 7/3; it knows the committed set" "model.damping=$tau"
+done
+setting 2 "damping tau = 3/10;" model.damping=0.3
+setting 2 "damping tau = 2;" model.damping=2
 setting 2 "must be \"midpoint\" or \"explicit\", not \"implicit\"" boundary.ghosts=implicit
 setting 2 'boundary.left.kind must be "nmbc", "fixed" or "free", not "open"' boundary.left.kind=open
 setting 2 "boundary.allow_unstable must be true or false, not 1" boundary.allow_unstable=1
@@ -125,7 +134,7 @@ stable() {
 for nodes in 30 60; do
     stable --set boundary.kind=free --set domain.nodes=$nodes --set drive.centre=15
 done
-stable --set boundary.kind=fixed
+stable --set boundary.kind=fixed --set model.damping=0.0
 expect_stdout_line "boundary  fixed"
 stable --set boundary.right.kind=free
 expect_stdout_line "left      NMBC1, stride 1, midpoint ghosts"

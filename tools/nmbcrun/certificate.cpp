@@ -73,6 +73,9 @@ std::string name_of(const Boundary& boundary) {
 
 std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
                       const nmbc::MatchingTable& right, double time_step, double cfl) {
+    if (is_damped(scene)) {  // generator/stability knows undamped lattices only
+        return fmt::format("the ends of a damped lattice (tau = {}) are not examined", scene.tau);
+    }
     const double c = std::sqrt(scene.youngs_modulus / scene.density);
     const double step = time_step * c / scene.spacing;  // in dX/c
     const auto verdict = round_trip_verdict(end_of(scene.left, left, scene.G, step),

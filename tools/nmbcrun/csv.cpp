@@ -21,7 +21,7 @@ EnergyCsv::EnergyCsv(std::filesystem::path path)
                                     error.message()));
     }
     stream_.open(temporary_);
-    stream_ << "time,kinetic,strain,stabilisation,total,staggered\n";
+    stream_ << "time,kinetic,strain,stabilisation,total,staggered,damped\n";
     if (!stream_.flush()) {
         fail();
     }
@@ -34,8 +34,9 @@ EnergyCsv::~EnergyCsv() {
 
 void EnergyCsv::append(double time, const nmbc::Energies& energies) {
     // The time is a rounded multiple of the step, which ten digits hide; the energies read back.
-    stream_ << fmt::format("{:.10g},{},{},{},{},{}\n", time, energies.kinetic, energies.strain,
-                           energies.stabilisation, energies.total(), energies.staggered);
+    stream_ << fmt::format("{:.10g},{},{},{},{},{},{}\n", time, energies.kinetic, energies.strain,
+                           energies.stabilisation, energies.total(), energies.staggered,
+                           energies.damped);
     if (!stream_) {
         fail();
     }

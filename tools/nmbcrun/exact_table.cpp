@@ -4,6 +4,7 @@
 #include <nmbc/coefficients.hpp>
 #include <string>
 
+#include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 
 namespace nmbcrun {
@@ -33,10 +34,14 @@ nmbcgen::Table exact_table(const nmbc::MatchingTable& table) {
                             .horizon = unsigned(table.horizon),
                             .order = unsigned(table.order),
                             .stride = unsigned(table.stride),
-                            .stabilisation = {}};
+                            .stabilisation = {},
+                            .damping = nmbcgen::parse_rational(table.tau)};
     for (const nmbcgen::RationalFunction& function : exact(table.symbol)) {
         const nmbcgen::Rational divisor(function.denominator[0]);  // of a polynomial: a number
         result.model.symbol.push_back(nmbcgen::over_rationals(function.numerator) / divisor);
+    }
+    for (const nmbcgen::RationalFunction& number : exact(table.damping)) {
+        result.model.damping.push_back(nmbcgen::evaluate(number, 0));
     }
     result.c = exact(table.c);
     result.b = exact(table.b);

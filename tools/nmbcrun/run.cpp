@@ -13,29 +13,10 @@
 #include "tools/nmbcrun/csv.hpp"
 #include "tools/nmbcrun/interrupt.hpp"
 #include "tools/nmbcrun/progress.hpp"
+#include "tools/nmbcrun/tables.hpp"
 
 namespace nmbcrun {
 namespace {
-
-/// The table of an end. For a fixed or free one, any with its lattice will do.
-const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary) {
-    const bool matching = boundary.kind == BoundaryKind::nmbc;
-    const int order = matching ? boundary.order : 1;
-    const int stride = matching ? boundary.stride : 1;
-    const auto* table =
-        nmbc::find_table(nmbc::generated::tables, scene.family, scene.horizon, order, stride);
-    if (table == nullptr) {
-        std::string known;
-        for (const auto* other : nmbc::generated::tables) {
-            known += fmt::format(" {}", other->name);
-        }
-        throw SceneError(fmt::format(
-            "nmbcrun has no table for family {}, horizon {}, order {}, stride {}; it knows the "
-            "committed set (others: docs/example):{}",
-            scene.family, scene.horizon, order, stride, known));
-    }
-    return *table;
-}
 
 nmbc::ChainEnd end_of(const Scene& scene, const Boundary& boundary) {
     switch (boundary.kind) {
@@ -134,12 +115,13 @@ std::string likely_cause(const Plan& plan) {
     return "its ends are stable; drive.amplitude may be too large for doubles";
 }
 
-Plan plan_of(const Scene& scene, double time_step, double omega_max) {
+Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice, double time_step, double omega_max) {
     const double cfl = time_step * omega_max / 2;
-    if (cfl > 1) {
-        throw SceneError(
-            fmt::format("{}: cfl = {:.4g} is above the interior's limit of 1, a step of {:.6g}",
-                        scene.step ? "time.step" : "time.cfl", cfl, 2 / omega_max));
+    const double limit = nmbc::interior_cfl(lattice);
+    if (cfl > limit) {
+        throw SceneError(fmt::format(
+            "{}: cfl = {:.4g} is above the interior's limit of {:.4g}, a step of {:.6g}",
+            scene.step ? "time.step" : "time.cfl", cfl, limit, 2 * limit / omega_max));
     }
     const double exact_steps = scene.end / time_step;
     if (exact_steps > 1e15) {
@@ -224,8 +206,9 @@ std::string heading_of(const Boundary& boundary) {
 
 /// The largest cfl that the tables of both ends are certified for. Unlike ends are certified one
 /// by one here, and as a pair, at this cfl, by certify().
-double automatic_cfl(const Scene& scene) {
-    double cfl = 0.99;  // fixed and free ends: just below the interior's own limit
+double automatic_cfl(const Scene& scene, const nmbc::Lattice& lattice) {
+    // Fixed and free ends: just below the interior's own limit.
+    double cfl = 0.99 * nmbc::interior_cfl(lattice);
     for (const Boundary* boundary : {&scene.left, &scene.right}) {
         if (boundary->kind != BoundaryKind::nmbc) {
             continue;
@@ -246,7 +229,8 @@ double automatic_cfl(const Scene& scene) {
 void print_heading(const Scene& scene, const nmbc::Chain& chain, const Plan& plan) {
     const nmbc::ChainParameters& p = chain.parameters();
     fmt::print("scene     {}\n", scene.title);
-    fmt::print("lattice   {} horizon {}, G = {}\n", scene.family, scene.horizon, scene.G);
+    fmt::print("lattice   {} horizon {}, G = {}{}\n", scene.family, scene.horizon, scene.G,
+               is_damped(scene) ? ", tau = " + scene.tau : "");
     if (scene.left == scene.right) {
         fmt::print("boundary  {}\n", heading_of(scene.left));
     } else {
@@ -261,17 +245,18 @@ void print_heading(const Scene& scene, const nmbc::Chain& chain, const Plan& pla
 }
 
 /// About twelve of the samples, and the last.
-void print_samples(const std::vector<Sample>& samples, double peak) {
-    fmt::print("{:>10}  {:>12}  {:>12}  {:>14}  {:>12}  {:>10}\n", "time", "kinetic", "strain",
-               "stabilisation", "total", "of peak");
+void print_samples(const std::vector<Sample>& samples, double peak, bool damped) {
+    fmt::print("{:>10}  {:>12}  {:>12}  {:>14}  {:>12}  {:>10}{}\n", "time", "kinetic", "strain",
+               "stabilisation", "total", "of peak", damped ? "        damped" : "");
     const std::size_t every = std::max<std::size_t>(1, samples.size() / 12);
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (i % every != 0 && i + 1 != samples.size()) {
             continue;
         }
         const auto& [time, e] = samples[i];
-        fmt::print("{:10.4g}  {:12.4e}  {:12.4e}  {:14.4e}  {:12.4e}  {:10.2e}\n", time, e.kinetic,
-                   e.strain, e.stabilisation, e.total(), e.total() / peak);
+        fmt::print("{:10.4g}  {:12.4e}  {:12.4e}  {:14.4e}  {:12.4e}  {:10.2e}{}\n", time,
+                   e.kinetic, e.strain, e.stabilisation, e.total(), e.total() / peak,
+                   damped ? fmt::format("  {:12.4e}", e.damped) : "");
     }
     fmt::print("\n");
 }
@@ -283,8 +268,9 @@ void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
     const double omega_max = nmbc::maximum_frequency(lattice) *
                              std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
     const double time_step =
-        scene.step ? *scene.step : 2 * (scene.cfl ? *scene.cfl : automatic_cfl(scene)) / omega_max;
-    Plan plan = plan_of(scene, time_step, omega_max);
+        scene.step ? *scene.step
+                   : 2 * (scene.cfl ? *scene.cfl : automatic_cfl(scene, lattice)) / omega_max;
+    Plan plan = plan_of(scene, lattice, time_step, omega_max);
     nmbc::Chain chain(std::move(lattice), end_of(scene, scene.left), end_of(scene, scene.right),
                       {.nodes = scene.nodes + 2 * scene.extension,
                        .spacing = scene.spacing,
@@ -309,7 +295,7 @@ void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
     }
     csv.publish();
     if (!quiet) {
-        print_samples(record.samples, record.peak);
+        print_samples(record.samples, record.peak, is_damped(scene));
     }
     fmt::print("energy left  {:.3e} of the peak\nenergies     {}\n",
                record.samples.back().energies.total() / record.peak, csv.path().string());

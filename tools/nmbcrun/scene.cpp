@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 
+#include "generator/exact/rational.hpp"
 #include "tools/nmbcrun/scene_reader.hpp"
 
 namespace nmbcrun {
@@ -47,6 +49,16 @@ Boundary read_boundary(SceneReader& reader, const std::string& group, const Boun
             .ghosts = ghosts.value_or(others.ghosts)};
 }
 
+/// tau as an exact number in lowest terms: a string "p/q", or a decimal number as it is written.
+std::string read_tau(SceneReader& reader, const std::string& key) {
+    const auto given = reader.number_or_text(key);
+    try {
+        return nmbcgen::to_string(nmbcgen::parse_rational(given.value_or("0")));
+    } catch (const std::invalid_argument& error) {
+        reader.fail(key, "must be an exact number not below 0: " + std::string(error.what()));
+    }
+}
+
 /// The name of the output files: the scene file's own unless it says another.
 std::string read_name(SceneReader& reader, const std::string& path) {
     const auto name = reader.text("output.name");
@@ -80,6 +92,7 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
     scene.horizon =
         int(reader.required("model.horizon", reader.whole_number("model.horizon", 1, 1000)));
     scene.G = reader.number("model.G", not_negative).value_or(scene.G);
+    scene.tau = read_tau(reader, "model.damping");
     scene.density = reader.number("material.density", positive).value_or(scene.density);
     scene.youngs_modulus =
         reader.number("material.youngs_modulus", positive).value_or(scene.youngs_modulus);

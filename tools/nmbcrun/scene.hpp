@@ -38,6 +38,7 @@ struct Scene {
     std::string family = "nopd1d";
     int horizon = 1;
     double G = 0;
+    std::string tau = "0";  ///< damping [c/dX], "p/q" in lowest terms
     double density = 1;
     double youngs_modulus = 1;
     std::size_t nodes = 0;
@@ -52,6 +53,10 @@ struct Scene {
     std::optional<double> cfl;   ///< dt omega_max / 2; neither: the largest certified one
     std::size_t every = 10;
 };
+
+inline bool is_damped(const Scene& scene) {
+    return scene.tau != "0";
+}
 
 /// KEY=VALUE of --set, not parsed yet.
 using Overrides = std::vector<std::pair<std::string, std::string>>;

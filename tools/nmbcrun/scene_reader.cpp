@@ -156,6 +156,21 @@ std::optional<std::string> SceneReader::text(std::string_view key) {
     return node->value<std::string>();
 }
 
+std::optional<std::string> SceneReader::number_or_text(std::string_view key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    if (node->is_string()) {
+        return node->value<std::string>();
+    }
+    if (!node->is_number()) {
+        fail(key, fmt::format("must be a number, or one as a string in quotes, not {}",
+                              as_written(*node)));
+    }
+    return fmt::format("{}", *node->value<double>());
+}
+
 std::optional<bool> SceneReader::truth(std::string_view key) {
     const toml::node* node = find(key);
     if (node != nullptr && !node->is_boolean()) {

@@ -39,6 +39,8 @@ class SceneReader {
     std::optional<double> number(std::string_view key, const Bounds& bounds);
     std::optional<long> whole_number(std::string_view key, long lowest, long highest);
     std::optional<std::string> text(std::string_view key);
+    /// A string, or the shortest decimal that reads as the number.
+    std::optional<std::string> number_or_text(std::string_view key);
     std::optional<bool> truth(std::string_view key);
 
     /// The value, which must be there.

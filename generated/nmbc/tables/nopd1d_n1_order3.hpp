@@ -10,7 +10,7 @@
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 2,
+static_assert(nmbc::table_schema == 3,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -125,9 +125,11 @@ inline constexpr MatchingTable nopd1d_n1_order3{
     .order = 3,
     .stride = 1,
     .fixed_G = "",
+    .tau = "0",
     .source = "Nicely 2018: strain (16), stabilisation (34), symbol (41); Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)",
     .proved = "residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero",
     .symbol = nopd1d_n1_order3_data::symbol,
+    .damping = {},
     .energy = nopd1d_n1_order3_data::energy,
     .taylor = nopd1d_n1_order3_data::taylor,
     .c = nopd1d_n1_order3_data::c,
@@ -137,6 +139,7 @@ inline constexpr MatchingTable nopd1d_n1_order3{
     .contractive = nopd1d_n1_order3_data::contractive,
     .max_cfl = nopd1d_n1_order3_data::max_cfl,
     .max_cfl_explicit = nopd1d_n1_order3_data::max_cfl_explicit,
+    .least_nodes = 0,
 };
 
 }  // namespace nmbc::generated

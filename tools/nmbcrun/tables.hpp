@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+/// The table of a scene's end among the committed ones.
+#pragma once
+
+#include <nmbc/table.hpp>
+
+#include "tools/nmbcrun/scene.hpp"
+
+namespace nmbcrun {
+
+/// The table of an end with the scene's lattice, damping included. For a fixed or free one, any
+/// with this lattice will do. Throws SceneError, which lists the tables there are, where there is
+/// none.
+const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary);
+
+}  // namespace nmbcrun
