@@ -92,8 +92,7 @@ std::string emit_header(const Table& table) {
 
     std::string text =
         banner(regenerating_command(what) + (table.certificate ? "" : " --uncertified"));
-    text += fmt::format("// model   {}{}{}\n", table.model.description,
-                        damped ? fmt::format(", damping tau = {}", tau) : "",
+    text += fmt::format("// model   {}{}\n", table.model.description,
                         G.empty() ? "" : fmt::format("; here G = {}", G));
     text += fmt::format("// source  {}\n", table.source);
     text +=

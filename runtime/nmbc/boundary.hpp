@@ -15,7 +15,9 @@ namespace nmbc {
 enum class End { left, right };
 
 /// Finds the velocities of the ghost nodes at one end of a chain. The scheme it is made for is
-/// leapfrog: u at levels k, v at k+1/2, u^{k+1} = u^k + dt v^{k+1/2}, ghost nodes included.
+/// leapfrog: u at levels k, v at k+1/2, u^{k+1} = u^k + dt v^{k+1/2}, ghost nodes included. For a
+/// damped table, v^{k+1/2} = v^{k-1/2} + dt (accelerations of u^k - decelerations of v^{k-1/2}),
+/// the old velocities of ghost nodes included (lattice.hpp).
 class MatchingBoundary {
   public:
     /// ghost_layers: nodes outside each end that the interior stencil reaches (2n for NOPD).
