@@ -9,7 +9,6 @@
 #include "generator/emit/emit.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
-#include "generator/exact/symbol.hpp"
 #include "generator/families/family.hpp"
 #include "generator/matching/proof.hpp"
 #include "generator/pipeline.hpp"
@@ -162,24 +161,6 @@ unsigned read_count(long long value) {
     return unsigned(value);
 }
 
-/// tau sigma, from the family's stabilisation at G = 1; none where tau = 0.
-std::vector<Rational> expected_damping(const Model& model, const Rational& tau) {
-    std::vector<Rational> damping;
-    if (tau == 0) {
-        return damping;
-    }
-    std::vector<EnergySquare> stabilisation;
-    for (const EnergySquare& square : model.energy) {
-        if (square.part == EnergyPart::stabilisation) {
-            stabilisation.push_back(square);
-        }
-    }
-    for (const Polynomial& coefficient : symbol_of(stabilisation)) {
-        damping.push_back(tau * evaluate(coefficient, 1));
-    }
-    return damping;
-}
-
 void require_least_nodes(long long nodes, const Rational& tau) {
     require(nodes == (tau > 0 ? least_damped_nodes : 0), "the least number of nodes");
 }
@@ -187,9 +168,9 @@ void require_least_nodes(long long nodes, const Rational& tau) {
 /// Beyond prove(): the family has this very model, and the words are the generator's.
 void verify(const Table& table) {
     require(prove(table) == table.proved, "the statement of what is proved");
-    Model model = make_model(table.specification.family, table.specification.horizon);
-    require(table.model.damping == expected_damping(model, table.specification.damping),
-            "the damping of the family");
+    Model model = make_model(table.specification.family, table.specification.horizon,
+                             table.specification.damping);
+    require(table.model.damping == model.damping, "the damping of the family");
     if (const auto& G = table.specification.stabilisation) {
         for (Polynomial& coefficient : model.symbol) {
             coefficient = constant(evaluate(coefficient, *G));
