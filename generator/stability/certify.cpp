@@ -17,7 +17,7 @@ Certificate certify_at(const Table& table, const Rational& G) {
     const AlgebraicNumber exact = to_algebraic_number(G);
     const Edge edge{.where = exact, .inner = nearest_double(exact)};
     Certificate certificate;
-    if (scalar_reflection_is_bounded(half_space)) {
+    if (!half_space.is_damped() && scalar_reflection_is_bounded(half_space)) {
         certificate.reflection = {{exact, exact}};
     }
     const Grade grade = stability_grade(half_space);
@@ -29,7 +29,9 @@ Certificate certify_at(const Table& table, const Rational& G) {
                            : std::vector<StableStep>();
         };
         certificate.max_cfl = step_with(GhostLevel::midpoint, Grade::paired);
-        certificate.max_cfl_explicit = step_with(GhostLevel::old, Grade::paired);
+        if (!half_space.is_damped()) {
+            certificate.max_cfl_explicit = step_with(GhostLevel::old, Grade::paired);
+        }
         if (grade == Grade::contractive) {
             certificate.contractive = {{edge, edge}};
             certificate.max_cfl_contractive = step_with(GhostLevel::midpoint, Grade::contractive);
@@ -45,6 +47,17 @@ Certificate certify(const Table& table) {
         return certify_at(table, *table.specification.stabilisation);
     }
     ModalWindows modal = modal_windows(table);
+    if (!table.model.damping.empty()) {
+        std::vector<StableStep> steps =
+            stable_steps(table, modal.modal, GhostLevel::midpoint, Grade::paired);
+        return {.reflection = {},
+                .poles = poles(even_and_odd_parts(table)),
+                .modal = std::move(modal.modal),
+                .contractive = {},
+                .max_cfl = std::move(steps),
+                .max_cfl_contractive = {},
+                .max_cfl_explicit = {}};
+    }
     std::vector<StableStep> steps =
         stable_steps(table, modal.modal, GhostLevel::midpoint, Grade::paired);
     std::vector<StableStep> contractive_steps =

@@ -39,6 +39,26 @@ std::vector<double> sampled_values(const std::vector<AlgebraicNumber>& critical)
     return values;
 }
 
+/// Of a damped lattice: it changes smoothly with G, but near poles.
+constexpr double highest_damped = 4;
+
+std::vector<double> sampled_values_damped(const std::vector<AlgebraicNumber>& poles) {
+    constexpr int per_unit = 16;
+    std::vector<double> values;
+    for (int i = 0; i <= per_unit * int(highest_damped); ++i) {
+        values.push_back(double(i) / per_unit);
+    }
+    for (const AlgebraicNumber& pole : poles) {
+        for (const double distance : {1e-5, 1e-4, 1e-3, 1e-2, 3e-2}) {
+            values.push_back(nearest_double(pole) - distance);
+            values.push_back(nearest_double(pole) + distance);
+        }
+    }
+    std::erase_if(values, [](double G) { return G < 0 || G > highest_damped; });
+    std::ranges::sort(values);
+    return values;
+}
+
 class Search {
   public:
     explicit Search(const Table& table)
@@ -46,8 +66,10 @@ class Search {
           parts_(even_and_odd_parts(table)),
           poles_(poles(parts_)),
           jordan_values_(jordan_values(parts_)),
-          critical_(modal_critical_values(table, parts_)) {
-        for (const double G : sampled_values(critical_)) {
+          damped_(!table.model.damping.empty()),
+          critical_(damped_ ? std::vector<AlgebraicNumber>()
+                            : modal_critical_values(table, parts_)) {
+        for (const double G : damped_ ? sampled_values_damped(poles_) : sampled_values(critical_)) {
             samples_.push_back({G, grade_at(G)});
         }
     }
@@ -72,12 +94,23 @@ class Search {
                 low.reset();
             }
         }
-        if (low) {
+        if (low && damped_) {
+            found.push_back({*low, Edge{.where = to_algebraic_number(Rational(highest_damped)),
+                                        .inner = highest_damped}});
+        } else if (low) {
             found.push_back({*low, std::nullopt});
         }
         std::erase_if(found, is_sliver);
-        return without(jordan_values_, Failure::jordan_block,
-                       without(poles_, Failure::pole, std::move(found)));
+        found = without(jordan_values_, Failure::jordan_block,
+                        without(poles_, Failure::pole, std::move(found)));
+        if (damped_) {
+            // Between a pole and a boundary mode near it there is no G that anybody would choose.
+            std::erase_if(found, [](const StabilityWindow& window) {
+                constexpr double narrowest = 0.05;
+                return window.high->inner - window.low.inner < narrowest;
+            });
+        }
+        return found;
     }
 
   private:
@@ -225,6 +258,7 @@ class Search {
     EvenAndOddParts parts_;
     std::vector<AlgebraicNumber> poles_;
     std::vector<AlgebraicNumber> jordan_values_;
+    bool damped_;
     std::vector<AlgebraicNumber> critical_;
     std::vector<Sample> samples_;
 };

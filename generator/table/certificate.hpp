@@ -83,8 +83,9 @@ struct StableStep {
 /// amplifies has to be damped away before it arrives at the other end.
 inline constexpr unsigned least_damped_nodes = 50;
 
-/// The three levels; ascending, disjoint. Of a damped lattice the first and the contractive windows
-/// are not sought: both speak of waves that keep their energy on the way.
+/// The three levels; ascending, disjoint. Of a damped lattice the modal windows up to G = 4 are
+/// sought and the steps with midpoint ghosts; the first and the contractive windows are not: both
+/// speak of waves that keep their energy on the way.
 struct Certificate {
     std::vector<Window> reflection;      ///< the paper's scalar |R| <= 1 on the whole band; exact
     std::vector<AlgebraicNumber> poles;  ///< where a coefficient has a pole
