@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <iostream>
+#include <numbers>
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
@@ -128,6 +129,56 @@ CLI::App* add_reflect(CLI::App& app, Request& request) {
     return reflect;
 }
 
+double parse_fraction(const std::string& text) {
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end || !(value > 0) || !(value < 1)) {
+        throw std::invalid_argument("'" + text.substr(0, 60) +
+                                    "' is not a number between 0 and 1, such as 1e-4");
+    }
+    return value;
+}
+
+Band parse_band(const std::string& text) {
+    const std::size_t dots = text.find("..");
+    Band band{};
+    const auto read = [](std::string_view part, double& value) {
+        const auto [stop, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+        return error == std::errc() && stop == part.data() + part.size();
+    };
+    const std::string_view view = text;
+    if (dots == std::string::npos || !read(view.substr(0, dots), band.low) ||
+        !read(view.substr(dots + 2), band.high) || !(band.low > 0) || !(band.low < band.high) ||
+        !(band.high < std::numbers::pi)) {
+        throw std::invalid_argument(
+            "'" + text.substr(0, 60) +
+            "' is not a band of wave numbers LO..HI in 1/dX, 0 < LO < HI < pi, such as 0.05..0.3");
+    }
+    return band;
+}
+
+/// nmbcgen recommend.
+CLI::App* add_recommend(CLI::App& app, Question& question) {
+    auto* const recommend = app.add_subcommand(
+        "recommend", "say which boundary to use at a horizon and a G, and why not another one");
+    add_parsed(*recommend, "--family", question.family, parse_family,
+               "lattice model: " + family_names() + " (default nopd1d)");
+    add_parsed(*recommend, "--horizon", question.horizon, parse_count,
+               "horizon n in units of dX, >= 1")
+        ->required();
+    add_parsed(*recommend, "--G", question.G, parse_rational,
+               "stabilisation G of the model, an exact number such as 1/2 or 0.3")
+        ->required();
+    add_parsed(*recommend, "--order", question.order, parse_count,
+               "this order only (default: 2 or more)");
+    add_parsed(*recommend, "--tolerance", question.tolerance, parse_fraction,
+               "the most of the energy that may be reflected, mean over the band");
+    add_parsed(*recommend, "--band", question.band, parse_band,
+               "wave numbers LO..HI in 1/dX (default 0.05..0.3)");
+    return recommend;
+}
+
 }  // namespace
 
 std::variant<Request, int> parse_command_line(int argc, char** argv) {
@@ -173,6 +224,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     to_stdout->excludes(folder);
     require_stable->needs(single.G)->excludes(uncertified);
     auto* const reflect = add_reflect(app, request);
+    auto* const recommend = add_recommend(app, request.question);
     app.footer(
         "Exit codes: 0 done; 1 the committed set is stale; 2 wrong arguments; 3 there is no such "
         "boundary\ncondition; 4 it is not certified to be stable (--require-stable); 5 a file "
@@ -181,7 +233,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
 
     try {
         app.parse(argc, argv);
-        if (!all && !check && !reflect->parsed() &&
+        if (!all && !check && !reflect->parsed() && !recommend->parsed() &&
             (single.order->count() == 0 || single.horizon->count() == 0)) {
             throw CLI::RequiredError("--order and --horizon (or --all, or --check)");
         }
@@ -202,6 +254,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         request.action = Action::check;
     } else if (reflect->parsed()) {
         request.action = Action::reflect;
+    } else if (recommend->parsed()) {
+        request.action = Action::recommend;
     }
     return request;
 }

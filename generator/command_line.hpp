@@ -5,12 +5,13 @@
 #include <filesystem>
 #include <variant>
 
+#include "generator/recommend.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
 
 enum class Format { header, json };
-enum class Action { one_table, all_tables, check, reflect };
+enum class Action { one_table, all_tables, check, reflect, recommend };
 
 struct Request {
     Action action = Action::one_table;
@@ -20,6 +21,7 @@ struct Request {
     bool certified = true;        ///< with certificates of stability
     bool require_stable = false;  ///< nothing is written unless the certificate covers G
     unsigned samples = 200;       ///< wave numbers of Action::reflect
+    Question question;            ///< of Action::recommend
     std::optional<std::filesystem::path> cache;  ///< folder of kept certificates
     std::filesystem::path folder = "generated/nmbc/tables";
 };

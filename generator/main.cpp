@@ -117,6 +117,9 @@ int run(const Request& request) {
         case Action::all_tables:
             write_and_name(committed_files(request));
             return done;
+        case Action::recommend:
+            print(recommendation(request.question));
+            return done;
         case Action::reflect:
             print(reflection_csv(derive(request.specification), request.samples));
             return done;
