@@ -117,15 +117,39 @@ std::vector<Specification> committed_set() {
                            .stabilisation = {}});
         }
     }
-    // A stride of n makes orders 2 and 3 stable at G of order 1, where stride 1 is not.
-    for (const unsigned horizon : {2U, 3U, 4U}) {
-        for (const unsigned order : {2U, 3U}) {
-            set.push_back({.family = "nopd1d",
-                           .horizon = horizon,
-                           .order = order,
-                           .stride = horizon,
-                           .stabilisation = {}});
-        }
+    // A stride of n makes orders 2 and 3 stable at G of order 1, where stride 1 is not, and a
+    // little damping does below: what `nmbcgen recommend` finds for G = 0, 1/4, 1/2, 1, 3/2 and 2.
+    struct Choice {
+        unsigned horizon;
+        unsigned order;
+        unsigned stride;
+        Rational damping;
+    };
+    for (const Choice& choice : {
+             Choice{1, 2, 2, 0},
+             Choice{2, 2, 2, 0},
+             Choice{2, 3, 2, 0},
+             Choice{2, 2, 4, 0},
+             Choice{2, 2, 2, Rational(1, 100)},
+             Choice{2, 2, 4, Rational(1, 20)},
+             Choice{3, 2, 3, 0},
+             Choice{3, 3, 3, 0},
+             Choice{3, 2, 3, Rational(1, 100)},
+             Choice{3, 2, 3, Rational(1, 50)},
+             Choice{3, 2, 3, Rational(1, 20)},
+             Choice{3, 2, 4, Rational(1, 10)},
+             Choice{4, 2, 4, 0},
+             Choice{4, 3, 4, 0},
+             Choice{4, 2, 4, Rational(1, 50)},
+             Choice{4, 2, 4, Rational(1, 10)},
+             Choice{4, 2, 6, Rational(1, 5)},
+         }) {
+        set.push_back({.family = "nopd1d",
+                       .horizon = choice.horizon,
+                       .order = choice.order,
+                       .stride = choice.stride,
+                       .stabilisation = {},
+                       .damping = choice.damping});
     }
     return set;
 }

@@ -18,8 +18,8 @@ namespace nmbcgen {
 namespace {
 
 constexpr unsigned highest_order = 4;
-constexpr double wavelength = 20;     // [dX], of the loss that is stated
-constexpr double smallest_cfl = 0.1;  // below, a boundary is no use to anybody
+constexpr double wavelength = 20;      // [dX], of the loss that is stated
+constexpr double smallest_cfl = 0.25;  // below, more damping is the better bargain
 
 const std::vector<Rational>& damping_ladder() {
     static const std::vector<Rational> ladder{0,

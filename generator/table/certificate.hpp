@@ -81,7 +81,7 @@ struct StableStep {
 
 /// Chains of damped lattices are certified from this many interior nodes on: what a boundary
 /// amplifies has to be damped away before it arrives at the other end.
-inline constexpr unsigned least_damped_nodes = 50;
+inline constexpr unsigned least_damped_nodes = 100;
 
 /// The three levels; ascending, disjoint. Of a damped lattice the modal windows up to G = 4 are
 /// sought and the steps with midpoint ghosts; the first and the contractive windows are not: both

@@ -14,7 +14,7 @@
 namespace nmbcgen::test {
 
 /// d/dt of (u on all nodes, v on the interior nodes) in continuous time: u' = v, with the ghosts'
-/// by (60), and v' = -symbol u.
+/// by (60), and v' = -symbol u - damping v.
 inline Eigen::MatrixXd semi_discrete_chain(const HalfSpace& h, std::size_t nodes) {
     const auto ghosts = Eigen::Index(h.reach());
     const auto interior = Eigen::Index(nodes);
@@ -35,7 +35,11 @@ inline Eigen::MatrixXd semi_discrete_chain(const HalfSpace& h, std::size_t nodes
     }
     for (Eigen::Index i = 0; i < interior; ++i) {
         for (Eigen::Index m = -ghosts; m <= ghosts; ++m) {
-            rate(all + i, ghosts + i + m) = -h.symbol[std::size_t(std::abs(m))];
+            const auto distance = std::size_t(std::abs(m));
+            rate(all + i, ghosts + i + m) -= h.symbol[distance];
+            if (h.is_damped()) {
+                rate.row(all + i) -= h.damping[distance] * rate.row(ghosts + i + m);
+            }
         }
     }
     return rate;
