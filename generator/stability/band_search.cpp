@@ -8,14 +8,16 @@
 namespace nmbcgen {
 namespace {
 
-/// Where in (0, 1) a piece is sampled, ascending: to a ten-millionth of its ends.
-std::vector<double> sample_places() {
+/// Where in (0, 1) a piece is sampled, ascending: to a ten-millionth of its ends where they are
+/// sharp, else to a ten-thousandth.
+std::vector<double> sample_places(Sampling sampling) {
+    const bool sharp = sampling == Sampling::sharp;
     std::vector<double> places;
-    for (double distance = 1e-7; distance < 0.002; distance *= 4) {
+    for (double distance = sharp ? 1e-7 : 1e-4; distance < 0.002; distance *= 4) {
         places.push_back(distance);
         places.push_back(1 - distance);
     }
-    constexpr int count = 40;
+    const int count = sharp ? 40 : 16;
     for (int i = 1; i < count; ++i) {
         places.push_back((1 - std::cos(std::numbers::pi * i / count)) / 2);
     }
@@ -40,8 +42,7 @@ Peak refined(const std::function<double(double)>& function, Peak peak, double le
 }
 
 Peak largest_in_piece(double low, double high, const std::function<double(double)>& function,
-                      double enough) {
-    static const std::vector<double> places = sample_places();
+                      double enough, const std::vector<double>& places) {
     // Roundings that send a value astray, where two wave numbers are hard to tell apart, do not do
     // so at the next frequency, too: a value above `enough` has to be so there as well.
     const auto confirmed = [&](double place, double value) {
@@ -92,13 +93,17 @@ Peak largest_in_piece(double low, double high, const std::function<double(double
 }  // namespace
 
 Peak largest_over_band(const std::vector<double>& frequencies,
-                       const std::function<double(double)>& function, double enough) {
+                       const std::function<double(double)>& function, double enough,
+                       Sampling sampling) {
+    static const std::vector<double> sharp = sample_places(Sampling::sharp);
+    static const std::vector<double> smooth = sample_places(Sampling::smooth);
+    const std::vector<double>& places = sampling == Sampling::sharp ? sharp : smooth;
     const double narrowest = 1e-9 * frequencies.back();
     Peak highest;
     for (std::size_t i = 0; i + 1 < frequencies.size() && highest.value <= enough; ++i) {
         if (frequencies[i + 1] - frequencies[i] > narrowest) {
             const Peak peak =
-                largest_in_piece(frequencies[i], frequencies[i + 1], function, enough);
+                largest_in_piece(frequencies[i], frequencies[i + 1], function, enough, places);
             if (peak.value > highest.value) {
                 highest = peak;
             }

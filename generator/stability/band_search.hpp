@@ -13,6 +13,12 @@ struct Peak {
     double omega = 0;
 };
 
+/// How fast the function may change at the ends of a piece.
+enum class Sampling {
+    sharp,  ///< like the square root of the distance
+    smooth  ///< as damping leaves it
+};
+
 /// The largest value found in the pieces between neighbouring frequencies (ascending): samples,
 /// dense at both ends of a piece, where waves meet and a square root of the distance counts, then
 /// golden-section search around the best of the piece. Pieces narrower than 1e-9 of the highest
@@ -21,6 +27,7 @@ struct Peak {
 /// above `enough`.
 Peak largest_over_band(const std::vector<double>& frequencies,
                        const std::function<double(double)>& function,
-                       double enough = std::numeric_limits<double>::infinity());
+                       double enough = std::numeric_limits<double>::infinity(),
+                       Sampling sampling = Sampling::sharp);
 
 }  // namespace nmbcgen

@@ -62,7 +62,7 @@ Peak damped_amplification(const HalfSpace& left, const HalfSpace& right, std::si
         return damped_round_trip_supremum(
             one, &right == &left ? one : reflection(right, omega, one.outgoing), nodes);
     };
-    return largest_over_band(frequencies_of(left, right), round_trip, enough);
+    return largest_over_band(frequencies_of(left, right), round_trip, enough, Sampling::smooth);
 }
 
 }  // namespace nmbcgen

@@ -40,7 +40,7 @@ std::vector<double> sampled_values(const std::vector<AlgebraicNumber>& critical)
 }
 
 /// Of a damped lattice: it changes smoothly with G, but near poles.
-constexpr double highest_damped = 4;
+constexpr double highest_damped = 3;
 
 std::vector<double> sampled_values_damped(const std::vector<AlgebraicNumber>& poles) {
     constexpr int per_unit = 16;

@@ -21,8 +21,8 @@ struct ModalWindows {
 /// lasts so far has no upper edge. Edges are bisected, and are the critical value where they lie
 /// at one. A gap or a window narrower than an 8th of the distance of two critical values, and
 /// without one in it, may be missed. Poles and C(1) = 0 are left out exactly.
-/// Of a damped lattice G is sampled from 0 to 4 in steps of 1/16, more densely near poles; the
-/// upper edge 4 means only that nothing was sought above.
+/// Of a damped lattice G is sampled from 0 to 3 in steps of 1/16, more densely near poles; the
+/// upper edge 3 means only that nothing was sought above.
 /// Throws std::invalid_argument for a table at a fixed G.
 ModalWindows modal_windows(const Table& table);
 

@@ -93,17 +93,19 @@ double damped_round_trip_supremum(const Reflection& one, const Reflection& other
                                   std::size_t nodes) {
     const Eigen::Index waves = one.matrix.rows();
     const auto k = [&one](Eigen::Index wave) { return one.outgoing[std::size_t(wave)].k; };
-    const double distance = double(nodes) + 1;
+    Eigen::VectorXd faded(waves);  // by the way from end to end
+    for (Eigen::Index wave = 0; wave < waves; ++wave) {
+        faded(wave) = std::pow(std::abs(k(wave)), double(nodes) + 1);
+    }
     Eigen::MatrixXcd X(waves, waves);
     for (Eigen::Index o = 0; o < waves; ++o) {
         for (Eigen::Index i = 0; i < waves; ++i) {
             // y_o + y_i is this over (1 + k_o)(1 + k_i)/2, a factor of the row and one of the
             // column
             const Complex sum = k(o) * k(i) - 1.0;
-            const double size =
-                std::sqrt(std::abs(one.matrix(o, i)) * std::abs(other.matrix(i, o)) *
-                          std::pow(std::abs(k(o) * k(i)), distance));
-            X(o, i) = std::polar(size, -std::arg(sum));
+            const double size = std::sqrt(std::abs(one.matrix(o, i)) *
+                                          std::abs(other.matrix(i, o)) * faded(o) * faded(i));
+            X(o, i) = size * std::conj(sum) / std::abs(sum);
         }
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> squared(X.adjoint() * X,

@@ -83,7 +83,7 @@ struct StableStep {
 /// amplifies has to be damped away before it arrives at the other end.
 inline constexpr unsigned least_damped_nodes = 100;
 
-/// The three levels; ascending, disjoint. Of a damped lattice the modal windows up to G = 4 are
+/// The three levels; ascending, disjoint. Of a damped lattice the modal windows up to G = 3 are
 /// sought and the steps with midpoint ghosts; the first and the contractive windows are not: both
 /// speak of waves that keep their energy on the way.
 struct Certificate {
