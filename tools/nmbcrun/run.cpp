@@ -7,10 +7,10 @@
 #include <cmath>
 #include <nmbc/nmbc.hpp>
 #include <nmbc/tables/tables.hpp>
-#include <numbers>
 
 #include "tools/nmbcrun/certificate.hpp"
 #include "tools/nmbcrun/csv.hpp"
+#include "tools/nmbcrun/driver.hpp"
 #include "tools/nmbcrun/interrupt.hpp"
 #include "tools/nmbcrun/progress.hpp"
 #include "tools/nmbcrun/tables.hpp"
@@ -49,45 +49,6 @@ bool certify(const Scene& scene, double time_step, double cfl) {
     fmt::print(stderr, "nmbcrun: warning: {}\n", problem);
     return false;
 }
-
-/// The drive's velocities for one step: u reaches its prescribed value at the new time.
-class Driver {
-  public:
-    Driver(const Scene& scene, std::size_t ghosts, double time_step)
-        : drive_(scene.drive), time_step_(time_step) {
-        const double reach = drive_.half_width * scene.horizon * scene.spacing;
-        // Positions are rounded; a billionth of a spacing decides nothing on purpose.
-        const double slack = 1e-9 * scene.spacing;
-        for (std::size_t node = 0; node < scene.nodes; ++node) {
-            const double X = double(node + 1) * scene.spacing;
-            if (std::abs(X - drive_.centre) <= reach + slack) {
-                driven_.push_back(node + scene.extension + ghosts);
-            }
-        }
-        if (driven_.empty()) {
-            throw SceneError("drive.centre and drive.half_width select no node");
-        }
-    }
-
-    /// Whether the nodes are driven in the step that ends at this time.
-    bool drives(double time) const { return time <= drive_.duration + time_step_ / 2; }
-
-    void operator()(std::span<const double> u, std::span<double> v, double time) const {
-        if (!drives(time)) {
-            return;
-        }
-        const double phase = std::numbers::pi * std::min(time / drive_.duration, 1.0);
-        const double value = drive_.amplitude / 2 * (1 - std::cos(phase));
-        for (const std::size_t node : driven_) {
-            v[node] = (value - u[node]) / time_step_;
-        }
-    }
-
-  private:
-    Drive drive_;
-    double time_step_;
-    std::vector<std::size_t> driven_;
-};
 
 struct Sample {
     double time;
