@@ -156,6 +156,7 @@ Certificate read_certificate(const Json& object) {
                             .modal = read_windows<StabilityWindow>(windows.at("modal")),
                             .contractive = read_windows<StabilityWindow>(windows.at("contractive")),
                             .max_cfl = read_steps(object.at("max_cfl")),
+                            .max_cfl_contractive = read_steps(object.at("max_cfl_contractive")),
                             .max_cfl_explicit = read_steps(object.at("max_cfl_explicit"))};
     for (const Json& pole : object.at("poles")) {
         certificate.poles.push_back(read_number(pole));

@@ -79,6 +79,7 @@ std::string window_arrays(const Certificate& certificate) {
            array("Window", "modal", certificate.modal) +
            array("Window", "contractive", certificate.contractive) +
            array("StableStep", "max_cfl", certificate.max_cfl) +
+           array("StableStep", "max_cfl_contractive", certificate.max_cfl_contractive) +
            array("StableStep", "max_cfl_explicit", certificate.max_cfl_explicit);
 }
 
@@ -96,6 +97,7 @@ std::string window_members(const std::string& table_name, const Certificate& cer
            member("modal", certificate.modal.empty()) +
            undamped_member("contractive", certificate.contractive.empty()) +
            member("max_cfl", certificate.max_cfl.empty()) +
+           undamped_member("max_cfl_contractive", certificate.max_cfl_contractive.empty()) +
            member("max_cfl_explicit", certificate.max_cfl_explicit.empty());
 }
 
@@ -108,17 +110,18 @@ std::string certificate_statement(const Table& table) {
             "modal: no growing boundary mode and no growth by round trips on the band, both ends "
             "alike, in chains of {} interior nodes and more, on whose length the damping takes "
             "back what an end amplifies; max_cfl: the same of the leapfrog scheme, damping force "
-            "from the old velocities; reflection and contractive: not sought, since waves lose "
-            "energy on the way; modal edges are exact where an exact value is given, else in the "
-            "bracket",
+            "from the old velocities; reflection, contractive and max_cfl_contractive: not sought, "
+            "since waves lose energy on the way; modal edges are exact where an exact value is "
+            "given, else in the bracket",
             least_damped_nodes);
     }
     return "reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and "
            "sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for "
-           "decaying "
-           "waves to reach the other end; "
-           "contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges "
-           "are exact where an exact value is given, else in the bracket";
+           "decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in "
+           "continuous time, so that the other end may be any that adds no energy; max_cfl and "
+           "max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; "
+           "max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; "
+           "modal edges are exact where an exact value is given, else in the bracket";
 }
 
 }  // namespace nmbcgen

@@ -88,6 +88,7 @@ Json table_object(const Table& table) {
         {"least_nodes", damped ? least_damped_nodes : 0},
         {"poles", poles_array(certificate)},
         {"max_cfl", steps_array(certificate.max_cfl)},
+        {"max_cfl_contractive", steps_array(certificate.max_cfl_contractive)},
         {"max_cfl_explicit", steps_array(certificate.max_cfl_explicit)},
         {"certificate", table.certificate ? Json(certificate_statement(table)) : Json(nullptr)}};
 }

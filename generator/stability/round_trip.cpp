@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "generator/stability/band_search.hpp"
+#include "generator/stability/damped.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -15,6 +16,8 @@ namespace {
 HalfSpace without_condition(HalfSpace lattice) {
     lattice.E = Polynomial(std::vector<Rational>{1});
     lattice.O = Polynomial();
+    lattice.F = Polynomial();
+    lattice.H = Polynomial();
     lattice.c = {1};
     lattice.b = {0};
     lattice.stride = 1;
@@ -46,6 +49,58 @@ double round_trip_supremum_at(const ChainEnd& left, const ChainEnd& right, doubl
     return round_trip_supremum(reflection(left, omega), reflection(right, omega));
 }
 
+Peak largest_undamped(const ChainEnd& left, const ChainEnd& right) {
+    std::vector<double> frequencies = critical_frequencies(left.half_space);
+    const std::vector<double> others = critical_frequencies(right.half_space);
+    frequencies.insert(frequencies.end(), others.begin(), others.end());
+    std::ranges::sort(frequencies);
+    return largest_over_band(
+        frequencies, [&](double omega) { return round_trip_supremum_at(left, right, omega); });
+}
+
+Peak largest_damped(const ChainEnd& left, const ChainEnd& right, std::size_t nodes) {
+    // The mirror image of a chain that ends in a free end makes it one of twice the length with
+    // like ends, where a round trip is two of its own.
+    for (const auto& [end, opposite] : {std::pair(&left, &right), std::pair(&right, &left)}) {
+        if (end->kind == EndKind::free) {
+            const HalfSpace& like = opposite->half_space;
+            const Peak twice = damped_amplification(like, like, 2 * nodes);
+            return {std::sqrt(twice.value), twice.omega};
+        }
+    }
+    return damped_amplification(left.half_space, right.half_space, nodes);
+}
+
+/// Of the wave that fades least at this frequency, which brings most of what is amplified; of
+/// several that travel the least one.
+double wave_number_at(const HalfSpace& half_space, double omega) {
+    const std::vector<Mode> modes = outgoing_modes(half_space, omega);
+    const auto wave =
+        half_space.is_damped()
+            ? std::ranges::max_element(modes, {}, [](const Mode& mode) { return std::abs(mode.k); })
+            : modes.begin();
+    return std::abs(std::arg(wave->k));
+}
+
+/// Throws std::invalid_argument where the two ends cannot be of one chain.
+void require_one_chain(const HalfSpace& left, const HalfSpace& right, std::size_t nodes) {
+    if (left.symbol != right.symbol || left.damping != right.damping) {
+        throw std::invalid_argument("the two ends are of different lattices");
+    }
+    if (!left.is_damped()) {
+        return;
+    }
+    if (nodes == 0) {
+        throw std::invalid_argument("a damped chain needs its number of interior nodes");
+    }
+    if (left.time_step != right.time_step) {
+        throw std::invalid_argument("the two ends of a damped chain have different time steps");
+    }
+    if (!interior_is_stable(left)) {
+        throw std::invalid_argument("the interior of the damped chain is not stable in such steps");
+    }
+}
+
 }  // namespace
 
 ChainEnd fixed_end(const HalfSpace& lattice) {
@@ -70,10 +125,9 @@ Reflection reflection(const ChainEnd& end, double omega) {
     return found;
 }
 
-RoundTripVerdict round_trip_verdict(const ChainEnd& left, const ChainEnd& right) {
-    if (left.half_space.symbol != right.half_space.symbol) {
-        throw std::invalid_argument("the two ends are of different lattices");
-    }
+RoundTripVerdict round_trip_verdict(const ChainEnd& left, const ChainEnd& right,
+                                    std::size_t nodes) {
+    require_one_chain(left.half_space, right.half_space, nodes);
     for (const ChainEnd* end : {&left, &right}) {
         RoundTripVerdict verdict = verdict_of_one(*end);
         if (verdict.failure != ModalFailure::none) {
@@ -82,22 +136,17 @@ RoundTripVerdict round_trip_verdict(const ChainEnd& left, const ChainEnd& right)
         }
     }
     if (left.kind != EndKind::matching && right.kind != EndKind::matching) {
-        return {.amplification = 1};  // exactly: energy is kept
+        return {.amplification = 1};  // exactly: energy is kept; with damping, at most
     }
-    std::vector<double> frequencies = critical_frequencies(left.half_space);
-    const std::vector<double> others = critical_frequencies(right.half_space);
-    frequencies.insert(frequencies.end(), others.begin(), others.end());
-    std::ranges::sort(frequencies);
-    const Peak highest = largest_over_band(
-        frequencies, [&](double omega) { return round_trip_supremum_at(left, right, omega); });
+    const Peak highest = left.half_space.is_damped() ? largest_damped(left, right, nodes)
+                                                     : largest_undamped(left, right);
     RoundTripVerdict verdict;
     verdict.amplification = highest.value;
     if (highest.value > amplification_limit * amplification_limit) {
         verdict.failure = ModalFailure::amplified_wave;
     }
     if (highest.omega > 0) {
-        verdict.wave_number =
-            std::abs(std::arg(outgoing_modes(left.half_space, highest.omega).front().k));
+        verdict.wave_number = wave_number_at(left.half_space, highest.omega);
     }
     return verdict;
 }

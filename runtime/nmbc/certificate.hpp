@@ -17,7 +17,16 @@ enum class Grade {
     /// Stable with the same condition at the other end, but for short chains: see
     /// MatchingTable::modal, and of a damped table least_nodes.
     paired,
-    contractive,  ///< and with any other end that adds no energy
+    /// And, in continuous time, with any other end that adds no energy. In time steps that holds up
+    /// to certified_cfl(.., Opposite::any), which may be less than for like ends, or 0.
+    contractive,
+};
+
+/// The end at the other side of the chain.
+enum class Opposite {
+    like,  ///< the same condition, with the same ghost rule
+    any,   ///< any that adds no energy: fixed, free, or another condition at a step where it, too,
+           ///< is certified for any other end
 };
 
 /// The grade of a table at G; a damped one has no contractive windows.
@@ -33,17 +42,26 @@ constexpr Grade certified_grade(const MatchingTable& table, double G) {
 }
 
 /// The largest certified cfl = dt omega_max / 2 at G, omega_max that of the lattice without its
-/// damping, which the certified value allows for; 0 where no time step is certified.
+/// damping, which the certified value allows for; 0 where no time step is certified, as for any
+/// other end with explicit ghosts and with a damped table.
 constexpr double certified_cfl(const MatchingTable& table, double G,
-                               GhostRule rule = GhostRule::midpoint) {
-    double cfl = 0;
-    for (const StableStep& step :
-         rule == GhostRule::midpoint ? table.max_cfl : table.max_cfl_explicit) {
-        if (step.window.contains(G)) {  // where two of them meet, both hold
-            cfl = std::max(cfl, step.cfl);
+                               GhostRule rule = GhostRule::midpoint,
+                               Opposite opposite = Opposite::like) {
+    const auto largest = [G](std::span<const StableStep> steps) {
+        double cfl = 0;
+        for (const StableStep& step : steps) {
+            if (step.window.contains(G)) {  // where two of them meet, both hold
+                cfl = std::max(cfl, step.cfl);
+            }
         }
+        return cfl;
+    };
+    if (rule == GhostRule::explicit_rule) {
+        return opposite == Opposite::like ? largest(table.max_cfl_explicit) : 0;
     }
-    return cfl;
+    const double any = largest(table.max_cfl_contractive);
+    // Any end may be a like one, and the two lists were sought in different pieces of G.
+    return opposite == Opposite::like ? std::max(any, largest(table.max_cfl)) : any;
 }
 
 /// A table that is not certified to be stable was asked for. what() names what is.

@@ -118,21 +118,25 @@ inline double interior_cfl(const Lattice& lattice) {
     return maximum_frequency(lattice) / p;
 }
 
-/// The largest time step [spacing/wave_speed] with which a chain between two ends of this table is
-/// certified to be stable, midpoint ghosts; of a damped table, from table.least_nodes nodes on.
+/// The largest time step [spacing/wave_speed] with which a chain between an end of this table and
+/// the opposite one is certified to be stable, midpoint ghosts; of a damped table, from
+/// table.least_nodes nodes on.
 /// Throws NotCertified where there is none, as at the very edge of some windows, and
 /// std::invalid_argument where wave_speed or spacing is not positive and finite.
 inline double stable_time_step(const MatchingTable& table, double G, double wave_speed,
-                               double spacing) {
+                               double spacing, Opposite opposite = Opposite::like) {
     for (const double value : {wave_speed, spacing}) {
         if (!(value > 0) || !std::isfinite(value)) {
             throw std::invalid_argument("wave speed and spacing must be positive and finite");
         }
     }
-    const double cfl = certified_cfl(table, G);
+    const double cfl = certified_cfl(table, G, GhostRule::midpoint, opposite);
     if (cfl == 0) {
-        throw NotCertified(std::string(table.name) + " is certified for no time step at G = " +
-                           detail::to_text(G) + "; " + certified_choices(table, G));
+        const bool like = opposite == Opposite::like;
+        throw NotCertified(std::string(table.name) +
+                           " is certified for no time step at G = " + detail::to_text(G) +
+                           (like ? "; " + certified_choices(table, G)
+                                 : " with any opposite end (table.max_cfl_contractive)"));
     }
     return 2 * cfl / maximum_frequency(make_lattice(table, G)) * spacing / wave_speed;
 }

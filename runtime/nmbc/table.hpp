@@ -92,12 +92,15 @@ struct MatchingTable {
     /// window, up to 29 near its ends (tests/stability/exam_short_chains.cpp). With tau > 0: from
     /// `least_nodes` interior nodes on.
     std::span<const Window> modal;
-    /// Where no wave leaves the boundary with more energy than came in, so that the other end may
-    /// be any that does not add energy, a fixed or a free one too. Not sought where tau > 0, and
-    /// empty.
+    /// Where, in continuous time, no wave leaves the boundary with more energy than came in, so
+    /// that the other end may be any that does not add energy, a fixed or a free one too. In time
+    /// steps that holds up to max_cfl_contractive only. Not sought where tau > 0, and empty.
     std::span<const Window> contractive;
-    std::span<const StableStep> max_cfl;           ///< midpoint ghosts
-    std::span<const StableStep> max_cfl_explicit;  ///< explicit ghosts, for comparison
+    std::span<const StableStep> max_cfl;  ///< of `modal`: both ends alike; midpoint ghosts
+    /// Of `contractive`: the other end may be any that adds no energy; midpoint ghosts. At some G
+    /// much less than max_cfl, or none. Not sought where tau > 0, and empty.
+    std::span<const StableStep> max_cfl_contractive;
+    std::span<const StableStep> max_cfl_explicit;  ///< both ends alike; explicit ghosts
     /// Interior nodes a chain needs for `modal` and the steps to hold where tau > 0: what an end
     /// amplifies is damped away on the way to the other. 0 where tau = 0.
     int least_nodes;

@@ -35,7 +35,39 @@ sed '/^step/d' "$scene" >"$scratch/automatic.toml"
 try run "$scratch/automatic.toml" --set model.horizon=1 --quiet
 expect_exit 0
 try run "$scratch/automatic.toml" --set model.horizon=1 --set time.end=4
-expect "the cfl of the table" grep -q 'cfl = 0.69)' "$scratch/stdout"
+expect "the cfl of the table" grep -q 'cfl = 0.69): the largest certified for NMBC1' "$scratch/stdout"
+# A drive shorter than 20 such steps: a twentieth of it.
+try run "$scratch/automatic.toml" --set time.end=4 --set drive.duration=0.1
+expect_exit 0
+expect "20 steps of the drive" grep -qF ' steps of 0.005 ' "$scratch/stdout"
+expect "what limits it" grep -qF '): a twentieth of drive.duration' "$scratch/stdout"
+# A given step is taken as it is, and a drive that no step ends in is noticed.
+try run "$scene" "${short[@]}" --set drive.duration=0.001
+expect_exit 4
+expect_stderr "there was no energy at any time"
+expect_stderr "time step of 0.02 is too long for drive.duration = 0.001"
+# Unlike ends: NMBC2 of stride 3 has 0.55 with its like, and less against a fixed end.
+unlike=(--set model.horizon=3 --set boundary.order=2 --set boundary.stride=3 --set model.G=4
+    --set time.end=4)
+try run "$scratch/automatic.toml" "${unlike[@]}"
+expect_exit 0
+like=$(sed -n 's/.*cfl = \([0-9.]*\)).*/\1/p' "$scratch/stdout")
+for side in left right; do
+    try run "$scratch/automatic.toml" "${unlike[@]}" --set boundary.$side.kind=fixed
+    expect_exit 0
+    expect_no_stderr
+    expect "the pair's own limit" grep -qF '): the largest certified for this pair' "$scratch/stdout"
+    cfl=$(sed -n 's/.*cfl = \([0-9.]*\)).*/\1/p' "$scratch/stdout")
+    expect "$cfl is less than $like by steps of 0.05" awk "BEGIN {
+        steps = ($like - $cfl) / 0.05; exit !(steps > 0.5 && (steps - int(steps + 0.5))^2 < 0.01) }"
+done
+# A free end makes a chain of twice the length with like ends: their step holds.
+try run "$scratch/automatic.toml" "${unlike[@]}" --set boundary.right.kind=free
+expect_exit 0
+expect "as like ends" grep -qF "cfl = $like): the largest certified for NMBC2" "$scratch/stdout"
+try run "$scratch/automatic.toml" --set boundary.right.kind=fixed
+expect_exit 4
+expect_stderr "no time step is certified for this pair of ends: NMBC1 on the left and a fixed end"
 try run "$scratch/automatic.toml" --set boundary.ghosts='"explicit"'
 expect_exit 4
 expect_stderr "no time step is certified for NMBC1, stride 1, explicit ghosts at G = 0: NMBC1 with"
@@ -85,14 +117,17 @@ setting 2 "damping tau = 2;" model.damping=2
 setting 2 "must be \"midpoint\" or \"explicit\", not \"implicit\"" boundary.ghosts=implicit
 setting 2 'boundary.left.kind must be "nmbc", "fixed" or "free", not "open"' boundary.left.kind=open
 setting 2 "boundary.allow_unstable must be true or false, not 1" boundary.allow_unstable=1
-setting 2 "boundary.rigth is not a key of a scene" boundary.rigth.kind=free
+setting 2 "--set boundary.rigth.kind: boundary.rigth is not a key of a scene" boundary.rigth.kind=free
+setting 2 "--set bogus.key: bogus is not a key of a scene" bogus.key=1
 setting 2 "no table for family nopd1d, horizon 2, order 9" boundary.right.order=9
 setting 2 "above the interior's limit" time.step=0.6
 setting 2 "select no node" drive.centre=-99
 setting 2 "must not be 0" drive.amplitude=0
 setting 2 "whole number from 1 to 100000000, not 0" domain.nodes=0
 setting 2 "steps; at most 1e15" time.step=1e-300
-setting 2 "file name" output.name=a/b
+for bad in a/b .. ../a a..b '"a\nb"' '"\u001b[2J"' '""'; do
+    setting 2 "output.name must be a file name" "output.name=$bad"
+done
 setting 2 "--set needs KEY=VALUE" time.step
 setting 2 "--set needs KEY=VALUE" =3
 setting 3 "pole of a coefficient at G = 0" boundary.order=4

@@ -4,6 +4,15 @@
 # prototype found them before the project began; its 'ideal' row is not the printed one either.
 # Usage: run_table2.sh NMBCRUN SOURCE_FOLDER
 set -euo pipefail
+# Arguments first: they are told apart from a program that failed.
+for bad in --bad /nowhere/nmbcrun "$1 again"; do
+    code=0
+    # shellcheck disable=SC2086  # the last one is two arguments
+    "$2/tools/table2" $bad 2>/dev/null || code=$?
+    [ "$code" -eq 2 ] || { echo "table2 $bad: exit code $code, not 2"; exit 1; }
+done
+"$2/tools/table2" --help | grep -q '^Usage: tools/table2'
+
 table=$("$2/tools/table2" "$1")
 echo "$table"
 # 10 %: the earlier figures have one or two digits.

@@ -15,17 +15,18 @@ namespace {
 
 nmbcgen::ChainEnd end_of(const Boundary& boundary, const nmbc::MatchingTable& table, double G,
                          double time_step) {
-    const auto half_space = make_half_space(exact_table(table), nmbcgen::Rational(G));
+    const auto ghosts = boundary.ghosts == nmbc::GhostRule::midpoint ? nmbcgen::GhostLevel::midpoint
+                                                                     : nmbcgen::GhostLevel::old;
+    // A fixed or free end is the same in any steps, but in a damped lattice the waves are not.
+    const auto half_space =
+        stepped(make_half_space(exact_table(table), nmbcgen::Rational(G)), time_step, ghosts);
     switch (boundary.kind) {
         case BoundaryKind::fixed:
             return fixed_end(half_space);
         case BoundaryKind::free:
             return free_end(half_space);
         default:
-            return {nmbcgen::EndKind::matching, stepped(half_space, time_step,
-                                                        boundary.ghosts == nmbc::GhostRule::midpoint
-                                                            ? nmbcgen::GhostLevel::midpoint
-                                                            : nmbcgen::GhostLevel::old)};
+            return {nmbcgen::EndKind::matching, half_space};
     }
 }
 
@@ -37,19 +38,23 @@ double growth_per_step(const Boundary& boundary, std::complex<double> sigma, dou
                : std::log(std::abs(1.0 + sigma * time_step));
 }
 
+std::size_t interior_nodes(const Scene& scene) {
+    return scene.nodes + 2 * scene.extension;
+}
+
 /// Growth [c/dX] by the largest eigenvalue of one step, in chains so short that the half spaces do
 /// not tell all; 0 in longer ones, or where nothing grows.
 double short_chain_growth(const Scene& scene, const nmbc::MatchingTable& left,
                           const nmbc::MatchingTable& right, double time_step) {
     constexpr std::size_t longest = 60;  // tests/stability/exam_short_chains.cpp: 25 are short
-    const std::size_t nodes = scene.nodes + 2 * scene.extension;
+    const std::size_t nodes = interior_nodes(scene);
     // One rule for both ends is what one_step_map() knows.
     const Boundary& ruling = scene.left.kind == BoundaryKind::nmbc ? scene.left : scene.right;
     const int matching =
         int(scene.left.kind == BoundaryKind::nmbc) + int(scene.right.kind == BoundaryKind::nmbc);
     const bool one_rule = matching == 1 || scene.left.ghosts == scene.right.ghosts;
-    if (nodes > longest || matching == 0 || !one_rule) {
-        return 0;
+    if (nodes > longest || matching == 0 || !one_rule || is_damped(scene)) {
+        return 0;  // of a damped lattice round trips tell all
     }
     const double radius = nmbcgen::spectral_radius(
         end_of(scene.left, left, scene.G, time_step),
@@ -73,13 +78,11 @@ std::string name_of(const Boundary& boundary) {
 
 std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
                       const nmbc::MatchingTable& right, double time_step, double cfl) {
-    if (is_damped(scene)) {  // generator/stability knows undamped lattices only
-        return fmt::format("the ends of a damped lattice (tau = {}) are not examined", scene.tau);
-    }
     const double c = std::sqrt(scene.youngs_modulus / scene.density);
     const double step = time_step * c / scene.spacing;  // in dX/c
-    const auto verdict = round_trip_verdict(end_of(scene.left, left, scene.G, step),
-                                            end_of(scene.right, right, scene.G, step));
+    const auto verdict =
+        round_trip_verdict(end_of(scene.left, left, scene.G, step),
+                           end_of(scene.right, right, scene.G, step), interior_nodes(scene));
     const Boundary& own = verdict.left ? scene.left : scene.right;
     const std::string alone = name_of(own) + " is not stable";
     const std::string together = scene.left == scene.right
@@ -89,7 +92,8 @@ std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
                                            "stable together",
                                            name_of(scene.left), name_of(scene.right));
     const std::string where =
-        fmt::format(" at n = {}, G = {}, cfl = {:.3g}: ", scene.horizon, scene.G, cfl);
+        fmt::format(" at n = {}, G = {}{}, cfl = {:.3g}: ", scene.horizon, scene.G,
+                    is_damped(scene) ? ", tau = " + scene.tau : "", cfl);
     switch (verdict.failure) {
         case nmbcgen::ModalFailure::growing_mode:
             return alone + where +
@@ -103,8 +107,11 @@ std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
             return together + where +
                    fmt::format(
                        "waves of the frequency of xi dX = {:.3g} can grow by {:.3g} % per round "
-                       "trip",
-                       verdict.wave_number, 100 * (verdict.amplification - 1));
+                       "trip{}",
+                       verdict.wave_number, 100 * (verdict.amplification - 1),
+                       is_damped(scene)
+                           ? fmt::format(" in a chain of {} nodes", interior_nodes(scene))
+                           : "");
         default:
             break;
     }
@@ -113,7 +120,7 @@ std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
                           fmt::format(
                               "in a chain of {} nodes, so short that decaying waves reach "
                               "the other end, it grows as exp({:.3g} t)",
-                              scene.nodes + 2 * scene.extension, rate * step / time_step)
+                              interior_nodes(scene), rate * step / time_step)
                     : "";
 }
 

@@ -11,7 +11,7 @@ namespace nmbcrun {
 
 /// How a chain between the scene's ends can grow at some length, in words with wave number and rate
 /// or amplification; empty where round_trip_verdict() certifies that it does not, in steps
-/// of time_step [time].
+/// of time_step [time]. Of a damped lattice: at the scene's own length.
 /// left, right: the tables of the ends, of which only the lattice counts where an end is fixed or
 /// free. Their coefficients exist at the scene's G.
 std::string objection(const Scene& scene, const nmbc::MatchingTable& left,

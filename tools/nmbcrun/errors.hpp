@@ -11,8 +11,9 @@ struct SceneError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The ends are not stable together, or the run became non-finite or grew without a cause (4);
-/// what() says how, or at which step and node.
+/// The ends are not stable together, no time step is certified for them, or the run became
+/// non-finite, grew without a cause or had no energy at all (4); what() says how, or at which step
+/// and node.
 struct Unstable : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
     command->add_flag("--quiet", arguments.quiet, "no progress bar, only the last lines");
     app.footer(
         "Exit codes: 0 done; 2 wrong arguments or scene; 3 there is no such boundary condition;\n"
-        "4 the ends are not stable together, or the run became non-finite;\n"
+        "4 the ends are not stable together, or the run became non-finite or had no energy;\n"
         "5 a file could not be read or written.");
     try {
         app.parse(argc, argv);

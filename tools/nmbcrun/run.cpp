@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <nmbc/nmbc.hpp>
-#include <nmbc/tables/tables.hpp>
-#include <numbers>
 
 #include "tools/nmbcrun/certificate.hpp"
 #include "tools/nmbcrun/csv.hpp"
+#include "tools/nmbcrun/driver.hpp"
 #include "tools/nmbcrun/interrupt.hpp"
 #include "tools/nmbcrun/progress.hpp"
 #include "tools/nmbcrun/tables.hpp"
+#include "tools/nmbcrun/time_step.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -50,45 +50,6 @@ bool certify(const Scene& scene, double time_step, double cfl) {
     return false;
 }
 
-/// The drive's velocities for one step: u reaches its prescribed value at the new time.
-class Driver {
-  public:
-    Driver(const Scene& scene, std::size_t ghosts, double time_step)
-        : drive_(scene.drive), time_step_(time_step) {
-        const double reach = drive_.half_width * scene.horizon * scene.spacing;
-        // Positions are rounded; a billionth of a spacing decides nothing on purpose.
-        const double slack = 1e-9 * scene.spacing;
-        for (std::size_t node = 0; node < scene.nodes; ++node) {
-            const double X = double(node + 1) * scene.spacing;
-            if (std::abs(X - drive_.centre) <= reach + slack) {
-                driven_.push_back(node + scene.extension + ghosts);
-            }
-        }
-        if (driven_.empty()) {
-            throw SceneError("drive.centre and drive.half_width select no node");
-        }
-    }
-
-    /// Whether the nodes are driven in the step that ends at this time.
-    bool drives(double time) const { return time <= drive_.duration + time_step_ / 2; }
-
-    void operator()(std::span<const double> u, std::span<double> v, double time) const {
-        if (!drives(time)) {
-            return;
-        }
-        const double phase = std::numbers::pi * std::min(time / drive_.duration, 1.0);
-        const double value = drive_.amplitude / 2 * (1 - std::cos(phase));
-        for (const std::size_t node : driven_) {
-            v[node] = (value - u[node]) / time_step_;
-        }
-    }
-
-  private:
-    Drive drive_;
-    double time_step_;
-    std::vector<std::size_t> driven_;
-};
-
 struct Sample {
     double time;
     nmbc::Energies energies;
@@ -100,11 +61,12 @@ struct Record {
     double peak = 0;
 };
 
-/// How long a run is, in steps, how its step compares with the interior's limit, and whether its
-/// ends are certified.
+/// How long a run is, in steps, how its step compares with the interior's limit, what limits it,
+/// and whether the ends are certified.
 struct Plan {
     std::size_t steps = 0;
     double cfl = 0;
+    std::string limit{};  ///< in words; empty where the scene gives the step
     bool certified = false;
 };
 
@@ -195,37 +157,6 @@ Record simulate(const Scene& scene, nmbc::Chain& chain, const Driver& driver, co
     return record;
 }
 
-std::string heading_of(const Boundary& boundary) {
-    if (boundary.kind != BoundaryKind::nmbc) {
-        return boundary.kind == BoundaryKind::fixed ? "fixed" : "free";
-    }
-    const bool midpoint = boundary.ghosts == nmbc::GhostRule::midpoint;
-    return fmt::format("NMBC{}, stride {}, {} ghosts", boundary.order, boundary.stride,
-                       midpoint ? "midpoint" : "explicit");
-}
-
-/// The largest cfl that the tables of both ends are certified for. Unlike ends are certified one
-/// by one here, and as a pair, at this cfl, by certify().
-double automatic_cfl(const Scene& scene, const nmbc::Lattice& lattice) {
-    // Fixed and free ends: just below the interior's own limit.
-    double cfl = 0.99 * nmbc::interior_cfl(lattice);
-    for (const Boundary* boundary : {&scene.left, &scene.right}) {
-        if (boundary->kind != BoundaryKind::nmbc) {
-            continue;
-        }
-        const nmbc::MatchingTable& table = table_of(scene, *boundary);
-        cfl = std::min(cfl, nmbc::certified_cfl(table, scene.G, boundary->ghosts));
-        if (cfl == 0) {
-            throw Unstable(
-                fmt::format("no time step is certified for {} at G = {}: {}. To try one, give "
-                            "time.step or time.cfl, and boundary.allow_unstable = true",
-                            heading_of(*boundary), scene.G,
-                            nmbc::certified_choices(table, scene.G, nmbc::generated::tables)));
-        }
-    }
-    return cfl;
-}
-
 void print_heading(const Scene& scene, const nmbc::Chain& chain, const Plan& plan) {
     const nmbc::ChainParameters& p = chain.parameters();
     fmt::print("scene     {}\n", scene.title);
@@ -240,8 +171,8 @@ void print_heading(const Scene& scene, const nmbc::Chain& chain, const Plan& pla
     fmt::print("chain     {} nodes{}, dX = {}, c = {:.6g}\n", scene.nodes,
                scene.extension > 0 ? fmt::format(" (+ {} at each end)", scene.extension) : "",
                p.spacing, p.wave_speed());
-    fmt::print("time      {} steps of {:.6g} (cfl = {:.3g})\n\n", plan.steps, p.time_step,
-               plan.cfl);
+    fmt::print("time      {} steps of {:.6g} (cfl = {:.3g}){}\n\n", plan.steps, p.time_step,
+               plan.cfl, plan.limit.empty() ? "" : ": " + plan.limit);
 }
 
 /// About twelve of the samples, and the last.
@@ -267,10 +198,12 @@ void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
     nmbc::Lattice lattice = nmbc::make_lattice(table_of(scene, scene.left), scene.G);
     const double omega_max = nmbc::maximum_frequency(lattice) *
                              std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
+    const auto automatic =
+        scene.step || scene.cfl ? AutomaticStep{} : automatic_step(scene, lattice, omega_max);
     const double time_step =
-        scene.step ? *scene.step
-                   : 2 * (scene.cfl ? *scene.cfl : automatic_cfl(scene, lattice)) / omega_max;
+        scene.step ? *scene.step : 2 * scene.cfl.value_or(automatic.cfl) / omega_max;
     Plan plan = plan_of(scene, lattice, time_step, omega_max);
+    plan.limit = automatic.limit;
     nmbc::Chain chain(std::move(lattice), end_of(scene, scene.left), end_of(scene, scene.right),
                       {.nodes = scene.nodes + 2 * scene.extension,
                        .spacing = scene.spacing,
@@ -294,6 +227,13 @@ void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
         throw;
     }
     csv.publish();
+    if (record.peak == 0) {
+        throw Unstable(fmt::format(
+            "there was no energy at any time, so nothing to compare with: the time step of {:.6g} "
+            "is too long for drive.duration = {:.6g}, or drive.amplitude too small for doubles. "
+            "Energies: {}",
+            time_step, scene.drive.duration, csv.path().string()));
+    }
     if (!quiet) {
         print_samples(record.samples, record.peak, is_damped(scene));
     }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/scene.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -59,11 +63,16 @@ std::string read_tau(SceneReader& reader, const std::string& key) {
     }
 }
 
-/// The name of the output files: the scene file's own unless it says another.
+/// The name of the output files: the scene file's own unless it says another, which must not lead
+/// out of the folder or garble what is printed.
 std::string read_name(SceneReader& reader, const std::string& path) {
     const auto name = reader.text("output.name");
-    if (name && (name->empty() || name->find('/') != std::string::npos)) {
-        reader.fail("output.name", "must be a file name without a folder or an ending");
+    const auto forbidden = [](unsigned char c) { return c == '/' || std::iscntrl(c) != 0; };
+    if (name && (name->empty() || name->find("..") != std::string::npos ||
+                 std::ranges::any_of(*name, forbidden))) {
+        reader.fail("output.name",
+                    "must be a file name without a folder or an ending, without '..' and control "
+                    "characters");
     }
     return name.value_or(std::filesystem::path(path).stem().string());
 }
@@ -82,6 +91,15 @@ Drive read_drive(SceneReader& reader) {
 }
 
 }  // namespace
+
+std::string heading_of(const Boundary& boundary) {
+    if (boundary.kind != BoundaryKind::nmbc) {
+        return boundary.kind == BoundaryKind::fixed ? "fixed" : "free";
+    }
+    const bool midpoint = boundary.ghosts == nmbc::GhostRule::midpoint;
+    return fmt::format("NMBC{}, stride {}, {} ghosts", boundary.order, boundary.stride,
+                       midpoint ? "midpoint" : "explicit");
+}
 
 Scene read_scene(const std::string& path, const Overrides& overrides) {
     SceneReader reader(path, overrides);

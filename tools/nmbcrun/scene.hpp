@@ -32,6 +32,9 @@ struct Boundary {
     friend bool operator==(const Boundary&, const Boundary&) = default;
 };
 
+/// The end in words, such as "NMBC1, stride 1, midpoint ghosts" or "fixed".
+std::string heading_of(const Boundary& boundary);
+
 struct Scene {
     std::string title;
     std::string name;  ///< of the output files; default: the scene file's own

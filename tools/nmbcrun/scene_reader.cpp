@@ -103,8 +103,17 @@ std::string SceneReader::place(std::string_view key) const {
         return fmt::format("--set {}", key);
     }
     const auto node = document_.at_path(key);
-    return node ? fmt::format("{}:{}: {}", path_, node.node()->source().begin.line, key)
-                : fmt::format("{}: {}", path_, key);
+    if (!node) {
+        return fmt::format("{}: {}", path_, key);
+    }
+    const auto line = node.node()->source().begin.line;
+    if (line == 0) {  // a table that no file has, made for an override of something in it
+        const auto below = std::ranges::find_if(overridden_, [&](const std::string& other) {
+            return other.starts_with(fmt::format("{}.", key));
+        });
+        return fmt::format("--set {}: {}", below == overridden_.end() ? key : *below, key);
+    }
+    return fmt::format("{}:{}: {}", path_, line, key);
 }
 
 void SceneReader::fail(std::string_view key, const std::string& problem) const {

@@ -17,8 +17,12 @@ std::string cell(const nmbc::MatchingTable& table, double G) {
     if (grade == nmbc::Grade::none || cfl == 0) {
         return "";
     }
-    const char* const mark = grade == nmbc::Grade::contractive ? "**" : "";
-    return fmt::format("{}{:.2f}{}", mark, cfl, mark);
+    const double any =
+        nmbc::certified_cfl(table, G, nmbc::GhostRule::midpoint, nmbc::Opposite::any);
+    if (any == 0) {
+        return fmt::format("{:.2f}", cfl);
+    }
+    return any < cfl ? fmt::format("{:.2f}, **{:.2f}**", cfl, any) : fmt::format("**{:.2f}**", cfl);
 }
 
 std::vector<const nmbc::MatchingTable*> tables_of(const std::vector<unsigned>& horizons) {

@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
     auto* const choices = app.add_subcommand(
         "choices",
         "print the largest stable cfl of the committed tables as Markdown: empty where unstable, "
-        "bold where contractive");
+        "bold what any other end that adds no energy allows");
     choices->add_option("--horizon", arguments.choice_horizons, "horizons n, 1 to 5 (default all)")
         ->check(CLI::Range(1, 5))
         ->delimiter(',');

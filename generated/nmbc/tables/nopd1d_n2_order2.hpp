@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -99,6 +99,39 @@ inline constexpr StableStep max_cfl[]{
     {{3.7534666139304216, 3.7638349297272553}, 0.17},
 };
 
+inline constexpr StableStep max_cfl_contractive[]{
+    {{2.463062572200223, 2.4733562141992698}, 0.45},
+    {{2.4733562141992698, 2.483649856198316}, 0.57},
+    {{2.483649856198316, 2.4939434981973623}, 0.63},
+    {{2.4939434981973623, 2.5042371401964085}, 0.68},
+    {{2.5042371401964085, 2.514530782195455}, 0.72},
+    {{2.514530782195455, 2.5351180661935473}, 0.75},
+    {{2.5351180661935473, 2.5762926341897323}, 0.79},
+    {{2.5762926341897323, 2.6174672021859173}, 0.85},
+    {{2.6174672021859173, 2.6998163381782874}, 0.88},
+    {{2.6998163381782874, 2.782165474170658}, 0.93},
+    {{2.782165474170658, 2.9468637461553984}, 0.96},
+    {{2.9468637461553984, 3.1115620181401393}, 0.98},
+    {{3.1115620181401393, 3.2762602901248794}, 0.94},
+    {{3.2762602901248794, 3.35860942611725}, 0.9},
+    {{3.35860942611725, 3.4409585621096204}, 0.85},
+    {{3.4409585621096204, 3.4821331301058054}, 0.81},
+    {{3.4821331301058054, 3.5233076981019904}, 0.77},
+    {{3.5233076981019904, 3.5644822660981754}, 0.72},
+    {{3.5644822660981754, 3.605656834094361}, 0.66},
+    {{3.605656834094361, 3.626244118092454}, 0.62},
+    {{3.626244118092454, 3.6468314020905463}, 0.58},
+    {{3.6468314020905463, 3.667418686088639}, 0.54},
+    {{3.667418686088639, 3.6880059700867314}, 0.49},
+    {{3.6880059700867314, 3.6982996120857776}, 0.46},
+    {{3.6982996120857776, 3.708593254084824}, 0.42},
+    {{3.708593254084824, 3.71888689608387}, 0.39},
+    {{3.71888689608387, 3.7291805380829164}, 0.35},
+    {{3.7291805380829164, 3.7394741800819626}, 0.3},
+    {{3.7394741800819626, 3.749767822081009}, 0.24},
+    {{3.749767822081009, 3.760061464080055}, 0.17},
+};
+
 inline constexpr StableStep max_cfl_explicit[]{
     {{2.4574271393262452, 2.4677954551230785}, 0.17},
     {{2.4677954551230785, 2.4781637709199122}, 0.27},
@@ -153,6 +186,7 @@ inline constexpr MatchingTable nopd1d_n2_order2{
     .modal = nopd1d_n2_order2_data::modal,
     .contractive = nopd1d_n2_order2_data::contractive,
     .max_cfl = nopd1d_n2_order2_data::max_cfl,
+    .max_cfl_contractive = nopd1d_n2_order2_data::max_cfl_contractive,
     .max_cfl_explicit = nopd1d_n2_order2_data::max_cfl_explicit,
     .least_nodes = 0,
 };

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -79,6 +79,23 @@ inline constexpr StableStep max_cfl[]{
     {{2.8289498320936586, 2.969934030819164}, 0.65},
 };
 
+inline constexpr StableStep max_cfl_contractive[]{
+    {{0.7141868512110727, 0.7834545575706984}, 0.53},
+    {{0.7834545575706984, 0.852722263930324}, 0.58},
+    {{0.852722263930324, 0.9219899702899497}, 0.63},
+    {{0.9219899702899497, 0.9912576766495754}, 0.68},
+    {{0.9912576766495754, 1.1297930893688268}, 0.73},
+    {{1.1297930893688268, 1.2683285020880781}, 0.78},
+    {{1.2683285020880781, 2.376611803842089}, 0.77},
+    {{2.376611803842089, 2.653682629280592}, 0.72},
+    {{2.653682629280592, 2.792218041999843}, 0.66},
+    {{2.792218041999843, 2.8268518951796557}, 0.65},
+    {{2.8268518951796557, 2.8614857483594687}, 0.6},
+    {{2.8614857483594687, 2.896119601539281}, 0.55},
+    {{2.896119601539281, 2.9134365281291874}, 0.52},
+    {{2.9134365281291874, 2.930753454719094}, 0.49},
+};
+
 inline constexpr StableStep max_cfl_explicit[]{
     {{0.7141868512110727, 0.8551710499365784}, 0.18},
     {{0.8551710499365784, 0.9961552486620842}, 0.22},
@@ -133,6 +150,7 @@ inline constexpr MatchingTable nopd1d_n2_order2_s2{
     .modal = nopd1d_n2_order2_s2_data::modal,
     .contractive = nopd1d_n2_order2_s2_data::contractive,
     .max_cfl = nopd1d_n2_order2_s2_data::max_cfl,
+    .max_cfl_contractive = nopd1d_n2_order2_s2_data::max_cfl_contractive,
     .max_cfl_explicit = nopd1d_n2_order2_s2_data::max_cfl_explicit,
     .least_nodes = 0,
 };

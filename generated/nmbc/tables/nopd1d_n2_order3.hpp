@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -105,6 +105,17 @@ inline constexpr StableStep max_cfl[]{
     {{22.751621203814025, 22.896973825965244}, 0.06},
 };
 
+inline constexpr StableStep max_cfl_contractive[]{
+    {{1.7766672588705736, 1.79035849064522}, 0.46},
+    {{1.79035849064522, 1.804049722419866}, 0.48},
+    {{1.804049722419866, 1.8177409541945122}, 0.51},
+    {{1.8177409541945122, 1.8314321859691582}, 0.53},
+    {{1.8314321859691582, 1.8451234177438045}, 0.56},
+    {{1.8451234177438045, 1.8588146495184508}, 0.58},
+    {{1.8588146495184508, 1.8725058812930968}, 0.6},
+    {{1.8725058812930968, 1.886197113067743}, 0.63},
+};
+
 inline constexpr StableStep max_cfl_explicit[]{
     {{1.7757515597264137, 1.7769119113931824}, 0.04},
     {{1.7769119113931824, 1.7792326147267197}, 0.06},
@@ -152,6 +163,7 @@ inline constexpr MatchingTable nopd1d_n2_order3{
     .modal = nopd1d_n2_order3_data::modal,
     .contractive = nopd1d_n2_order3_data::contractive,
     .max_cfl = nopd1d_n2_order3_data::max_cfl,
+    .max_cfl_contractive = nopd1d_n2_order3_data::max_cfl_contractive,
     .max_cfl_explicit = nopd1d_n2_order3_data::max_cfl_explicit,
     .least_nodes = 0,
 };

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -101,6 +101,31 @@ inline constexpr StableStep max_cfl[]{
     {{14.291460042375068, 15.340490395812308}, 0.85},
 };
 
+inline constexpr StableStep max_cfl_contractive[]{
+    {{0.8701390971277885, 0.8795017156656117}, 0.26},
+    {{0.8795017156656117, 0.8982269527412581}, 0.3},
+    {{0.8982269527412581, 0.9356774268925507}, 0.31},
+    {{0.9356774268925507, 1.010578375195136}, 0.33},
+    {{1.010578375195136, 1.0854793234977214}, 0.37},
+    {{1.0854793234977214, 1.1603802718003067}, 0.42},
+    {{1.1603802718003067, 1.1978307459515993}, 0.47},
+    {{1.1978307459515993, 1.235281220102892}, 0.5},
+    {{1.235281220102892, 1.2727316942541846}, 0.53},
+    {{1.2727316942541846, 1.3101821684054773}, 0.56},
+    {{1.3101821684054773, 1.459984065010648}, 0.6},
+    {{1.459984065010648, 1.834488806523575}, 0.59},
+    {{1.834488806523575, 1.9093897548261602}, 0.53},
+    {{1.9093897548261602, 1.946840228977453}, 0.49},
+    {{1.946840228977453, 1.9842907031287456}, 0.43},
+    {{1.9842907031287456, 2.003015940204392}, 0.38},
+    {{2.003015940204392, 2.021741177280038}, 0.33},
+    {{2.021741177280038, 2.0311037958178613}, 0.29},
+    {{2.0311037958178613, 2.0404664143556843}, 0.24},
+    {{2.0404664143556843, 2.0498290328935074}, 0.17},
+    {{6.948247568314387, 12.193399335500587}, 0.86},
+    {{12.193399335500587, 15.340490395812308}, 0.85},
+};
+
 inline constexpr StableStep max_cfl_explicit[]{
     {{0.8607764785899653, 1.0111273900738906}, 0.07},
     {{1.0111273900738906, 1.1614783015578158}, 0.1},
@@ -143,6 +168,7 @@ inline constexpr MatchingTable nopd1d_n2_order3_s2{
     .modal = nopd1d_n2_order3_s2_data::modal,
     .contractive = nopd1d_n2_order3_s2_data::contractive,
     .max_cfl = nopd1d_n2_order3_s2_data::max_cfl,
+    .max_cfl_contractive = nopd1d_n2_order3_s2_data::max_cfl_contractive,
     .max_cfl_explicit = nopd1d_n2_order3_s2_data::max_cfl_explicit,
     .least_nodes = 0,
 };

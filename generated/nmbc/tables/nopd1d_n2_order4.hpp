@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -112,6 +112,33 @@ inline constexpr StableStep max_cfl[]{
     {{13.83563347794139, 13.887485075876988}, 0.17},
 };
 
+inline constexpr StableStep max_cfl_contractive[]{
+    {{8.179059482917324, 8.273933819497246}, 0.81},
+    {{8.273933819497246, 8.368808156077169}, 0.86},
+    {{8.368808156077169, 8.55855682923701}, 0.88},
+    {{8.55855682923701, 8.938054175556697}, 0.91},
+    {{8.938054175556697, 9.317551521876384}, 0.95},
+    {{9.317551521876384, 9.69704886819607}, 0.97},
+    {{9.69704886819607, 10.076546214515757}, 0.98},
+    {{10.076546214515757, 10.456043560835443}, 0.94},
+    {{10.456043560835443, 10.550917897415365}, 0.89},
+    {{10.550917897415365, 10.645792233995287}, 0.84},
+    {{10.645792233995287, 10.740666570575208}, 0.78},
+    {{10.740666570575208, 10.788103738865168}, 0.75},
+    {{10.788103738865168, 10.83554090715513}, 0.71},
+    {{10.83554090715513, 10.882978075445092}, 0.67},
+    {{10.882978075445092, 10.930415243735052}, 0.62},
+    {{10.930415243735052, 10.977852412025012}, 0.57},
+    {{10.977852412025012, 11.025289580314972}, 0.52},
+    {{11.025289580314972, 11.049008164459952}, 0.48},
+    {{11.049008164459952, 11.072726748604932}, 0.45},
+    {{11.072726748604932, 11.096445332749912}, 0.41},
+    {{11.096445332749912, 11.120163916894894}, 0.37},
+    {{11.120163916894894, 11.143882501039876}, 0.32},
+    {{11.143882501039876, 11.167601085184856}, 0.26},
+    {{11.167601085184856, 11.191319669329836}, 0.18},
+};
+
 inline constexpr StableStep max_cfl_explicit[]{
     {{7.302332138055981, 7.35418373599158}, 0.23},
     {{7.35418373599158, 7.406035333927178}, 0.3},
@@ -166,6 +193,7 @@ inline constexpr MatchingTable nopd1d_n2_order4{
     .modal = nopd1d_n2_order4_data::modal,
     .contractive = nopd1d_n2_order4_data::contractive,
     .max_cfl = nopd1d_n2_order4_data::max_cfl,
+    .max_cfl_contractive = nopd1d_n2_order4_data::max_cfl_contractive,
     .max_cfl_explicit = nopd1d_n2_order4_data::max_cfl_explicit,
     .least_nodes = 0,
 };

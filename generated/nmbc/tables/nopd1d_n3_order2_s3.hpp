@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -93,6 +93,30 @@ inline constexpr StableStep max_cfl[]{
     {{4.500988060349, 4.552391909772289}, 0.25},
 };
 
+inline constexpr StableStep max_cfl_contractive[]{
+    {{1.262545546681792, 1.3489187196854966}, 0.51},
+    {{1.3489187196854966, 1.435291892689201}, 0.55},
+    {{1.435291892689201, 1.5216650656929058}, 0.6},
+    {{1.5216650656929058, 1.6080382386966103}, 0.63},
+    {{1.6080382386966103, 1.7807845847040196}, 0.66},
+    {{1.7807845847040196, 1.9535309307114286}, 0.71},
+    {{1.9535309307114286, 2.6445163147410655}, 0.75},
+    {{2.6445163147410655, 2.9900090067558835}, 0.73},
+    {{2.9900090067558835, 3.335501698770702}, 0.67},
+    {{3.335501698770702, 3.4218748717744063}, 0.64},
+    {{3.4218748717744063, 3.508248044778111}, 0.61},
+    {{3.508248044778111, 3.5946212177818158}, 0.58},
+    {{3.5946212177818158, 3.68099439078552}, 0.54},
+    {{3.68099439078552, 3.7673675637892243}, 0.5},
+    {{3.7673675637892243, 3.853740736792929}, 0.45},
+    {{3.853740736792929, 3.8969273232947814}, 0.4},
+    {{3.8969273232947814, 3.918520616545708}, 0.36},
+    {{3.918520616545708, 3.940113909796634}, 0.33},
+    {{3.940113909796634, 3.9617072030475597}, 0.28},
+    {{3.9617072030475597, 3.983300496298486}, 0.23},
+    {{3.983300496298486, 4.0048937895494126}, 0.16},
+};
+
 inline constexpr StableStep max_cfl_explicit[]{
     {{1.262545546681792, 1.4681609443749482}, 0.2},
     {{1.4681609443749482, 1.6737763420681042}, 0.24},
@@ -140,6 +164,7 @@ inline constexpr MatchingTable nopd1d_n3_order2_s3{
     .modal = nopd1d_n3_order2_s3_data::modal,
     .contractive = nopd1d_n3_order2_s3_data::contractive,
     .max_cfl = nopd1d_n3_order2_s3_data::max_cfl,
+    .max_cfl_contractive = nopd1d_n3_order2_s3_data::max_cfl_contractive,
     .max_cfl_explicit = nopd1d_n3_order2_s3_data::max_cfl_explicit,
     .least_nodes = 0,
 };

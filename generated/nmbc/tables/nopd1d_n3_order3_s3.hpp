@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -90,6 +90,23 @@ inline constexpr StableStep max_cfl[]{
     {{2.896294070159793, 2.913119668008669}, 0.05},
 };
 
+inline constexpr StableStep max_cfl_contractive[]{
+    {{1.8612932749138196, 1.8694795462981626}, 0.17},
+    {{1.8694795462981626, 1.8776658176825056}, 0.23},
+    {{1.8776658176825056, 1.8858520890668484}, 0.27},
+    {{1.8858520890668484, 1.9185971746042203}, 0.31},
+    {{1.9185971746042203, 1.9840873456789638}, 0.34},
+    {{1.9840873456789638, 2.115067687828451}, 0.32},
+    {{2.115067687828451, 2.246048029977938}, 0.3},
+    {{2.246048029977938, 2.377028372127425}, 0.27},
+    {{2.377028372127425, 2.5080087142769116}, 0.24},
+    {{2.5080087142769116, 2.6389890564263987}, 0.2},
+    {{2.6389890564263987, 2.7699693985758858}, 0.14},
+    {{2.7699693985758858, 2.835459569650629}, 0.1},
+    {{2.835459569650629, 2.868204655188001}, 0.07},
+    {{2.868204655188001, 2.8845771979566868}, 0.04},
+};
+
 inline constexpr StableStep max_cfl_explicit[]{
     {{1.8531070035294768, 1.9877117863204854}, 0.13},
     {{1.9877117863204854, 2.122316569111494}, 0.15},
@@ -124,6 +141,7 @@ inline constexpr MatchingTable nopd1d_n3_order3_s3{
     .modal = nopd1d_n3_order3_s3_data::modal,
     .contractive = nopd1d_n3_order3_s3_data::contractive,
     .max_cfl = nopd1d_n3_order3_s3_data::max_cfl,
+    .max_cfl_contractive = nopd1d_n3_order3_s3_data::max_cfl_contractive,
     .max_cfl_explicit = nopd1d_n3_order3_s3_data::max_cfl_explicit,
     .least_nodes = 0,
 };

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1; max_cfl: the same of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -102,6 +102,32 @@ inline constexpr StableStep max_cfl[]{
     {{5.560360710609061, 5.589606483019582}, 0.13},
 };
 
+inline constexpr StableStep max_cfl_contractive[]{
+    {{1.846147614472795, 1.8916643149737173}, 0.29},
+    {{1.8916643149737173, 1.9371810154746398}, 0.33},
+    {{1.9371810154746398, 2.0282144164764846}, 0.37},
+    {{2.0282144164764846, 2.119247817478329}, 0.43},
+    {{2.119247817478329, 2.2102812184801737}, 0.48},
+    {{2.2102812184801737, 2.3923480204838627}, 0.53},
+    {{2.3923480204838627, 2.5744148224875523}, 0.59},
+    {{2.5744148224875523, 2.938548426494931}, 0.64},
+    {{2.938548426494931, 3.30268203050231}, 0.7},
+    {{3.30268203050231, 3.666815634509688}, 0.69},
+    {{3.666815634509688, 3.8488824365133776}, 0.64},
+    {{3.8488824365133776, 4.030949238517067}, 0.59},
+    {{4.030949238517067, 4.213016040520756}, 0.53},
+    {{4.213016040520756, 4.304049441522601}, 0.49},
+    {{4.304049441522601, 4.395082842524445}, 0.44},
+    {{4.395082842524445, 4.48611624352629}, 0.38},
+    {{4.48611624352629, 4.531632944027212}, 0.35},
+    {{4.531632944027212, 4.577149644528134}, 0.31},
+    {{4.577149644528134, 4.622666345029057}, 0.27},
+    {{4.622666345029057, 4.668183045529979}, 0.22},
+    {{4.668183045529979, 4.69094139578044}, 0.19},
+    {{4.69094139578044, 4.713699746030901}, 0.15},
+    {{4.713699746030901, 4.736458096281362}, 0.1},
+};
+
 inline constexpr StableStep max_cfl_explicit[]{
     {{1.846147614472795, 2.3140799730411437}, 0.22},
     {{2.3140799730411437, 2.548046152325318}, 0.27},
@@ -146,6 +172,7 @@ inline constexpr MatchingTable nopd1d_n4_order2_s4{
     .modal = nopd1d_n4_order2_s4_data::modal,
     .contractive = nopd1d_n4_order2_s4_data::contractive,
     .max_cfl = nopd1d_n4_order2_s4_data::max_cfl,
+    .max_cfl_contractive = nopd1d_n4_order2_s4_data::max_cfl_contractive,
     .max_cfl_explicit = nopd1d_n4_order2_s4_data::max_cfl_explicit,
     .least_nodes = 0,
 };

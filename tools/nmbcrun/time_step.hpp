@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+/// The time step of a scene that gives none.
+#pragma once
+
+#include <nmbc/lattice.hpp>
+#include <string>
+
+#include "tools/nmbcrun/scene.hpp"
+
+namespace nmbcrun {
+
+struct AutomaticStep {
+    double cfl = 0;       ///< dt omega_max / 2
+    std::string limit{};  ///< what does not allow a longer one, in words
+};
+
+/// The largest step that is certified for the scene's ends, but a twentieth of the drive at most.
+/// Like ends: as their table has it. Unlike ones: the least of their tables' own, and from there
+/// down in steps of 0.05 of cfl until the two are certified together.
+/// omega_max [1/time]: the top of the lattice's band.
+/// Throws Unstable where no step is certified.
+AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, double omega_max);
+
+}  // namespace nmbcrun
