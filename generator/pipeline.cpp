@@ -87,11 +87,13 @@ Table derive(const Specification& specification) {
 }
 
 void certify_all(std::vector<Table>& tables) {
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&tables, &next] {
-        for (std::size_t i = next++; i < tables.size(); i = next++) {
-            if (!tables[i].certificate) {
-                tables[i].certificate = certify(tables[i]);
+    std::atomic<std::size_t> taken = 0;
+    const auto work = [&tables, &taken] {
+        // The last tables of a set, of large horizons, take longest: nobody is to wait for them.
+        for (std::size_t i = taken++; i < tables.size(); i = taken++) {
+            Table& table = tables[tables.size() - 1 - i];
+            if (!table.certificate) {
+                table.certificate = certify(table);
             }
         }
     };
