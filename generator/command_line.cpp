@@ -171,9 +171,9 @@ CLI::App* add_recommend(CLI::App& app, Question& question) {
                "stabilisation G of the model, an exact number such as 1/2 or 0.3")
         ->required();
     add_parsed(*recommend, "--order", question.order, parse_count,
-               "this order only (default: 2 or more)");
+               "this order only (default: 1 to 4)");
     add_parsed(*recommend, "--tolerance", question.tolerance, parse_fraction,
-               "the most of the energy that may be reflected, mean over the band");
+               "the part of the energy that may be reflected, mean over the band (default 1e-6)");
     add_parsed(*recommend, "--band", question.band, parse_band,
                "wave numbers LO..HI in 1/dX (default 0.05..0.3)");
     return recommend;
@@ -236,10 +236,6 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         if (!all && !check && !reflect->parsed() && !recommend->parsed() &&
             (single.order->count() == 0 || single.horizon->count() == 0)) {
             throw CLI::RequiredError("--order and --horizon (or --all, or --check)");
-        }
-        if (reflect->parsed() && request.specification.damping != 0) {
-            throw CLI::ValidationError(
-                "--damping", "reflect knows the waves of an undamped lattice only; 0 is allowed");
         }
     } catch (const CLI::Success& help) {
         return app.exit(help, std::cout, std::cerr);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/stability/band_reflection.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "generator/stability/reflection.hpp"
+#include <numeric>
 
 namespace nmbcgen {
 namespace {
@@ -17,33 +15,42 @@ double group_velocity(const HalfSpace& h, double xi) {
 
 }  // namespace
 
-double reflected_energy(const HalfSpace& half_space, double xi) {
-    const Reflection found = reflection(half_space, std::sqrt(omega_squared(half_space, xi)));
-    const auto wave = [&found](Eigen::Index index) { return found.outgoing[std::size_t(index)].k; };
+ReflectedWave reflected_wave(const HalfSpace& half_space, double xi) {
+    ReflectedWave wave{
+        .reflection = reflection(half_space, std::sqrt(omega_squared(half_space, xi))),
+        .incident = 0,
+        .energy_flux = {}};
+    const std::vector<Mode>& outgoing = wave.reflection.outgoing;
+    const Eigen::MatrixXcd& R = wave.reflection.matrix;
     // The incident wave is the mirror image of an outgoing one.
-    Eigen::Index incident = 0;
     const auto distance = [&](Eigen::Index column) {
-        return std::abs(std::polar(1.0, xi) - wave(column)) *
-               std::abs(std::polar(1.0, -xi) - wave(column));
+        const std::complex<double> k = outgoing[std::size_t(column)].k;
+        return std::abs(std::polar(1.0, xi) - k) * std::abs(std::polar(1.0, -xi) - k);
     };
-    for (Eigen::Index column = 1; column < found.matrix.cols(); ++column) {
-        if (distance(column) < distance(incident)) {
-            incident = column;
+    for (Eigen::Index column = 1; column < R.cols(); ++column) {
+        if (distance(column) < distance(wave.incident)) {
+            wave.incident = column;
         }
     }
-    if (!half_space.is_damped()) {
-        return found.matrix.col(incident).squaredNorm();
-    }
-    double sum = 0;
-    for (Eigen::Index o = 0; o < found.matrix.rows(); ++o) {
-        constexpr double fades_little = 0.9;
-        if (std::abs(wave(o)) > fades_little) {
-            sum += std::norm(found.matrix(o, incident)) *
-                   std::abs(group_velocity(half_space, std::arg(wave(o))) /
-                            group_velocity(half_space, xi));
+    for (std::size_t o = 0; o < outgoing.size(); ++o) {
+        const auto row = Eigen::Index(o);
+        double flux = row < R.rows() ? std::norm(R(row, wave.incident)) : 0;
+        if (half_space.is_damped()) {
+            constexpr double fades_little = 0.9;
+            const std::complex<double> k = outgoing[o].k;
+            flux = std::abs(k) > fades_little
+                       ? flux * std::abs(group_velocity(half_space, std::arg(k)) /
+                                         group_velocity(half_space, xi))
+                       : 0;
         }
+        wave.energy_flux.push_back(flux);
     }
-    return sum;
+    return wave;
+}
+
+double reflected_energy(const HalfSpace& half_space, double xi) {
+    const std::vector<double> flux = reflected_wave(half_space, xi).energy_flux;
+    return std::accumulate(flux.begin(), flux.end(), 0.0);
 }
 
 double mean_reflected_energy(const HalfSpace& half_space, double low, double high) {

@@ -2,14 +2,25 @@
 /// How much of a wave's energy a boundary sends back.
 #pragma once
 
-#include "generator/stability/half_space.hpp"
+#include "generator/stability/reflection.hpp"
 
 namespace nmbcgen {
 
-/// The part of the energy flux of an incident wave of wave number xi [1/dX] that comes back in
-/// waves of any wave number. In a damped lattice the wave is the one with the frequency that xi has
-/// undamped; only waves that fade by less than a tenth a node count, with the undamped group
-/// velocity.
+/// What a boundary makes of one incident wave, at the frequency that xi has undamped.
+struct ReflectedWave {
+    Reflection reflection;
+    Eigen::Index incident;  ///< its column: the wave whose wave number is next to xi
+    /// For each outgoing wave, the part of the incident energy flux that it carries. In a damped
+    /// lattice only waves that fade by less than a tenth a node count, with the undamped group
+    /// velocity.
+    std::vector<double> energy_flux;
+};
+
+/// xi [1/dX] in (0, pi).
+ReflectedWave reflected_wave(const HalfSpace& half_space, double xi);
+
+/// The part of the energy flux of an incident wave of wave number xi that comes back in waves of
+/// any wave number.
 double reflected_energy(const HalfSpace& half_space, double xi);
 
 /// Its mean over wave numbers low .. high, 0 < low < high <= pi.
