@@ -28,7 +28,7 @@ using nmbcgen::Rational;
 
 /// A matching end in steps of a cfl, and the two ends that keep the energy, of one lattice.
 struct Ends {
-    double time_step;
+    double time_step = 0;
     ChainEnd matching;
     ChainEnd fixed;
     ChainEnd free;

@@ -221,15 +221,15 @@ TEST_CASE("damped: what the verdict lets pass does not grow, in short chains eit
     int growing = 0;
     int too_strict = 0;  // the verdict's phases are the worst ones, not the chain's own
     for (const double cfl : {0.3, 0.6}) {
-        for (const auto& [horizon, G] :
-             {std::pair{1U, 0.1}, std::pair{1U, 1.2}, std::pair{1U, 3.0}, std::pair{2U, 0.3},
-              std::pair{2U, 1.0}, std::pair{2U, 3.0}}) {
-            const Rational tau = horizon == 1 ? Rational(1, 50) : Rational(1, 10);
-            for (const auto& pair : damped_pairs(horizon, 2, tau, Rational(G), cfl)) {
+        for (const Condition& at :
+             {Condition{1U, 2U, 1U, 0.1}, Condition{1U, 2U, 1U, 1.2}, Condition{1U, 2U, 1U, 3.0},
+              Condition{2U, 2U, 2U, 0.3}, Condition{2U, 2U, 2U, 1.0}, Condition{2U, 2U, 2U, 3.0}}) {
+            const Rational tau = at.horizon == 1 ? Rational(1, 50) : Rational(1, 10);
+            for (const auto& pair : damped_pairs(at.horizon, at.order, tau, Rational(at.G), cfl)) {
                 for (const std::size_t nodes : {6U, 9U, 20U, 61U}) {
                     CAPTURE(cfl);
-                    CAPTURE(horizon);
-                    CAPTURE(G);
+                    CAPTURE(at.horizon);
+                    CAPTURE(at.G);
                     CAPTURE(nodes);
                     CAPTURE(int(pair.right.kind));
                     const auto verdict = nmbcgen::round_trip_verdict(pair.left, pair.right, nodes);
