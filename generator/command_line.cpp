@@ -173,7 +173,8 @@ CLI::App* add_recommend(CLI::App& app, Question& question) {
     add_parsed(*recommend, "--order", question.order, parse_count,
                "this order only (default: 1 to 4)");
     add_parsed(*recommend, "--tolerance", question.tolerance, parse_fraction,
-               "the part of the energy that may be reflected, mean over the band (default 1e-6)");
+               "the part of the energy that may be reflected, mean over the band (default 1e-6, or "
+               "the next power of ten that can be kept)");
     add_parsed(*recommend, "--band", question.band, parse_band,
                "wave numbers LO..HI in 1/dX (default 0.05..0.3)");
     return recommend;

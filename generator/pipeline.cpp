@@ -128,18 +128,23 @@ std::vector<Specification> committed_set() {
         Rational damping;
     };
     for (const Choice& choice : {
+             Choice{1, 1, 2, 0},
              Choice{1, 2, 2, 0},
+             Choice{2, 1, 2, 0},
              Choice{2, 2, 2, 0},
              Choice{2, 3, 2, 0},
              Choice{2, 2, 4, 0},
              Choice{2, 2, 2, Rational(1, 100)},
              Choice{2, 2, 4, Rational(1, 20)},
+             Choice{3, 1, 2, 0},
+             Choice{3, 1, 3, 0},
              Choice{3, 2, 3, 0},
              Choice{3, 3, 3, 0},
              Choice{3, 2, 3, Rational(1, 100)},
              Choice{3, 2, 3, Rational(1, 50)},
              Choice{3, 2, 3, Rational(1, 20)},
              Choice{3, 2, 4, Rational(1, 10)},
+             Choice{4, 1, 2, 0},
              Choice{4, 2, 4, 0},
              Choice{4, 3, 4, 0},
              Choice{4, 2, 4, Rational(1, 50)},

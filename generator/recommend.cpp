@@ -36,17 +36,17 @@ const std::vector<Rational>& damping_ladder() {
 /// The steps that meet the tolerance, or reflect least: the largest certified ones, or shorter ones
 /// by multiples of 0.05 of cfl. Order 1 is best in large steps, whose errors in time undo its
 /// errors in space; the others are best in short ones.
-void choose_steps(Candidate& candidate, const HalfSpace& half_space, const Question& question) {
+void choose_steps(Candidate& candidate, const HalfSpace& half_space, const Band& band,
+                  double tolerance) {
     constexpr double coarse = 0.05;
     const double top = maximum_frequency(half_space);
     const auto reflected_at = [&](double cfl) {
-        return mean_reflected_energy(stepped(half_space, 2 * cfl / top), question.band.low,
-                                     question.band.high);
+        return mean_reflected_energy(stepped(half_space, 2 * cfl / top), band.low, band.high);
     };
     candidate.cfl = candidate.certified_cfl;
     candidate.reflected = reflected_at(candidate.cfl);
     for (int step = int(std::ceil(candidate.cfl / coarse)) - 1;
-         step > 0 && candidate.reflected > question.tolerance; --step) {
+         step > 0 && candidate.reflected > tolerance; --step) {
         const double reflected = reflected_at(coarse * step);
         if (reflected < candidate.reflected) {
             candidate.cfl = coarse * step;
@@ -56,7 +56,7 @@ void choose_steps(Candidate& candidate, const HalfSpace& half_space, const Quest
 }
 
 /// With the least damping that certifies it with a time step worth having.
-Candidate least_damped(Specification what, const Question& question) {
+Candidate least_damped(Specification what, const Question& question, double tolerance) {
     Candidate candidate;
     for (const Rational& damping : damping_ladder()) {
         what.damping = damping;
@@ -69,7 +69,7 @@ Candidate least_damped(Specification what, const Question& question) {
             if (cfl >= smallest_cfl) {
                 candidate.certified_cfl = cfl;
                 candidate.loss = loss_per_wavelength(half_space, wavelength);
-                choose_steps(candidate, half_space, question);
+                choose_steps(candidate, half_space, question.band, tolerance);
                 return candidate;
             }
         } catch (const NoSuchBoundary&) {
@@ -102,13 +102,13 @@ std::string row(const Candidate& candidate) {
     return text + (candidate.lost.empty() ? "" : "  " + candidate.lost) + "\n";
 }
 
-std::string table_of(const std::vector<Candidate>& all, const Question& question) {
+std::string table_of(const std::vector<Candidate>& all, const Band& band, double tolerance) {
     std::string text = fmt::format(
         "certified: the largest cfl\ncfl: of the largest steps that reflect no more than {:g}, or "
         "of those that reflect least\nreflected: energy in these steps, mean over xi = {:g} .. "
         "{:g}/dX\nloss: energy of a wave of {:g} dX over one wavelength, by damping\n\n"
         "order stride    tau certified   cfl  reflected     loss\n",
-        question.tolerance, question.band.low, question.band.high, wavelength);
+        tolerance, band.low, band.high, wavelength);
     for (const Candidate& candidate : all) {
         text += row(candidate);
     }
@@ -117,18 +117,19 @@ std::string table_of(const std::vector<Candidate>& all, const Question& question
 
 }  // namespace
 
-std::vector<Candidate> candidates(const Question& question) {
+std::vector<Candidate> candidates(const Question& question, double tolerance) {
     std::vector<Candidate> all;
     const unsigned least = question.order.value_or(1);
     const unsigned most = question.order.value_or(highest_order);
     for (unsigned order = least; order <= most; ++order) {
         for (unsigned stride = 1; stride <= question.horizon + 2; ++stride) {
-            all.push_back(least_damped(
-                {question.family, question.horizon, order, stride, question.G}, question));
+            all.push_back(
+                least_damped({question.family, question.horizon, order, stride, question.G},
+                             question, tolerance));
         }
     }
     for (Candidate& candidate : all) {
-        if (candidate.certified_cfl > 0 && candidate.reflected > question.tolerance) {
+        if (candidate.certified_cfl > 0 && candidate.reflected > tolerance) {
             candidate.lost = "above the tolerance";
         }
     }
@@ -144,12 +145,27 @@ std::vector<Candidate> candidates(const Question& question) {
 }
 
 std::string recommendation(const Question& question) {
-    const std::vector<Candidate> all = candidates(question);
+    // Where no tolerance is given, damping comes in when nothing undamped keeps 1e-4.
+    constexpr double least = 1e-6;
+    constexpr double undamped_most = 1e-4;
+    constexpr double most = 0.1;
+    double tolerance = question.tolerance.value_or(least);
+    std::vector<Candidate> all = candidates(question, tolerance);
+    const auto answers = [&] {
+        const Candidate& best = all.front();
+        return best.lost.empty() && (best.what.damping == 0 || tolerance > undamped_most);
+    };
+    while (!question.tolerance && !answers() && tolerance < most) {
+        tolerance *= 10;
+        all = candidates(question, tolerance);
+    }
     const Candidate& best = all.front();
     if (!best.lost.empty()) {
-        throw NoSuchBoundary(fmt::format("no boundary for horizon {} at G = {} answers this.\n{}",
-                                         question.horizon, to_string(question.G),
-                                         table_of(all, question)));
+        throw NoSuchBoundary(fmt::format(
+            "no certified boundary for horizon {} at G = {} reflects {:g} of the energy or "
+            "less.\n{}",
+            question.horizon, to_string(question.G), tolerance,
+            table_of(all, question.band, tolerance)));
     }
     Specification open = best.what;
     open.stabilisation.reset();
@@ -166,7 +182,7 @@ std::string recommendation(const Question& question) {
         damped ? " --damping " + to_string(best.what.damping) : std::string(),
         damped ? fmt::format("in chains of {} interior nodes and more", least_damped_nodes)
                : std::string("in chains of any length (docs/stability.md: short ones)"),
-        best.certified_cfl, best.reflected, best.loss, table_of(all, question));
+        best.certified_cfl, best.reflected, best.loss, table_of(all, question.band, tolerance));
 }
 
 }  // namespace nmbcgen

@@ -21,8 +21,10 @@ struct Question {
     unsigned horizon = 1;
     Rational G = 0;
     std::optional<unsigned> order;  ///< exactly this one; none: 1 to 4
-    double tolerance = 1e-6;        ///< of the mean reflected energy
-    Band band{0.05, 0.3};           ///< the reflected energy is averaged over
+    /// Of the mean reflected energy; none: 1e-6, or the next power of ten that can be kept, up to
+    /// 1e-4 without damping.
+    std::optional<double> tolerance;
+    Band band{0.05, 0.3};  ///< the reflected energy is averaged over
 };
 
 /// A condition with the least damping of the ladder that certifies it at the G of the question, in
@@ -39,7 +41,7 @@ struct Candidate {
 /// Orders 1 to 4 (or the one asked for) with strides 1 to n + 2, the recommended one first. Of
 /// those within the tolerance less damping comes first, since it changes the model, then larger
 /// steps, then less reflection.
-std::vector<Candidate> candidates(const Question& question);
+std::vector<Candidate> candidates(const Question& question, double tolerance);
 
 /// The candidates as a text for people. Throws NoSuchBoundary, with the same table, where none of
 /// them answers the question.

@@ -32,7 +32,8 @@ std::vector<const nmbc::MatchingTable*> tables_of(const std::vector<unsigned>& h
             found.push_back(table);
         }
     }
-    std::ranges::sort(found, {}, [](const nmbc::MatchingTable* table) {
+    // Stable: of one lattice and condition the committed set has tau ascending.
+    std::ranges::stable_sort(found, {}, [](const nmbc::MatchingTable* table) {
         return std::array{table->horizon, table->order, table->stride};
     });
     return found;
@@ -41,15 +42,16 @@ std::vector<const nmbc::MatchingTable*> tables_of(const std::vector<unsigned>& h
 }  // namespace
 
 std::string choices(const std::vector<unsigned>& horizons, const std::vector<double>& values) {
-    std::string text = "| n | order | stride |";
-    std::string rule = "|--:|------:|-------:|";
+    std::string text = "| n | order | stride | tau |";
+    std::string rule = "|--:|------:|-------:|----:|";
     for (const double G : values) {
         text += fmt::format(" G = {:g} |", G);
         rule += "------:|";
     }
     text += "\n" + rule + "\n";
     for (const nmbc::MatchingTable* table : tables_of(horizons)) {
-        text += fmt::format("| {} | {} | {} |", table->horizon, table->order, table->stride);
+        text += fmt::format("| {} | {} | {} | {} |", table->horizon, table->order, table->stride,
+                            table->tau);
         for (const double G : values) {
             text += fmt::format(" {} |", cell(*table, G));
         }

@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck disable=SC1091,SC2034,SC2154  # assert.sh defines and reads what is not used here
+# nmbcgen recommend: what it recommends, why the others lost, and that it can be had.
+# Usage: run_nmbcgen_recommend.sh NMBCGEN
+source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+
+# row TEXT: a row of the table begins so, whatever the columns' widths.
+row() { expect "the row '$1'" grep -qE "^ *${1// / +}" "$scratch/stdout"; }
+
+# Large steps favour NMBC1: docs/recommend.md.
+try recommend --horizon 2 --G 1
+expect_exit 0
+expect_no_stderr
+expect_stdout_line "NMBC1, stride 2, tau = 0, steps of cfl 0.97, at horizon 2, G = 1"
+row "1 1 0 0\.82 0\.82 8\.7e-07 0\.0e\+00 smaller time step"
+row "2 2 0 0\.75 0\.20 6\.2e-07 0\.0e\+00 smaller time step"
+row "2 1 - - - - - not certified with cfl 0\.25 or more"
+
+try recommend --horizon 2 --G 1 --tolerance 1e-8
+expect_exit 0
+expect_stdout_line "NMBC3, stride 2, tau = 0, steps of cfl 0.05, at horizon 2, G = 1"
+row "1 2 0 0\.97 0\.97 6\.3e-07 0\.0e\+00 above the tolerance"
+
+# The least of the ladder that certifies order 2 at G = 0, and what it costs.
+try recommend --horizon 2 --G 0 --order 2 --tolerance 1e-4
+expect_exit 0
+expect_stdout_line "NMBC2, stride 4, tau = 1/20, steps of cfl 0.35, at horizon 2, G = 0"
+expect "100 nodes" grep -qF "in chains of 100 interior nodes and more" "$scratch/stdout"
+expect_stdout_line "  loss       5.8e-03 of the energy"
+# What it recommends is certified when it is made.
+try --order 2 --horizon 2 --stride 4 --damping 1/20 --G 0 --require-stable
+expect_exit 0
+expect_file generated/nmbc/tables/nopd1d_n2_order2_s4_tau1o20_G0o1.hpp
+rm -r generated
+
+# A band of longer waves reflects less.
+try recommend --horizon 2 --G 1 --order 2 --band 0.05..0.1 --tolerance 1e-6
+expect_exit 0
+expect_stdout_line "NMBC2, stride 2, tau = 0, steps of cfl 0.70, at horizon 2, G = 1"
+
+# Nothing reflects so little.
+try recommend --horizon 2 --G 1 --order 2 --tolerance 1e-12
+expect_exit 3
+expect_no_stdout
+expect_stderr "no certified boundary for horizon 2 at G = 1 reflects 1e-12 of the energy or less"
+expect_stderr "above the tolerance"
+
+# refused TEXT ARGUMENT..
+refused() {
+    local text=$1
+    shift
+    try recommend "$@"
+    expect_exit 2
+    expect_no_stdout
+    expect_stderr "$text"
+}
+refused "--horizon is required" --G 1
+refused "--G is required" --horizon 1
+refused "is not a whole number from 1 to 99" --horizon 0 --G 1
+for tolerance in 0 1 -1 nan inf 1e-4x ""; do
+    refused "is not a number between 0 and 1" --horizon 1 --G 1 --tolerance "$tolerance"
+done
+for band in 0.1 0.1..0.1 0.3..0.1 0..1 1..4 ..1 1.. nan..1 0.1.2 ""; do
+    refused "is not a band of wave numbers" --horizon 1 --G 1 --band "$band"
+done
+refused "--G" --horizon 1 --G -1
+refused "--family" --horizon 1 --G 1 --family other
+expect "nothing written" test "$(files_in .)" -eq 0
+finish
