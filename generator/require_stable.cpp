@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <set>
+#include <string>
 
 #include "generator/exact/rational.hpp"
 #include "generator/pipeline.hpp"
@@ -29,12 +31,24 @@ std::string how_it_fails(const Table& table, const Rational& G) {
     }
 }
 
+/// Seven digits, rounded into the window.
+std::string edge_text(double edge, double towards) {
+    std::string text = fmt::format("{:.7g}", edge);
+    const double shown = std::stod(text);
+    const bool rises = towards > edge;
+    if (rises ? shown >= edge : shown <= edge) {
+        return text;
+    }
+    const double last_digit = std::pow(10, std::floor(std::log10(edge)) - 6);
+    return fmt::format("{:.7g}", rises ? shown + last_digit : shown - last_digit);
+}
+
 std::string text_of(const std::vector<StabilityWindow>& windows) {
     std::string text;
     for (const StabilityWindow& window : windows) {
-        text +=
-            fmt::format("{}{:.7g} {}", text.empty() ? "" : "; ", window.low.inner,
-                        window.high ? fmt::format("to {:.7g}", window.high->inner) : "and above");
+        text += fmt::format(
+            "{}{} {}", text.empty() ? "" : "; ", edge_text(window.low.inner, HUGE_VAL),
+            window.high ? "to " + edge_text(window.high->inner, -HUGE_VAL) : "and above");
     }
     return text.empty() ? "none" : text;
 }
@@ -49,10 +63,15 @@ void require_stable(const Table& table) {
     const Rational& G = *what.stabilisation;
     std::string message = fmt::format(
         "NMBC{} at horizon {}, stride {},{} G = {} is not stable: {}. Nothing was "
-        "written.\nG where it is stable:",
+        "written.",
         what.order, what.horizon, what.stride,
         what.damping != 0 ? " damping " + to_string(what.damping) + "," : std::string(),
         to_string(G), how_it_fails(table, G));
+    constexpr unsigned quick = 5;  // above, windows take minutes
+    if (what.order > quick) {
+        throw NotStable(message);
+    }
+    message += "\nG where it is stable:";
     std::vector<Table> open;
     for (const unsigned stride : std::set{1U, what.horizon, what.stride}) {
         open.push_back(

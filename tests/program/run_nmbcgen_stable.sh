@@ -24,7 +24,7 @@ expect_stderr "stride 2: 0.7141869 to 2.969934"
 unstable "where backward waves travel" --order 2 --horizon 1 --G 0.1
 unstable "sends out a wave of its own" --order 2 --horizon 1 --G 1.1
 expect_stderr "stride 1: 0.25 to 1"
-unstable "stride 1: 0.25 to 0.6666667; 2 and above" --order 3 --horizon 1 --G 0.8
+unstable "stride 1: 0.25 to 0.6666666; 2 and above" --order 3 --horizon 1 --G 0.8
 
 try --require-stable --order 2 --horizon 2 --stride 2 --G 1
 expect_exit 0

@@ -16,18 +16,23 @@
 #include <nmbc/tables/nopd1d_n3_order4.hpp>
 #include <nmbc/tables/nopd1d_n4_order1.hpp>
 #include <nmbc/tables/nopd1d_n5_order1.hpp>
+#include <nmbc/tables/nopd1d_n1_order1_s2.hpp>
 #include <nmbc/tables/nopd1d_n1_order2_s2.hpp>
+#include <nmbc/tables/nopd1d_n2_order1_s2.hpp>
 #include <nmbc/tables/nopd1d_n2_order2_s2.hpp>
 #include <nmbc/tables/nopd1d_n2_order3_s2.hpp>
 #include <nmbc/tables/nopd1d_n2_order2_s4.hpp>
 #include <nmbc/tables/nopd1d_n2_order2_s2_tau1o100.hpp>
 #include <nmbc/tables/nopd1d_n2_order2_s4_tau1o20.hpp>
+#include <nmbc/tables/nopd1d_n3_order1_s2.hpp>
+#include <nmbc/tables/nopd1d_n3_order1_s3.hpp>
 #include <nmbc/tables/nopd1d_n3_order2_s3.hpp>
 #include <nmbc/tables/nopd1d_n3_order3_s3.hpp>
 #include <nmbc/tables/nopd1d_n3_order2_s3_tau1o100.hpp>
 #include <nmbc/tables/nopd1d_n3_order2_s3_tau1o50.hpp>
 #include <nmbc/tables/nopd1d_n3_order2_s3_tau1o20.hpp>
 #include <nmbc/tables/nopd1d_n3_order2_s4_tau1o10.hpp>
+#include <nmbc/tables/nopd1d_n4_order1_s2.hpp>
 #include <nmbc/tables/nopd1d_n4_order2_s4.hpp>
 #include <nmbc/tables/nopd1d_n4_order3_s4.hpp>
 #include <nmbc/tables/nopd1d_n4_order2_s4_tau1o50.hpp>
@@ -52,18 +57,23 @@ inline constexpr const MatchingTable* tables[]{
     &nopd1d_n3_order4,
     &nopd1d_n4_order1,
     &nopd1d_n5_order1,
+    &nopd1d_n1_order1_s2,
     &nopd1d_n1_order2_s2,
+    &nopd1d_n2_order1_s2,
     &nopd1d_n2_order2_s2,
     &nopd1d_n2_order3_s2,
     &nopd1d_n2_order2_s4,
     &nopd1d_n2_order2_s2_tau1o100,
     &nopd1d_n2_order2_s4_tau1o20,
+    &nopd1d_n3_order1_s2,
+    &nopd1d_n3_order1_s3,
     &nopd1d_n3_order2_s3,
     &nopd1d_n3_order3_s3,
     &nopd1d_n3_order2_s3_tau1o100,
     &nopd1d_n3_order2_s3_tau1o50,
     &nopd1d_n3_order2_s3_tau1o20,
     &nopd1d_n3_order2_s4_tau1o10,
+    &nopd1d_n4_order1_s2,
     &nopd1d_n4_order2_s4,
     &nopd1d_n4_order3_s4,
     &nopd1d_n4_order2_s4_tau1o50,
