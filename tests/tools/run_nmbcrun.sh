@@ -25,6 +25,29 @@ expect_exit 0
 expect "two lines only" test "$(wc -l <"$scratch/stdout")" -eq 2
 expect_same results/bar1d.csv elsewhere/again.csv
 
+# The field: the nodes that the energies count, at the same places in a longer chain, where
+# nothing has come to the ends yet (1e-12 of the amplitude: rounding).
+expect "no field unless asked for" test ! -e results/bar1d_field.csv
+try run "$scene" "${short[@]}" --quiet --set output.field=true
+expect_exit 0
+expect_stdout_line "field        results/bar1d_field.csv"
+try run "$scene" "${short[@]}" --quiet --set output.field=true --set domain.extension=30 \
+    --set output.name=longer
+expect_exit 0
+expect "a header line" grep -qx 'node,x,u,v' results/bar1d_field.csv
+expect "driven at node 250, at (57)" awk -F, '
+    $1 == 250 { seen = $2 == 250 && ($3 / 0.0025 / (1 - cos(2 * 3.14159265358979 / 12.56)) - 1)^2 < 1e-18 }
+    END { exit !(seen && NR == 501 && $1 == 500) }' results/bar1d_field.csv
+expect "the same nodes" awk -F, '
+    NR == FNR { u[$1] = $3; v[$1] = $4; next }
+    FNR > 1 && (($3 - u[$1])^2 + ($4 - v[$1])^2 > (1e-12 * 0.005)^2) { exit 1 }' \
+    results/bar1d_field.csv results/longer_field.csv
+expect "the kinetic energy of the ledger" awk -F, '
+    NR == FNR { kinetic = $2; next }
+    FNR > 1 { sum += $4^2 / 2 }
+    END { exit !((sum / kinetic - 1)^2 < 1e-18) }' results/bar1d.csv results/bar1d_field.csv
+rm results/bar1d_field.csv results/longer*
+
 # cfl instead of step
 try run "$scene" "${short[@]}" --set time.cfl=0.5
 expect_exit 0
@@ -128,6 +151,7 @@ setting 2 "steps; at most 1e15" time.step=1e-300
 for bad in a/b .. ../a a..b '"a\nb"' '"\u001b[2J"' '""'; do
     setting 2 "output.name must be a file name" "output.name=$bad"
 done
+setting 2 "output.field must be true or false, not 1" output.field=1
 setting 2 "--set needs KEY=VALUE" time.step
 setting 2 "--set needs KEY=VALUE" =3
 setting 3 "pole of a coefficient at G = 0" boundary.order=4

@@ -11,7 +11,7 @@
 
 namespace nmbcrun {
 
-EnergyCsv::EnergyCsv(std::filesystem::path path)
+CsvFile::CsvFile(std::filesystem::path path, const std::string& header)
     : path_(std::move(path)),
       temporary_(std::filesystem::path(path_).concat(fmt::format(".new-{}", ::getpid()))) {
     std::error_code error;
@@ -21,28 +21,25 @@ EnergyCsv::EnergyCsv(std::filesystem::path path)
                                     error.message()));
     }
     stream_.open(temporary_);
-    stream_ << "time,kinetic,strain,stabilisation,total,staggered,damped\n";
+    stream_ << header << "\n";
     if (!stream_.flush()) {
         fail();
     }
 }
 
-EnergyCsv::~EnergyCsv() {
+CsvFile::~CsvFile() {
     std::error_code ignored;
     std::filesystem::remove(temporary_, ignored);
 }
 
-void EnergyCsv::append(double time, const nmbc::Energies& energies) {
-    // The time is a rounded multiple of the step, which ten digits hide; the energies read back.
-    stream_ << fmt::format("{:.10g},{},{},{},{},{},{}\n", time, energies.kinetic, energies.strain,
-                           energies.stabilisation, energies.total(), energies.staggered,
-                           energies.damped);
+void CsvFile::append(const std::string& line) {
+    stream_ << line << "\n";
     if (!stream_) {
         fail();
     }
 }
 
-void EnergyCsv::publish() {
+void CsvFile::publish() {
     stream_.close();
     std::error_code error;
     if (!stream_) {
@@ -54,11 +51,28 @@ void EnergyCsv::publish() {
     }
 }
 
-void EnergyCsv::fail() const {
+void CsvFile::fail() const {
     const int reason = errno;
     std::error_code ignored;
     std::filesystem::remove(temporary_, ignored);  // a constructor that throws has no destructor
     throw FileError(fmt::format("cannot write {}: {}", path_.string(), std::strerror(reason)));
+}
+
+void append_energies(CsvFile& csv, double time, const nmbc::Energies& energies) {
+    // The time is a rounded multiple of the step, which ten digits hide; the energies read back.
+    csv.append(fmt::format("{:.10g},{},{},{},{},{},{}", time, energies.kinetic, energies.strain,
+                           energies.stabilisation, energies.total(), energies.staggered,
+                           energies.damped));
+}
+
+void append_field(CsvFile& csv, const nmbc::Chain& chain, std::size_t extension) {
+    const nmbc::ChainParameters& p = chain.parameters();
+    const std::size_t before = chain.ghosts() + extension;
+    for (std::size_t node = 1; node + 2 * extension <= p.nodes; ++node) {
+        const std::size_t entry = before + node - 1;
+        csv.append(fmt::format("{},{:.10g},{},{}", node, double(node) * p.spacing,
+                               chain.displacement()[entry], chain.velocity()[entry]));
+    }
 }
 
 }  // namespace nmbcrun

@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: MIT
-/// A CSV file that appears under its name only when it is whole.
+/// CSV files that appear under their names only when they are whole.
 #pragma once
 
 #include <filesystem>
 #include <fstream>
+#include <nmbc/chain.hpp>
 #include <nmbc/energy.hpp>
+#include <string>
 
 namespace nmbcrun {
 
-class EnergyCsv {
+class CsvFile {
   public:
-    /// Opens a temporary neighbour of `path` and writes the header line.
+    /// Opens a temporary neighbour of `path` and writes the header line (without line end).
     /// Throws FileError, here as in every member, where the disk does not take it.
-    explicit EnergyCsv(std::filesystem::path path);
+    CsvFile(std::filesystem::path path, const std::string& header);
     /// Removes the temporary file unless publish() was called.
-    ~EnergyCsv();
-    EnergyCsv(const EnergyCsv&) = delete;
-    EnergyCsv& operator=(const EnergyCsv&) = delete;
+    ~CsvFile();
+    CsvFile(const CsvFile&) = delete;
+    CsvFile& operator=(const CsvFile&) = delete;
 
-    void append(double time, const nmbc::Energies& energies);
+    /// Adds a line (without line end).
+    void append(const std::string& line);
 
     /// Gives the file its own name.
     void publish();
@@ -32,5 +35,16 @@ class EnergyCsv {
     std::filesystem::path temporary_;
     std::ofstream stream_;
 };
+
+inline constexpr const char* energies_header =
+    "time,kinetic,strain,stabilisation,total,staggered,damped";
+inline constexpr const char* field_header = "node,x,u,v";
+
+/// A row of energies_header.
+void append_energies(CsvFile& csv, double time, const nmbc::Energies& energies);
+
+/// The interior nodes but `extension` of them at each end, a row of field_header each: node 1, 2,
+/// .. at x = node dX [length], u at t, v at t - dt/2.
+void append_field(CsvFile& csv, const nmbc::Chain& chain, std::size_t extension);
 
 }  // namespace nmbcrun

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nmbc/nmbc.hpp>
+#include <optional>
 
 #include "tools/nmbcrun/certificate.hpp"
 #include "tools/nmbcrun/csv.hpp"
@@ -107,7 +108,7 @@ std::string fastest_node(const nmbc::Chain& chain) {
 /// Steps the chain to the end. After the drive nothing feeds the chain any more: an energy that
 /// grows tenfold from there is as unstable as one that is not finite.
 Record simulate(const Scene& scene, nmbc::Chain& chain, const Driver& driver, const Plan& plan,
-                EnergyCsv& csv, bool quiet) {
+                CsvFile& csv, bool quiet) {
     const double time_step = chain.parameters().time_step;
     Progress progress(plan.steps, quiet);
     Record record;
@@ -139,7 +140,7 @@ Record simulate(const Scene& scene, nmbc::Chain& chain, const Driver& driver, co
             nmbc::energies(chain, scene.extension, scene.extension + scene.nodes);
         if (to_be_written) {
             record.samples.push_back({time, energies});
-            csv.append(time, energies);
+            append_energies(csv, time, energies);
         }
         record.peak = std::max(record.peak, energies.total());
         const double total = energies.total();
@@ -212,7 +213,11 @@ void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
                        .time_step = time_step});
     const Driver driver(scene, chain.ghosts(), time_step);
     plan.certified = certify(scene, time_step, plan.cfl);
-    EnergyCsv csv(folder / (scene.name + ".csv"));
+    CsvFile csv(folder / (scene.name + ".csv"), energies_header);
+    std::optional<CsvFile> field;
+    if (scene.field) {
+        field.emplace(folder / (scene.name + "_field.csv"), field_header);
+    }
     if (!quiet) {
         print_heading(scene, chain, plan);
     }
@@ -227,6 +232,10 @@ void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
         throw;
     }
     csv.publish();
+    if (field) {
+        append_field(*field, chain, scene.extension);
+        field->publish();
+    }
     if (record.peak == 0) {
         throw Unstable(fmt::format(
             "there was no energy at any time, so nothing to compare with: the time step of {:.6g} "
@@ -239,6 +248,9 @@ void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
     }
     fmt::print("energy left  {:.3e} of the peak\nenergies     {}\n",
                record.samples.back().energies.total() / record.peak, csv.path().string());
+    if (field) {
+        fmt::print("field        {}\n", field->path().string());
+    }
 }
 
 }  // namespace nmbcrun

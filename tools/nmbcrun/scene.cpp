@@ -129,6 +129,7 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
     scene.cfl = reader.number("time.cfl", positive);
     scene.every =
         std::size_t(reader.whole_number("output.every", 1, most_nodes).value_or(long(scene.every)));
+    scene.field = reader.truth("output.field").value_or(false);
     reader.refuse_unknown_keys();
     // An override of one replaces the other of the file.
     if (scene.step && scene.cfl &&

@@ -55,6 +55,7 @@ struct Scene {
     std::optional<double> step;  ///< dt [time]; at most one of step and cfl is given;
     std::optional<double> cfl;   ///< dt omega_max / 2; neither: the largest certified one
     std::size_t every = 10;
+    bool field = false;  ///< whether u and v at the end are written
 };
 
 inline bool is_damped(const Scene& scene) {
