@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+/// Which committed tables are compared.
+#pragma once
+
+#include <nmbc/table.hpp>
+
+namespace pulses {
+
+/// tau of a table [c/dX].
+double damping_of(const nmbc::MatchingTable& table);
+
+/// NMBC1 with stride 1, undamped; nullptr where none is committed or it is not certified at G.
+const nmbc::MatchingTable* first_order(int horizon, double G);
+
+/// Of the committed tables of order 2 or more that are certified at G with cfl 1/4 or more, the one
+/// of least tau and, of those, of the largest cfl; nullptr where there is none.
+const nmbc::MatchingTable* higher_order(int horizon, double G);
+
+}  // namespace pulses
