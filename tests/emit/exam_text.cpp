@@ -118,7 +118,7 @@ TEST_CASE("JSON of a damped table") {
     CHECK(json["tau"] == "1/4");
     CHECK(json["damping"] ==
           Json{fraction({"3"}, {"4"}), fraction({"-1"}, {"2"}), fraction({"1"}, {"8"})});
-    CHECK(json["least_nodes"] == 50);
+    CHECK(json["least_nodes"] == 100);
     CHECK(json["windows"].dump() == R"({"reflection":null,"modal":[],"contractive":null})");
     CHECK(emit_json(read_table(json)) == emit_json(table));
     // What was found of it comes back, and nothing where nothing was sought.
@@ -130,7 +130,7 @@ TEST_CASE("JSON of a damped table") {
     CHECK(found->modal.size() == 1);
     CHECK(found->contractive.empty());
     CHECK(found->max_cfl.size() == 1);
-    CHECK(json["certificate"].get<std::string>().find("chains of 50 interior nodes and more") !=
+    CHECK(json["certificate"].get<std::string>().find("chains of 100 interior nodes and more") !=
           std::string::npos);
     // No reader may take it for an undamped one, or for one of another damping.
     for (const char* key : {"tau", "damping", "least_nodes"}) {
@@ -150,7 +150,7 @@ TEST_CASE("the header of a damped table") {
         "    {\"3\", \"4\"},\n    {\"-1\", \"2\"},\n    {\"1\", \"8\"},\n};\n";
     for (const std::string& line : std::vector<std::string>{
              "omega, tau and b_j in c/dX", "horizon 1 dX, stride 1, tau = 1/4.\n", damping,
-             "    .tau = \"1/4\",\n", "_data::damping,\n", "    .least_nodes = 50,\n",
+             "    .tau = \"1/4\",\n", "_data::damping,\n", "    .least_nodes = 100,\n",
              "    .reflection = {},  // not sought of a damped lattice\n", "_data::modal,\n",
              "    .contractive = {},  // not sought of a damped lattice\n",
              "    .max_cfl_contractive = {},  // not sought of a damped lattice\n"}) {

@@ -104,8 +104,11 @@ TEST_CASE("the solution of (53) is c_1 = 1, b_0 = -2 a_1/dX, b_1 = 2 a_1/dX") {
     CHECK(*solution == std::vector<Rational>{1, 1, -2 * a1 / dX, 2 * a1 / dX});
 }
 
-TEST_CASE("the committed set is symmetric: c_j = c_{N-j}, b_j = -b_{N-j}") {
+TEST_CASE("undamped, the committed set is symmetric: c_j = c_{N-j}, b_j = -b_{N-j}") {
     for (const Specification& specification : committed_set()) {
+        if (specification.damping != 0) {
+            continue;
+        }
         const Table table = derive(specification);
         const std::size_t N = specification.order;
         CAPTURE(specification.horizon);

@@ -49,8 +49,6 @@ for option in --G --damping; do
     refuses $option "at most 40 digits" -- --order 1 --horizon 1 $option "1/$sixty"
     refuses $option "At Most 1" -- --order 1 --horizon 1 $option 1 $option 1
 done
-refuses --damping "undamped" "0 is allowed" -- \
-    reflect --order 1 --horizon 1 --G 1 --damping 1/10
 
 refuses --family "'nopd7d'" "allowed: nopd1d" -- --order 1 --horizon 1 --family nopd7d
 refuses --family "''" "allowed: nopd1d" -- --order 1 --horizon 1 --family ""

@@ -94,6 +94,6 @@ expect "every file is printed once" test \
 expect_stdout_line all/nopd1d_n3_order4.hpp
 expect_stdout_line all/tables.hpp
 expect_stdout_line all/tables.json
-expect "20 tables, tables.hpp and tables.json" test "$(files_in all)" -eq 22
+expect "36 tables, tables.hpp and tables.json" test "$(files_in all)" -eq 38
 
 finish

@@ -74,8 +74,10 @@ TEST_CASE("inside a window no chain grows") {
         constexpr double margin = 1e-3;
         window = {window.low == 0 ? 0 : window.low + margin, window.high - margin};
         const HalfSpace h = half_space(table, value_in(window));
-        for (const std::size_t nodes : {shortest, shortest + 1, 80UL, 81UL, longest - 1, longest}) {
-            RC_ASSERT(spectral_abscissa(h, nodes) < roundings);
+        for (const std::size_t nodes :
+             {shortest, shortest + 1, 80UL, 81UL, 100UL, 101UL, longest - 1, longest}) {
+            RC_ASSERT(nodes < std::size_t(table.least_nodes) ||
+                      spectral_abscissa(h, nodes) < roundings);
         }
     }));
 }
@@ -85,6 +87,7 @@ TEST_CASE("inside a window no chain grows") {
 TEST_CASE("outside of the windows some chain grows") {
     CHECK(rc::check([] {
         const auto& table = *element_of(tables(false));
+        RC_PRE(table.tau == "0");  // what a damped chain may do is a bound (exam_damped.cpp)
         const Rational G = value_in({0.01, 12});  // some have a pole at 0
         RC_PRE(std::ranges::none_of(table.modal, [&G](const Window& window) {
             constexpr double margin = 0.05;
@@ -112,7 +115,8 @@ TEST_CASE("at the largest cfl of the header no chain grows") {
         const HalfSpace h = half_space(table, G);
         const nmbcgen::ChainEnd end{nmbcgen::EndKind::matching, h};
         const double time_step = 2 * cfl / maximum_frequency(h);
-        for (const std::size_t nodes : {60U, 61U}) {
+        const auto least = std::max<std::size_t>(60, std::size_t(table.least_nodes));
+        for (const std::size_t nodes : {least, least + 1}) {
             const auto map =
                 one_step_map(end, end, nodes, time_step, nmbcgen::GhostLevel::midpoint);
             for (const auto factor : eigenvalues_by_parity(map, map.rows() / 2)) {

@@ -96,7 +96,7 @@ expect_exit 4
 expect_stderr "no time step is certified for NMBC1, stride 1, explicit ghosts at G = 0: NMBC1 with"
 try run "$scratch/automatic.toml" --set model.horizon=2 --set model.G=1 --set boundary.order=2
 expect_exit 4
-expect_stderr "at this G: NMBC1 with stride 1, NMBC2 with stride 2"
+expect_stderr "at this G: NMBC1 with stride 1, NMBC1 with stride 2, NMBC2 with stride 2"
 
 # The peak does not depend on what is written.
 try run "$scene" --quiet
