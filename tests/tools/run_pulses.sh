@@ -39,7 +39,7 @@ expect_stdout_line "Order 2 or more is below NMBC1 in 0 of 0."
 # The last section of the page is what the program prints.
 try
 expect_exit 0
-sed '1,/^## The table$/d' "$2/docs/pulses.md" | tail -n +2 >../page
+sed '1,/^## In the largest steps$/d' "$2/docs/pulses.md" | tail -n +2 >../page
 expect "docs/pulses.md ends in the output of pulses" cmp ../page "$scratch/stdout"
 
 # refuses TEXT ARGUMENT..
