@@ -114,16 +114,18 @@ class Search {
     }
 
   private:
-    /// At a pole there is no condition: the grade is that of the G just above.
-    Grade grade_at(double G) const {
+    /// At a pole there is no condition: that of the G just above stands for it.
+    HalfSpace half_space_at(double G) const {
         constexpr double above = 1 + 1e-9;
         constexpr double least = 1e-9;
         try {
-            return stability_grade(make_half_space(table_, Rational(G)));
+            return make_half_space(table_, Rational(G));
         } catch (const std::domain_error&) {
-            return stability_grade(make_half_space(table_, Rational(std::max(G * above, least))));
+            return make_half_space(table_, Rational(std::max(G * above, least)));
         }
     }
+
+    Grade grade_at(double G) const { return stability_grade(half_space_at(G)); }
 
     Edge edge_between(double left, double right, Grade least, bool opens) const {
         constexpr double bracket_width = 5e-7;
@@ -206,9 +208,7 @@ class Search {
         edge.wave_number = std::round(100 * verdict.wave_number) / 100;
     }
 
-    ModalVerdict verdict_at(double G) const {
-        return modal_verdict(make_half_space(table_, Rational(G)));
-    }
+    ModalVerdict verdict_at(double G) const { return modal_verdict(half_space_at(G)); }
 
     /// The windows, cut in two wherever one of the values lies inside.
     static std::vector<StabilityWindow> without(const std::vector<AlgebraicNumber>& values,
