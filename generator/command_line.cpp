@@ -129,6 +129,11 @@ CLI::App* add_reflect(CLI::App& app, Request& request) {
     return reflect;
 }
 
+unsigned parse_recommended_order(const std::string& text) {
+    constexpr unsigned highest_order = 8;  // higher ones take minutes
+    return parse_whole_number(text, highest_order);
+}
+
 double parse_fraction(const std::string& text) {
     double value = 0;
     const char* end = text.data() + text.size();
@@ -170,7 +175,7 @@ CLI::App* add_recommend(CLI::App& app, Question& question) {
     add_parsed(*recommend, "--G", question.G, parse_rational,
                "stabilisation G of the model, an exact number such as 1/2 or 0.3")
         ->required();
-    add_parsed(*recommend, "--order", question.order, parse_count,
+    add_parsed(*recommend, "--order", question.order, parse_recommended_order,
                "this order only (default: 1 to 4)");
     add_parsed(*recommend, "--tolerance", question.tolerance, parse_fraction,
                "the part of the energy that may be reflected, mean over the band (default 1e-6, or "

@@ -108,6 +108,16 @@ int check(const Request& request) {
     return comparison_failed;
 }
 
+/// One line on a terminal's stderr, gone at the end; nothing elsewhere.
+void show_progress(std::size_t done_so_far, std::size_t all) {
+    if (isatty(STDERR_FILENO) != 0) {
+        std::cerr << "\r\033[K";
+        if (done_so_far < all) {
+            std::cerr << "nmbcgen: examining " << done_so_far + 1 << " of " << all << std::flush;
+        }
+    }
+}
+
 int run(const Request& request) {
     switch (request.action) {
         case Action::one_table:
@@ -118,7 +128,7 @@ int run(const Request& request) {
             write_and_name(committed_files(request));
             return done;
         case Action::recommend:
-            print(recommendation(request.question));
+            print(recommendation(request.question, show_progress));
             return done;
         case Action::reflect:
             print(reflection_csv(derive(request.specification), request.samples));

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "generator/emit/emit.hpp"
 #include "generator/exact/rational.hpp"
@@ -33,18 +36,81 @@ const std::vector<Rational>& damping_ladder() {
     return ladder;
 }
 
-/// The steps that meet the tolerance, or reflect least: the largest certified ones, or shorter ones
-/// by multiples of 0.05 of cfl. Order 1 is best in large steps, whose errors in time undo its
-/// errors in space; the others are best in short ones.
-void choose_steps(Candidate& candidate, const HalfSpace& half_space, const Band& band,
-                  double tolerance) {
-    constexpr double coarse = 0.05;
+/// A condition with the least damping of the ladder that certifies it at the G of the question.
+struct Certified {
+    Specification what;
+    double cfl = 0;                       ///< the largest one; 0: not certified with any damping
+    std::optional<HalfSpace> half_space;  ///< where it is certified
+};
+
+/// Certified with a time step worth having.
+Certified least_damped(Specification what, const Rational& G) {
+    for (const Rational& damping : damping_ladder()) {
+        what.damping = damping;
+        try {
+            HalfSpace half_space = make_half_space(derive(what), G);
+            const double cfl = stability_grade(half_space) == Grade::none
+                                   ? 0
+                                   : largest_cfl(half_space, GhostLevel::midpoint);
+            if (cfl >= smallest_cfl) {
+                return {what, cfl, std::move(half_space)};
+            }
+        } catch (const NoSuchBoundary&) {
+            continue;  // with this damping
+        }
+    }
+    return {what, 0, std::nullopt};
+}
+
+std::vector<Certified> examined(const Question& question, const Progress& progress) {
+    std::vector<Specification> all;
+    const unsigned least = question.order.value_or(1);
+    const unsigned most = question.order.value_or(highest_order);
+    for (unsigned order = least; order <= most; ++order) {
+        for (unsigned stride = 1; stride <= question.horizon + 2; ++stride) {
+            all.push_back({question.family, question.horizon, order, stride, question.G});
+        }
+    }
+    std::vector<Certified> found;
+    for (const Specification& what : all) {
+        progress(found.size(), all.size());
+        found.push_back(least_damped(what, question.G));
+    }
+    progress(found.size(), all.size());
+    return found;
+}
+
+/// One in the largest certified steps in which it meets the tolerance, or reflects least.
+struct Candidate {
+    Specification what;
+    double certified_cfl = 0;
+    double cfl = 0;        ///< of the steps
+    double reflected = 0;  ///< mean reflected energy over the band, in these steps
+    double loss = 0;       ///< of the energy of a wave of 20 dX over one wavelength, by damping
+    std::string lost;      ///< why another one is recommended; empty: this one is
+};
+
+/// The steps are the largest certified ones, or shorter ones by multiples of 0.05 of cfl. Order 1
+/// is best in large steps, whose errors in time undo its errors in space; the others are best in
+/// short ones.
+Candidate in_steps(const Certified& certified, const Band& band, double tolerance) {
+    Candidate candidate;
+    candidate.what = certified.what;
+    candidate.certified_cfl = certified.cfl;
+    if (!certified.half_space) {
+        candidate.lost = fmt::format("not certified with cfl {} or more and any tau up to {}",
+                                     smallest_cfl, to_string(damping_ladder().back()));
+        return candidate;
+    }
+    const HalfSpace& half_space = *certified.half_space;
     const double top = maximum_frequency(half_space);
     const auto reflected_at = [&](double cfl) {
         return mean_reflected_energy(stepped(half_space, 2 * cfl / top), band.low, band.high);
     };
-    candidate.cfl = candidate.certified_cfl;
+    candidate.loss = loss_per_wavelength(half_space, wavelength);
+    candidate.cfl = certified.cfl;
     candidate.reflected = reflected_at(candidate.cfl);
+    constexpr double coarse = 0.05;
     for (int step = int(std::ceil(candidate.cfl / coarse)) - 1;
          step > 0 && candidate.reflected > tolerance; --step) {
         const double reflected = reflected_at(coarse * step);
@@ -53,31 +119,9 @@ void choose_steps(Candidate& candidate, const HalfSpace& half_space, const Band&
             candidate.reflected = reflected;
         }
     }
-}
-
-/// With the least damping that certifies it with a time step worth having.
-Candidate least_damped(Specification what, const Question& question, double tolerance) {
-    Candidate candidate;
-    for (const Rational& damping : damping_ladder()) {
-        what.damping = damping;
-        candidate.what = what;
-        try {
-            const HalfSpace half_space = make_half_space(derive(what), question.G);
-            const double cfl = stability_grade(half_space) == Grade::none
-                                   ? 0
-                                   : largest_cfl(half_space, GhostLevel::midpoint);
-            if (cfl >= smallest_cfl) {
-                candidate.certified_cfl = cfl;
-                candidate.loss = loss_per_wavelength(half_space, wavelength);
-                choose_steps(candidate, half_space, question.band, tolerance);
-                return candidate;
-            }
-        } catch (const NoSuchBoundary&) {
-            continue;  // with this damping
-        }
+    if (candidate.reflected > tolerance) {
+        candidate.lost = "above the tolerance";
     }
-    candidate.lost = fmt::format("not certified with cfl {} or more and any tau up to {}",
-                                 smallest_cfl, to_string(damping_ladder().back()));
     return candidate;
 }
 
@@ -90,6 +134,24 @@ std::string why_not(const Candidate& loser, const Candidate& winner) {
         return "more damping";
     }
     return loser.cfl < winner.cfl ? "smaller time step" : "more reflection";
+}
+
+/// All of them, the recommended one first.
+std::vector<Candidate> ranked(const std::vector<Certified>& certified, const Band& band,
+                              double tolerance) {
+    std::vector<Candidate> all;
+    for (const Certified& one : certified) {
+        all.push_back(in_steps(one, band, tolerance));
+    }
+    std::ranges::stable_sort(all, {}, [](const Candidate& candidate) {
+        return std::tuple(!candidate.lost.empty(), candidate.cfl == 0, rank(candidate));
+    });
+    for (Candidate& candidate : all) {
+        if (candidate.lost.empty() && &candidate != &all.front()) {
+            candidate.lost = why_not(candidate, all.front());
+        }
+    }
+    return all;
 }
 
 std::string row(const Candidate& candidate) {
@@ -117,47 +179,21 @@ std::string table_of(const std::vector<Candidate>& all, const Band& band, double
 
 }  // namespace
 
-std::vector<Candidate> candidates(const Question& question, double tolerance) {
-    std::vector<Candidate> all;
-    const unsigned least = question.order.value_or(1);
-    const unsigned most = question.order.value_or(highest_order);
-    for (unsigned order = least; order <= most; ++order) {
-        for (unsigned stride = 1; stride <= question.horizon + 2; ++stride) {
-            all.push_back(
-                least_damped({question.family, question.horizon, order, stride, question.G},
-                             question, tolerance));
-        }
-    }
-    for (Candidate& candidate : all) {
-        if (candidate.certified_cfl > 0 && candidate.reflected > tolerance) {
-            candidate.lost = "above the tolerance";
-        }
-    }
-    std::ranges::stable_sort(all, {}, [](const Candidate& candidate) {
-        return std::tuple(!candidate.lost.empty(), candidate.cfl == 0, rank(candidate));
-    });
-    for (Candidate& candidate : all) {
-        if (candidate.lost.empty() && &candidate != &all.front()) {
-            candidate.lost = why_not(candidate, all.front());
-        }
-    }
-    return all;
-}
-
-std::string recommendation(const Question& question) {
+std::string recommendation(const Question& question, const Progress& progress) {
+    const std::vector<Certified> certified = examined(question, progress);
     // Where no tolerance is given, damping comes in when nothing undamped keeps 1e-4.
     constexpr double least = 1e-6;
     constexpr double undamped_most = 1e-4;
     constexpr double most = 0.1;
     double tolerance = question.tolerance.value_or(least);
-    std::vector<Candidate> all = candidates(question, tolerance);
+    std::vector<Candidate> all = ranked(certified, question.band, tolerance);
     const auto answers = [&] {
         const Candidate& best = all.front();
         return best.lost.empty() && (best.what.damping == 0 || tolerance > undamped_most);
     };
     while (!question.tolerance && !answers() && tolerance < most) {
         tolerance *= 10;
-        all = candidates(question, tolerance);
+        all = ranked(certified, question.band, tolerance);
     }
     const Candidate& best = all.front();
     if (!best.lost.empty()) {

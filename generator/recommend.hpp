@@ -2,9 +2,10 @@
 /// nmbcgen recommend: which boundary to use at a horizon and a G.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "generator/table/table.hpp"
 
@@ -27,24 +28,13 @@ struct Question {
     Band band{0.05, 0.3};  ///< the reflected energy is averaged over
 };
 
-/// A condition with the least damping of the ladder that certifies it at the G of the question, in
-/// the largest certified steps in which it meets the tolerance, or reflects least.
-struct Candidate {
-    Specification what;
-    double certified_cfl = 0;  ///< the largest one; 0: not certified with any damping
-    double cfl = 0;            ///< of the steps
-    double reflected = 0;      ///< mean reflected energy over the band, in these steps
-    double loss = 0;           ///< of the energy of a wave of 20 dX over one wavelength, by damping
-    std::string lost;          ///< why another one is recommended; empty: this one is
-};
+/// What `progress` hears of: so many of so many conditions examined.
+using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Orders 1 to 4 (or the one asked for) with strides 1 to n + 2, the recommended one first. Of
-/// those within the tolerance less damping comes first, since it changes the model, then larger
-/// steps, then less reflection.
-std::vector<Candidate> candidates(const Question& question, double tolerance);
-
-/// The candidates as a text for people. Throws NoSuchBoundary, with the same table, where none of
-/// them answers the question.
-std::string recommendation(const Question& question);
+/// The recommended one and the others, as a text for people. Examined are orders 1 to 4 (or the one
+/// asked for) with strides 1 to n + 2. Of those within the tolerance less damping comes first,
+/// since it changes the model, then larger steps, then less reflection. Throws NoSuchBoundary, with
+/// the same table, where none is within it.
+std::string recommendation(const Question& question, const Progress& progress);
 
 }  // namespace nmbcgen

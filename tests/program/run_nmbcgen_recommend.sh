@@ -65,6 +65,7 @@ for band in 0.1 0.1..0.1 0.3..0.1 0..1 1..4 ..1 1.. nan..1 0.1.2 ""; do
     refused "is not a band of wave numbers" --horizon 1 --G 1 --band "$band"
 done
 refused "--G" --horizon 1 --G -1
+refused "is not a whole number from 1 to 8" --horizon 1 --G 1 --order 9
 refused "--family" --horizon 1 --G 1 --family other
 expect "nothing written" test "$(files_in .)" -eq 0
 finish
