@@ -22,8 +22,8 @@ struct Question {
     unsigned horizon = 1;
     Rational G = 0;
     std::optional<unsigned> order;  ///< exactly this one; none: 1 to 4
-    /// Of the mean reflected energy; none: 1e-6, or the next power of ten that can be kept, up to
-    /// 1e-4 without damping.
+    /// Of the mean reflected energy; none: 1e-6, or the next power of ten that an undamped
+    /// condition keeps; from 1e-3 on a damped one will do.
     std::optional<double> tolerance;
     Band band{0.05, 0.3};  ///< the reflected energy is averaged over
 };

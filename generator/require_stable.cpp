@@ -33,6 +33,10 @@ std::string how_it_fails(const Table& table, const Rational& G) {
 
 /// Seven digits, rounded into the window.
 std::string edge_text(double edge, double towards) {
+    constexpr double next_to_zero = 1e-300;  // where 0 itself is a pole
+    if (edge < next_to_zero) {
+        return edge > 0 ? "above 0" : "0";
+    }
     std::string text = fmt::format("{:.7g}", edge);
     const double shown = std::stod(text);
     const bool rises = towards > edge;

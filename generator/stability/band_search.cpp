@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace nmbcgen {
@@ -98,12 +99,17 @@ Peak largest_over_band(const std::vector<double>& frequencies,
     static const std::vector<double> sharp = sample_places(Sampling::sharp);
     static const std::vector<double> smooth = sample_places(Sampling::smooth);
     const std::vector<double>& places = sampling == Sampling::sharp ? sharp : smooth;
+    // What cannot be told counts as amplified.
+    const auto closed = [&function](double omega) {
+        const double value = function(omega);
+        return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
+    };
     const double narrowest = 1e-9 * frequencies.back();
     Peak highest;
     for (std::size_t i = 0; i + 1 < frequencies.size() && highest.value <= enough; ++i) {
         if (frequencies[i + 1] - frequencies[i] > narrowest) {
             const Peak peak =
-                largest_in_piece(frequencies[i], frequencies[i + 1], function, enough, places);
+                largest_in_piece(frequencies[i], frequencies[i + 1], closed, enough, places);
             if (peak.value > highest.value) {
                 highest = peak;
             }

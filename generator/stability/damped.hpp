@@ -17,8 +17,11 @@ namespace nmbcgen {
 bool interior_is_stable(const HalfSpace& half_space);
 
 /// The largest amplification of a round trip between two ends of one damped lattice in a chain of
-/// so many interior nodes, and its frequency, from 1e-5 of the band's top on: below, a wave leaves
-/// but for a part of the order omega^2 or less. The search ends at the first value above `enough`.
+/// so many interior nodes, and its frequency, from 1e-5 of the band's top on. Below, long waves
+/// leave but for a part of the order omega^2; and at G = 0, where short waves creep at the
+/// zero-energy modes, what they gain at an end and what they lose on the way both go with
+/// sqrt(omega), so that what holds there holds below. The search ends at the first value above
+/// `enough`.
 Peak damped_amplification(const HalfSpace& left, const HalfSpace& right, std::size_t nodes,
                           double enough = std::numeric_limits<double>::infinity());
 

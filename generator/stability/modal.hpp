@@ -9,7 +9,7 @@
 /// omega, D being the phases that travelling waves pick up on their way.
 #pragma once
 
-#include <optional>
+#include <complex>
 
 #include "generator/stability/boundary_modes.hpp"
 #include "generator/stability/modes.hpp"

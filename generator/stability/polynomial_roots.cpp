@@ -56,13 +56,17 @@ void balance(Matrix& matrix) {
 template <class Scalar>
 std::vector<Complex> roots_of(const std::vector<Scalar>& coefficients) {
     using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-    const auto degree = Eigen::Index(coefficients.size()) - 1;
+    auto degree = Eigen::Index(coefficients.size()) - 1;
+    while (degree > 0 && coefficients[std::size_t(degree)] == Scalar(0)) {
+        --degree;
+    }
     if (degree < 1) {
         return {};
     }
     Matrix companion = Matrix::Zero(degree, degree);
     for (Eigen::Index i = 0; i < degree; ++i) {
-        companion(i, degree - 1) = -coefficients[std::size_t(i)] / coefficients.back();
+        companion(i, degree - 1) =
+            -coefficients[std::size_t(i)] / coefficients[std::size_t(degree)];
         if (i > 0) {
             companion(i, i - 1) = 1;
         }

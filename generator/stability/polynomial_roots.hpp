@@ -9,7 +9,7 @@
 
 namespace nmbcgen {
 
-/// All complex roots; the leading coefficient is not 0.
+/// All complex roots. Leading coefficients that are exactly 0 do not count.
 std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& coefficients);
 std::vector<std::complex<double>> polynomial_roots(
     const std::vector<std::complex<double>>& coefficients);

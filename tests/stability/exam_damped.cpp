@@ -227,6 +227,17 @@ TEST_CASE("matching the damped symbol keeps the order that matching the undamped
     }
 }
 
+TEST_CASE("where the stencil is shorter, the top of the band is that of the G next to it") {
+    // G = n^4/A_n: the last coefficient of omega^2 is exactly 0, that of the damping is not.
+    for (const auto& [horizon, G] : {std::pair(3U, Rational(81, 28)), {4U, Rational(64, 15)}}) {
+        const Damped what{horizon, 2, horizon, G, Rational(1, 20)};
+        Damped next = what;
+        next.G += Rational(1, 1000000);
+        CHECK(nmbcgen::maximum_frequency(half_space(what)) ==
+              relative(nmbcgen::maximum_frequency(half_space(next)), 1e-5));
+    }
+}
+
 TEST_CASE("what a wave loses over a wavelength is what the damped symbol says") {
     const HalfSpace h = half_space({2, 2, 2, 0, Rational(1, 10)});
     // The energy falls at twice -Re s, s the root of s^2 + tau sigma s + omega^2 at xi = 2 pi/20.
