@@ -140,6 +140,7 @@ std::string why_not(const Candidate& loser, const Candidate& winner) {
 std::vector<Candidate> ranked(const std::vector<Certified>& certified, const Band& band,
                               double tolerance) {
     std::vector<Candidate> all;
+    all.reserve(certified.size());
     for (const Certified& one : certified) {
         all.push_back(in_steps(one, band, tolerance));
     }

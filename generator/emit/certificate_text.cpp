@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "generator/emit/array.hpp"
 #include "generator/exact/algebraic_number.hpp"
 
 namespace nmbcgen {
@@ -59,28 +60,17 @@ std::string entry(const StableStep& step) {
                        double_literal(step.high), step.cfl);
 }
 
-template <class Item>
-std::string array(const std::string& type, const std::string& name,
-                  const std::vector<Item>& items) {
-    if (items.empty()) {
-        return "";  // C++ has no array without an element
-    }
-    std::string text = fmt::format("inline constexpr {} {}[]{{\n", type, name);
-    for (const Item& item : items) {
-        text += entry(item);
-    }
-    return text + "};\n\n";
-}
+constexpr auto line_of = [](const auto& item) { return entry(item); };
 
 }  // namespace
 
 std::string window_arrays(const Certificate& certificate) {
-    return array("Window", "reflection", certificate.reflection) +
-           array("Window", "modal", certificate.modal) +
-           array("Window", "contractive", certificate.contractive) +
-           array("StableStep", "max_cfl", certificate.max_cfl) +
-           array("StableStep", "max_cfl_contractive", certificate.max_cfl_contractive) +
-           array("StableStep", "max_cfl_explicit", certificate.max_cfl_explicit);
+    return array("Window", "reflection", certificate.reflection, line_of) +
+           array("Window", "modal", certificate.modal, line_of) +
+           array("Window", "contractive", certificate.contractive, line_of) +
+           array("StableStep", "max_cfl", certificate.max_cfl, line_of) +
+           array("StableStep", "max_cfl_contractive", certificate.max_cfl_contractive, line_of) +
+           array("StableStep", "max_cfl_explicit", certificate.max_cfl_explicit, line_of);
 }
 
 std::string window_members(const std::string& table_name, const Certificate& certificate,
@@ -107,13 +97,15 @@ std::string certificate_statement(const Table& table) {
     }
     if (table.specification.damping > 0) {
         return fmt::format(
-            "modal: no growing boundary mode and no growth by round trips on the band, both ends "
-            "alike, in chains of {} interior nodes and more, on whose length the damping takes "
+            "modal, sought up to G = {}: no growing boundary mode and no growth by round trips on "
+            "the "
+            "band, both ends alike, in chains of {} interior nodes and more, on whose length the "
+            "damping takes "
             "back what an end amplifies; max_cfl: the same of the leapfrog scheme, damping force "
             "from the old velocities; reflection, contractive and max_cfl_contractive: not sought, "
             "since waves lose energy on the way; modal edges are exact where an exact value is "
             "given, else in the bracket",
-            least_damped_nodes);
+            highest_damped_G, least_damped_nodes);
     }
     return "reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and "
            "sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include "generator/emit/array.hpp"
 #include "generator/emit/certificate_text.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/exact/rational.hpp"
@@ -41,18 +42,9 @@ std::string initialiser(const EnergySquare& square) {
                        coefficient_list(stencil.denominator));
 }
 
-template <class Item>
-std::string array(const std::string& type, const std::string& name,
-                  const std::vector<Item>& items) {
-    if (items.empty()) {
-        return "";  // C++ has no array without an element
-    }
-    std::string text = fmt::format("inline constexpr {} {}[]{{\n", type, name);
-    for (const Item& item : items) {
-        text += fmt::format("    {},\n", initialiser(item));
-    }
-    return text + "};\n";
-}
+constexpr auto line_of = [](const auto& item) {
+    return fmt::format("    {},\n", initialiser(item));
+};
 
 /// The coefficients of a table at a fixed G, rounded once: for copying into other programs.
 std::string rounded_array(const std::string& name, const std::vector<RationalFunction>& items) {
@@ -105,13 +97,12 @@ std::string emit_header(const Table& table) {
     text += fmt::format("// stable  {}\n", certificate_statement(table));
     text += "#pragma once\n\n#include <nmbc/table.hpp>\n\n" + schema_check() + "\n";
     text += fmt::format("namespace nmbc::generated {{\n\nnamespace {}_data {{\n\n", name);
-    text += array("RationalFunction", "symbol", table.model.symbol) + "\n";
-    const std::string damping = array("RationalFunction", "damping", table.model.damping);
-    text += damping.empty() ? "" : damping + "\n";
-    text += array("EnergySquare", "energy", table.model.energy) + "\n";
-    text += array("RationalFunction", "taylor", table.taylor) + "\n";
-    text += array("RationalFunction", "c", table.c) + "\n";
-    text += array("RationalFunction", "b", table.b) + "\n";
+    text += array("RationalFunction", "symbol", table.model.symbol, line_of);
+    text += array("RationalFunction", "damping", table.model.damping, line_of);
+    text += array("EnergySquare", "energy", table.model.energy, line_of);
+    text += array("RationalFunction", "taylor", table.taylor, line_of);
+    text += array("RationalFunction", "c", table.c, line_of);
+    text += array("RationalFunction", "b", table.b, line_of);
     text += window_arrays(certificate);
     if (what.stabilisation) {
         text += "/// c_j and b_j rounded to nearest: hexadecimal, 17 digits, exact.\n";
@@ -139,7 +130,7 @@ std::string emit_header(const Table& table) {
         "    .c = {0}_data::c,\n"
         "    .b = {0}_data::b,\n",
         name, what.family, what.horizon, what.order, what.stride, G, tau, table.source,
-        table.proved, damping.empty() ? "{}" : name + "_data::damping");
+        table.proved, damped ? name + "_data::damping" : "{}");
     text += window_members(name, certificate, damped);
     text += fmt::format("    .least_nodes = {},\n", damped ? least_damped_nodes : 0);
     return text + "};\n\n}  // namespace nmbc::generated\n";

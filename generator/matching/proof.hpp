@@ -14,9 +14,8 @@ namespace nmbcgen {
 ///   - tau sigma is tau times the symbol of the stabilisation at G = 1 (not at a fixed G = 0, where
 ///     its weight is lost), and empty where tau = 0,
 ///   - a_1 = 1 (the root of omega^2 that (47) means: a wave coming in is one with +omega),
-///   - s = sum a_k x^k solves s^2 + tau sigma s + omega^2 = 0 as a power series in x = i xi,
-///   through
-///     x^{2N+2} (47),
+///   - s = sum a_k x^k solves s^2 + tau sigma s + omega^2 = 0 as a power series in x = i xi
+///     through x^{2N+2} (47),
 ///   - the residual of (49) vanishes in every row k = 0 .. 2N, and c_0 = 1,
 ///   - C(1) is not zero, and every rational function is in its normal form.
 /// Returns the sentence a table carries about it. Throws std::logic_error naming what fails.

@@ -67,12 +67,9 @@ double loss_per_wavelength(const HalfSpace& half_space, double wavelength) {
         return 0;
     }
     const double xi = 2 * std::numbers::pi / wavelength;
-    double damping = half_space.damping[0];
-    for (std::size_t m = 1; m < half_space.damping.size(); ++m) {
-        damping += 2 * half_space.damping[m] * std::cos(double(m) * xi);
-    }
     // The energy falls at the rate tau sigma, and travels at the group velocity.
-    return 1 - std::exp(-damping * wavelength / group_velocity(half_space, xi));
+    const double rate = symbol_at(half_space.damping, xi);
+    return 1 - std::exp(-rate * wavelength / group_velocity(half_space, xi));
 }
 
 }  // namespace nmbcgen

@@ -178,12 +178,7 @@ std::vector<double> critical_frequencies(const HalfSpace& half_space) {
     wave_numbers.insert(wave_numbers.end(), zeros.begin(), zeros.end());
     // Extrema of omega: zeros of its slope in x = cos xi. Two about to meet may have become a
     // complex pair by roundings; they count all the same.
-    const std::vector<double> band = in_cosine(half_space.symbol);
-    std::vector<double> slope;
-    for (std::size_t i = 1; i < band.size(); ++i) {
-        slope.push_back(double(i) * band[i]);
-    }
-    for (const Complex x : polynomial_roots(slope)) {
+    for (const Complex x : polynomial_roots(derivative(in_cosine(half_space.symbol)))) {
         if (std::abs(x.imag()) < 1e-7 && std::abs(x.real()) < 1) {
             wave_numbers.push_back(std::acos(x.real()));
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/stability/certify.hpp"
 
+#include <utility>
+
 #include "generator/exact/algebraic_number.hpp"
 #include "generator/stability/critical_values.hpp"
 #include "generator/stability/discrete.hpp"
@@ -46,31 +48,20 @@ Certificate certify(const Table& table) {
     if (table.specification.stabilisation) {
         return certify_at(table, *table.specification.stabilisation);
     }
+    Certificate certificate;
+    certificate.poles = poles(even_and_odd_parts(table));
     ModalWindows modal = modal_windows(table);
-    if (!table.model.damping.empty()) {
-        std::vector<StableStep> steps =
-            stable_steps(table, modal.modal, GhostLevel::midpoint, Grade::paired);
-        return {.reflection = {},
-                .poles = poles(even_and_odd_parts(table)),
-                .modal = std::move(modal.modal),
-                .contractive = {},
-                .max_cfl = std::move(steps),
-                .max_cfl_contractive = {},
-                .max_cfl_explicit = {}};
+    certificate.max_cfl = stable_steps(table, modal.modal, GhostLevel::midpoint, Grade::paired);
+    if (table.model.damping.empty()) {
+        certificate.reflection = scalar_windows(table);
+        certificate.max_cfl_contractive =
+            stable_steps(table, modal.contractive, GhostLevel::midpoint, Grade::contractive);
+        certificate.max_cfl_explicit =
+            stable_steps(table, modal.modal, GhostLevel::old, Grade::paired);
     }
-    std::vector<StableStep> steps =
-        stable_steps(table, modal.modal, GhostLevel::midpoint, Grade::paired);
-    std::vector<StableStep> contractive_steps =
-        stable_steps(table, modal.contractive, GhostLevel::midpoint, Grade::contractive);
-    std::vector<StableStep> explicit_steps =
-        stable_steps(table, modal.modal, GhostLevel::old, Grade::paired);
-    return {.reflection = scalar_windows(table),
-            .poles = poles(even_and_odd_parts(table)),
-            .modal = std::move(modal.modal),
-            .contractive = std::move(modal.contractive),
-            .max_cfl = std::move(steps),
-            .max_cfl_contractive = std::move(contractive_steps),
-            .max_cfl_explicit = std::move(explicit_steps)};
+    certificate.modal = std::move(modal.modal);
+    certificate.contractive = std::move(modal.contractive);
+    return certificate;
 }
 
 }  // namespace nmbcgen

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <vector>
 
 #include "generator/stability/boundary_modes.hpp"
 #include "generator/stability/polynomial_roots.hpp"
@@ -16,8 +18,10 @@ namespace {
 std::vector<double> frequencies_of(const HalfSpace& left, const HalfSpace& right) {
     std::vector<double> frequencies = critical_frequencies(left);
     const double top = frequencies.back();
-    const std::vector<double> others = critical_frequencies(right);
-    frequencies.insert(frequencies.end(), others.begin(), others.end());
+    if (&right != &left) {
+        const std::vector<double> others = critical_frequencies(right);
+        frequencies.insert(frequencies.end(), others.begin(), others.end());
+    }
     constexpr double lowest = 1e-5;
     constexpr double highest = 4;
     const double end = left.time_step > 0 ? (1 - 1e-9) * 2 / left.time_step : highest * top;
@@ -43,12 +47,8 @@ bool interior_is_stable(const HalfSpace& h) {
     for (std::size_t i = 0; i < square.size(); ++i) {
         load.push_back(half_step * (half_step * square[i] + damping[i]));
     }
-    std::vector<double> slope;
-    for (std::size_t i = 1; i < load.size(); ++i) {
-        slope.push_back(double(i) * load[i]);
-    }
     std::vector<double> extrema{-1, 1};
-    for (const std::complex<double> x : polynomial_roots(slope)) {
+    for (const std::complex<double> x : polynomial_roots(derivative(load))) {
         extrema.push_back(std::clamp(x.real(), -1.0, 1.0));
     }
     return std::ranges::all_of(

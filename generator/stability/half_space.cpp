@@ -173,17 +173,21 @@ std::complex<double> evaluate_B(const HalfSpace& half_space, std::complex<double
 }
 
 double omega_squared(const HalfSpace& half_space, double xi) {
-    double sum = half_space.symbol[0];
-    for (std::size_t m = 1; m < half_space.symbol.size(); ++m) {
-        sum += 2 * half_space.symbol[m] * std::cos(double(m) * xi);
-    }
-    return sum;
+    return symbol_at(half_space.symbol, xi);
 }
 
 double omega_squared_slope(const HalfSpace& half_space, double xi) {
     double sum = 0;
     for (std::size_t m = 1; m < half_space.symbol.size(); ++m) {
         sum -= 2 * half_space.symbol[m] * double(m) * std::sin(double(m) * xi);
+    }
+    return sum;
+}
+
+double symbol_at(const std::vector<double>& symbol, double xi) {
+    double sum = symbol[0];
+    for (std::size_t m = 1; m < symbol.size(); ++m) {
+        sum += 2 * symbol[m] * std::cos(double(m) * xi);
     }
     return sum;
 }

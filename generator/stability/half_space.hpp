@@ -15,8 +15,7 @@
 /// of one step, the interior has (zeta - 2 + 1/zeta)/dt^2 = -omega^2(k), and the ghosts have
 /// sigma C(k) = B(k) with
 ///     midpoint  sigma = (2/dt) (zeta-1)/(zeta+1) = i omega / sqrt(1 - omega^2 dt^2/4)
-///     explicit  sigma = (zeta-1)/dt              = i omega (sqrt(1 - omega^2 dt^2/4) + i omega
-///     dt/2)
+///     explicit  sigma = (zeta-1)/dt = i omega (sqrt(1 - omega^2 dt^2/4) + i omega dt/2)
 /// What grows is |zeta| > 1; with midpoint ghosts that is Re sigma > 0. Damping acts on the old
 /// velocity, (zeta - 2 + 1/zeta)/dt^2 = -omega^2(k) - tau sigma(k) (1 - 1/zeta)/dt.
 /// The frequency omega of a wave in steps is (2/dt) sin(theta/2), zeta = exp(i theta); undamped,
@@ -83,8 +82,9 @@ std::complex<double> evaluate_B(const HalfSpace& half_space, std::complex<double
 double omega_squared(const HalfSpace& half_space, double xi);
 double omega_squared_slope(const HalfSpace& half_space, double xi);
 
-/// symbol_0 + 2 sum symbol_m cos(m xi), such as omega^2 or tau sigma, as a polynomial in
+/// symbol_0 + 2 sum symbol_m cos(m xi), such as omega^2 or tau sigma; then as a polynomial in
 /// x = cos xi, ascending.
+double symbol_at(const std::vector<double>& symbol, double xi);
 std::vector<double> in_cosine(const std::vector<double>& symbol);
 
 }  // namespace nmbcgen

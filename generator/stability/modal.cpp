@@ -42,9 +42,7 @@ ModalVerdict damped_verdict(const HalfSpace& half_space, double enough) {
     if (verdict.supremum > amplification_limit) {
         verdict.failure = ModalFailure::amplified_wave;
         const auto modes = outgoing_modes(half_space, highest.omega);
-        // The wave that fades least brings most of it.
-        const Mode& wave =
-            *std::ranges::max_element(modes, {}, [](const Mode& mode) { return std::abs(mode.k); });
+        const Mode& wave = least_fading(modes);
         verdict.wave_number = std::abs(std::arg(wave.k));
         verdict.backward = std::arg(wave.k) > 0;
     }
@@ -59,7 +57,7 @@ Grade stability_grade(const HalfSpace& half_space) {
 }
 
 Grade stability_grade(const HalfSpace& half_space, KnownModes& modes) {
-    if (growing_mode(half_space) || resonance(half_space)) {
+    if (verdict_without_incident_waves(half_space).failure != ModalFailure::none) {
         return Grade::none;
     }
     if (half_space.is_damped()) {
@@ -81,12 +79,20 @@ Grade stability_grade(const HalfSpace& half_space, KnownModes& modes) {
     return holds(like_ends_supremum) ? Grade::paired : Grade::none;
 }
 
-ModalVerdict modal_verdict(const HalfSpace& half_space) {
+ModalVerdict verdict_without_incident_waves(const HalfSpace& half_space) {
     if (const auto growth = growing_mode(half_space)) {
         return {.failure = ModalFailure::growing_mode, .growth = *growth};
     }
     if (const auto xi = resonance(half_space)) {
         return {.failure = ModalFailure::resonance, .wave_number = *xi};
+    }
+    return {};
+}
+
+ModalVerdict modal_verdict(const HalfSpace& half_space) {
+    const ModalVerdict alone = verdict_without_incident_waves(half_space);
+    if (alone.failure != ModalFailure::none) {
+        return alone;
     }
     if (half_space.is_damped()) {
         return damped_verdict(half_space, std::numeric_limits<double>::infinity());

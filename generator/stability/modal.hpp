@@ -37,6 +37,9 @@ struct ModalVerdict {
 /// to horizon 5.
 inline constexpr double amplification_limit = 1 + 1e-12;
 
+/// Whether it fails by a growing mode or a resonance.
+ModalVerdict verdict_without_incident_waves(const HalfSpace& half_space);
+
 ModalVerdict modal_verdict(const HalfSpace& half_space);
 
 enum class Grade {

@@ -40,12 +40,10 @@ std::vector<double> sampled_values(const std::vector<AlgebraicNumber>& critical)
 }
 
 /// Of a damped lattice: it changes smoothly with G, but near poles.
-constexpr double highest_damped = 3;
-
 std::vector<double> sampled_values_damped(const std::vector<AlgebraicNumber>& poles) {
     constexpr int per_unit = 16;
     std::vector<double> values;
-    for (int i = 0; i <= per_unit * int(highest_damped); ++i) {
+    for (int i = 0; i <= per_unit * highest_damped_G; ++i) {
         values.push_back(double(i) / per_unit);
     }
     for (const AlgebraicNumber& pole : poles) {
@@ -54,7 +52,7 @@ std::vector<double> sampled_values_damped(const std::vector<AlgebraicNumber>& po
             values.push_back(nearest_double(pole) + distance);
         }
     }
-    std::erase_if(values, [](double G) { return G < 0 || G > highest_damped; });
+    std::erase_if(values, [](double G) { return G < 0 || G > highest_damped_G; });
     std::ranges::sort(values);
     return values;
 }
@@ -95,8 +93,8 @@ class Search {
             }
         }
         if (low && damped_) {
-            found.push_back({*low, Edge{.where = to_algebraic_number(Rational(highest_damped)),
-                                        .inner = highest_damped}});
+            found.push_back({*low, Edge{.where = to_algebraic_number(Rational(highest_damped_G)),
+                                        .inner = highest_damped_G}});
         } else if (low) {
             found.push_back({*low, std::nullopt});
         }

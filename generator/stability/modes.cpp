@@ -87,6 +87,10 @@ std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega) {
     return modes;
 }
 
+const Mode& least_fading(const std::vector<Mode>& modes) {
+    return *std::ranges::max_element(modes, {}, [](const Mode& mode) { return std::abs(mode.k); });
+}
+
 const std::vector<Mode>& KnownModes::at(double omega) {
     const auto [entry, is_new] = known_.try_emplace(omega);
     if (is_new) {

@@ -26,6 +26,9 @@ struct Mode {
 /// for each.
 std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega);
 
+/// The one that decays least on its way, which brings most of what comes back.
+const Mode& least_fading(const std::vector<Mode>& modes);
+
 /// outgoing_modes() of one undamped lattice, each frequency's found once: time steps and boundary
 /// conditions change, the modes do not.
 class KnownModes {

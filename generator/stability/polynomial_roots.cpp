@@ -107,6 +107,14 @@ std::vector<Complex> polynomial_roots(const std::vector<Complex>& coefficients) 
     return roots_of(coefficients);
 }
 
+std::vector<double> derivative(const std::vector<double>& coefficients) {
+    std::vector<double> slope(coefficients.begin() + 1, coefficients.end());
+    for (std::size_t i = 0; i < slope.size(); ++i) {
+        slope[i] *= double(i + 1);
+    }
+    return slope;
+}
+
 std::vector<Complex> nonzero_roots(const Polynomial& polynomial) {
     return roots_of(rounded_without_zeros(polynomial));
 }

@@ -17,6 +17,9 @@ std::vector<std::complex<double>> polynomial_roots(
 /// The roots other than 0 of an exact polynomial.
 std::vector<std::complex<double>> nonzero_roots(const Polynomial& polynomial);
 
+/// Of a polynomial that is not empty.
+std::vector<double> derivative(const std::vector<double>& coefficients);
+
 struct ValueAndSlope {
     std::complex<double> value;
     std::complex<double> slope;

@@ -29,13 +29,8 @@ RoundTripVerdict verdict_of_one(const ChainEnd& end) {
     if (end.kind != EndKind::matching) {
         return {};
     }
-    if (const auto growth = growing_mode(end.half_space)) {
-        return {.failure = ModalFailure::growing_mode, .growth = *growth};
-    }
-    if (const auto xi = resonance(end.half_space)) {
-        return {.failure = ModalFailure::resonance, .wave_number = *xi};
-    }
-    return {};
+    const ModalVerdict alone = verdict_without_incident_waves(end.half_space);
+    return {.failure = alone.failure, .wave_number = alone.wave_number, .growth = alone.growth};
 }
 
 double round_trip_supremum_at(const ChainEnd& left, const ChainEnd& right, double omega) {
@@ -71,15 +66,11 @@ Peak largest_damped(const ChainEnd& left, const ChainEnd& right, std::size_t nod
     return damped_amplification(left.half_space, right.half_space, nodes);
 }
 
-/// Of the wave that fades least at this frequency, which brings most of what is amplified; of
-/// several that travel the least one.
+/// Of the wave that fades least at this frequency; of several that travel the least one.
 double wave_number_at(const HalfSpace& half_space, double omega) {
     const std::vector<Mode> modes = outgoing_modes(half_space, omega);
-    const auto wave =
-        half_space.is_damped()
-            ? std::ranges::max_element(modes, {}, [](const Mode& mode) { return std::abs(mode.k); })
-            : modes.begin();
-    return std::abs(std::arg(wave->k));
+    const Mode& wave = half_space.is_damped() ? least_fading(modes) : modes.front();
+    return std::abs(std::arg(wave.k));
 }
 
 /// Throws std::invalid_argument where the two ends cannot be of one chain.

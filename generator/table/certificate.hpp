@@ -83,9 +83,12 @@ struct StableStep {
 /// amplifies has to be damped away before it arrives at the other end.
 inline constexpr unsigned least_damped_nodes = 100;
 
-/// The three levels; ascending, disjoint. Of a damped lattice the modal windows up to G = 3 are
-/// sought and the steps with midpoint ghosts; the first and the contractive windows are not: both
-/// speak of waves that keep their energy on the way.
+/// Their windows are not sought beyond this G.
+inline constexpr int highest_damped_G = 3;
+
+/// The three levels; ascending, disjoint. Of a damped lattice the modal windows up to
+/// highest_damped_G are sought and the steps with midpoint ghosts; the first and the contractive
+/// windows are not: both speak of waves that keep their energy on the way.
 struct Certificate {
     std::vector<Window> reflection;      ///< the paper's scalar |R| <= 1 on the whole band; exact
     std::vector<AlgebraicNumber> poles;  ///< where a coefficient has a pole
@@ -93,8 +96,8 @@ struct Certificate {
     std::vector<StabilityWindow> contractive;  ///< and with any other contractive end
     std::vector<StableStep> max_cfl;  ///< with both ends alike; midpoint ghosts; most of the modal
                                       ///< windows
-    std::vector<StableStep> max_cfl_contractive{};  ///< contractive in steps; midpoint ghosts
-    std::vector<StableStep> max_cfl_explicit;       ///< both ends alike; explicit ghosts
+    std::vector<StableStep> max_cfl_contractive;  ///< contractive in steps; midpoint ghosts
+    std::vector<StableStep> max_cfl_explicit;     ///< both ends alike; explicit ghosts
 };
 
 }  // namespace nmbcgen

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <nmbc/certificate.hpp>
 #include <nmbc/ends.hpp>
 #include <nmbc/lattice.hpp>
 #include <span>

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <nmbc/chain.hpp>
 #include <span>
+#include <stdexcept>
 
 namespace nmbc {
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nmbc/certificate.hpp>
 #include <nmbc/coefficients.hpp>
 #include <numbers>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace nmbc {

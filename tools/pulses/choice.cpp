@@ -13,7 +13,7 @@ namespace pulses {
 namespace {
 
 constexpr std::string_view family = "nopd1d";
-constexpr double smallest_cfl = 0.25;  // below, more damping is the better bargain
+constexpr double smallest_cfl = 0.25;  // as `nmbcgen recommend` asks for at least
 
 /// The least comes first.
 auto rank(const nmbc::MatchingTable& table, double G) {

@@ -64,7 +64,8 @@ double loss(const nmbc::Lattice& lattice, double wavelength, double wavelengths)
         slope -= 2 * distance * lattice.symbol[m] * std::sin(distance * xi);
     }
     const double group_velocity = slope / (2 * std::sqrt(nmbc::omega_squared(lattice, xi)));
-    // The energy falls at the rate tau sigma.
+    // The energy falls at the rate tau sigma. The generator knows the same as
+    // loss_per_wavelength(), under a licence that the runtime's tools do not share.
     const double rate = nmbc::detail::symbol_at(lattice.damping, xi);
     return -std::expm1(-rate * wavelengths * wavelength / group_velocity);
 }
