@@ -64,7 +64,7 @@ std::string compare(const std::string& name, const std::string& found, const std
 std::optional<Specification> specification_of(const std::string& file_name) {
     static const std::regex pattern(
         R"((\w+?)_n([1-9]\d?)_order([1-9]\d?)(?:_s([1-9]\d?))?(?:_tau(\d+)o(\d+))?)"
-        R"((?:_G(\d+)o(\d+))?\.(hpp|json))");
+        R"((?:_dt(\d+)o(\d+))?(?:_G(\d+)o(\d+))?\.(hpp|json))");
     std::smatch match;
     if (!std::regex_match(file_name, match, pattern)) {
         return std::nullopt;
@@ -74,12 +74,16 @@ std::optional<Specification> specification_of(const std::string& file_name) {
                        .order = unsigned(std::stoul(match[3])),
                        .stride = match[4].matched ? unsigned(std::stoul(match[4])) : 1,
                        .stabilisation = {},
-                       .damping = 0};
+                       .damping = 0,
+                       .time_step = 0};
     if (match[5].matched) {
         what.damping = parse_rational(match[5].str() + "/" + match[6].str());
     }
     if (match[7].matched) {
-        what.stabilisation = parse_rational(match[7].str() + "/" + match[8].str());
+        what.time_step = parse_rational(match[7].str() + "/" + match[8].str());
+    }
+    if (match[9].matched) {
+        what.stabilisation = parse_rational(match[9].str() + "/" + match[10].str());
     }
     return what;
 }
@@ -116,11 +120,14 @@ std::string compare_own_table(const std::filesystem::path& file, const MakeTable
 
 }  // namespace
 
-std::string staleness(const std::filesystem::path& folder, const std::vector<TextFile>& fresh,
-                      const MakeTable& certified) {
+void require_folder(const std::filesystem::path& folder) {
     if (!std::filesystem::is_directory(folder)) {
         throw FileError("cannot read " + folder.string() + ": there is no such folder");
     }
+}
+
+std::string staleness(const std::filesystem::path& folder, const std::vector<TextFile>& fresh,
+                      const MakeTable& certified) {
     std::string report;
     std::set<std::string> expected;
     for (const TextFile& file : fresh) {

@@ -12,6 +12,9 @@
 
 namespace nmbcgen {
 
+/// Throws FileError where there is no such folder.
+void require_folder(const std::filesystem::path& folder);
+
 using MakeTable = std::function<Table(const Specification&)>;
 
 /// What differs from `fresh`, is missing or is left over in the folder, for people: one line a

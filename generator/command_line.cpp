@@ -88,17 +88,29 @@ std::string parse_folder(const std::string& text) {
     return text;
 }
 
+Rational parse_cfl(const std::string& text) {
+    const Rational value = parse_rational(text);
+    if (value == 0 || value >= 1) {
+        throw std::invalid_argument("'" + text.substr(0, 60) +
+                                    "' is not between 0 and 1, where leapfrog is stable");
+    }
+    return value;
+}
+
 struct SpecificationOptions {
     CLI::Option* family;
     CLI::Option* order;
     CLI::Option* horizon;
     CLI::Option* stride;
     CLI::Option* damping;
+    CLI::Option* time_step;
+    CLI::Option* cfl;
     CLI::Option* G;
 };
 
-SpecificationOptions add_specification(CLI::App& app, Specification& what) {
-    return {
+SpecificationOptions add_specification(CLI::App& app, Request& request) {
+    Specification& what = request.specification;
+    const SpecificationOptions options{
         .family = add_parsed(app, "--family", what.family, parse_family,
                              "lattice model: " + family_names() + " (default nopd1d)"),
         .order =
@@ -110,17 +122,26 @@ SpecificationOptions add_specification(CLI::App& app, Specification& what) {
         .damping = add_parsed(app, "--damping", what.damping, parse_rational,
                               "tau, viscous damping of the stabilisation, an exact number in c/dX "
                               "such as 1/10 (default 0)"),
+        .time_step =
+            add_parsed(app, "--time-step", what.time_step, parse_rational,
+                       "dt of the leapfrog scheme to match in, an exact number in dX/c such "
+                       "as 1/2 (default 0: continuous time)"),
+        .cfl = add_parsed(app, "--cfl", request.cfl, parse_cfl,
+                          "with --G: --time-step by cfl = dt omega_max/2, as the largest multiple "
+                          "of 1/1000 dX/c that is not above"),
         .G = add_parsed(app, "--G", what.stabilisation, parse_rational,
                         "fix the stabilisation G, an exact number such as 1/2 or 0.3 "
                         "(default: coefficients are functions of G)"),
     };
+    options.cfl->needs(options.G)->excludes(options.time_step);
+    return options;
 }
 
 /// nmbcgen reflect, with the same options for the condition.
 CLI::App* add_reflect(CLI::App& app, Request& request) {
     auto* const reflect = app.add_subcommand(
         "reflect", "print the true reflection over the band as CSV (docs/reflection.md)");
-    const SpecificationOptions options = add_specification(*reflect, request.specification);
+    const SpecificationOptions options = add_specification(*reflect, request);
     for (CLI::Option* needed : {options.order, options.horizon, options.G}) {
         needed->required();
     }
@@ -179,7 +200,10 @@ CLI::App* add_recommend(CLI::App& app, Question& question) {
                "this order only (default: 1 to 4)");
     add_parsed(*recommend, "--tolerance", question.tolerance, parse_fraction,
                "the part of the energy that may be reflected, mean over the band (default 1e-6, or "
-               "the next power of ten that can be kept)");
+               "the next power of ten up to 0.1 that can be kept)");
+    add_parsed(*recommend, "--cfl", question.cfl, parse_fraction,
+               "dt omega_max/2 of your steps (default: the largest that reflect no more than the "
+               "tolerance)");
     add_parsed(*recommend, "--band", question.band, parse_band,
                "wave numbers LO..HI in 1/dX (default 0.05..0.3)");
     return recommend;
@@ -197,7 +221,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         "it as a table.\nExample: nmbcgen --order 3 --horizon 2",
         "nmbcgen");
     app.set_version_flag("--version", "nmbcgen " NMBC_VERSION);
-    const SpecificationOptions single = add_specification(app, request.specification);
+    const SpecificationOptions single = add_specification(app, request);
     auto* const format = add_parsed(app, "--format", request.format, parse_format,
                                     "header or json (default header)");
     auto* const to_stdout =
@@ -220,9 +244,9 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         "--check", check,
         "compare the committed set in the folder with a fresh one; exit code 1 if it is stale");
     for (CLI::Option* whole_set : {all_flag, check_flag}) {
-        for (CLI::Option* other :
-             {single.family, single.order, single.horizon, single.stride, single.damping, single.G,
-              format, to_stdout, require_stable, uncertified}) {
+        for (CLI::Option* other : {single.family, single.order, single.horizon, single.stride,
+                                   single.damping, single.time_step, single.cfl, single.G, format,
+                                   to_stdout, require_stable, uncertified}) {
             whole_set->excludes(other);
         }
     }

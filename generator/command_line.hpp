@@ -16,6 +16,7 @@ enum class Action { one_table, all_tables, check, reflect, recommend };
 struct Request {
     Action action = Action::one_table;
     Specification specification;
+    std::optional<Rational> cfl;  ///< dt omega_max / 2, which is to give the time step
     Format format = Format::header;
     bool to_stdout = false;
     bool certified = true;        ///< with certificates of stability

@@ -15,6 +15,7 @@
 #include "generator/pipeline.hpp"
 #include "generator/reflect.hpp"
 #include "generator/require_stable.hpp"
+#include "generator/time_step.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -95,6 +96,7 @@ int write_one(const Request& request) {
 
 int check(const Request& request) {
     const std::filesystem::path& folder = request.folder;
+    require_folder(folder);  // the fresh set takes a minute
     const std::string report =
         staleness(folder, committed_files(request), [&request](const Specification& specification) {
             return certified({specification}, request.cache).front();
@@ -116,6 +118,15 @@ void show_progress(std::size_t done_so_far, std::size_t all) {
             std::cerr << "nmbcgen: examining " << done_so_far + 1 << " of " << all << std::flush;
         }
     }
+}
+
+/// Puts a time step in the place of cfl.
+Request settled(Request request) {
+    if (request.cfl) {
+        request.specification.time_step = time_step_at(*request.cfl, request.specification);
+    }
+    require_leapfrog(request.specification);
+    return request;
 }
 
 int run(const Request& request) {
@@ -146,7 +157,7 @@ int main(int argc, char** argv) {
         if (const int* exit_code = std::get_if<int>(&parsed)) {
             return *exit_code;
         }
-        return nmbcgen::run(std::get<nmbcgen::Request>(parsed));
+        return nmbcgen::run(nmbcgen::settled(std::get<nmbcgen::Request>(parsed)));
     } catch (const nmbcgen::NoSuchBoundary& reason) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::no_such_boundary;

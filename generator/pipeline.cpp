@@ -41,6 +41,12 @@ std::vector<RationalFunction> over_first(const std::vector<Polynomial>& numerato
 }  // namespace
 
 Table derive(const Specification& specification) {
+    if (specification.order == 1 && specification.time_step != 0) {
+        throw NoSuchBoundary(
+            "NMBC1 is the same in time steps of any length: it sees a_1 and a_2 only, which they "
+            "leave "
+            "alone. Use it without a time step, or a higher order.");
+    }
     Table table{
         .specification = specification,
         .model = make_model(specification.family, specification.horizon, specification.damping),
@@ -58,6 +64,7 @@ Table derive(const Specification& specification) {
 
     const GiNaC::symbol G("G");
     Dispersion dispersion;
+    dispersion.time_step = thaw(constant(specification.time_step), G);
     for (const Polynomial& coefficient : table.model.symbol) {
         dispersion.symbol.push_back(thaw(coefficient, G));
     }
@@ -126,6 +133,7 @@ std::vector<Specification> committed_set() {
         unsigned order;
         unsigned stride;
         Rational damping;
+        Rational time_step = 0;
     };
     for (const Choice& choice : {
              Choice{1, 1, 2, 0},
@@ -150,13 +158,29 @@ std::vector<Specification> committed_set() {
              Choice{4, 2, 4, Rational(1, 50)},
              Choice{4, 2, 4, Rational(1, 10)},
              Choice{4, 2, 6, Rational(1, 5)},
+             // Matched in steps of n/2 dX/c, which are certified at some of these G.
+             Choice{1, 2, 1, 0, Rational(1, 2)},
+             Choice{1, 3, 1, 0, Rational(1, 2)},
+             Choice{1, 2, 2, 0, Rational(1, 2)},
+             Choice{2, 2, 2, 0, 1},
+             Choice{2, 3, 2, 0, 1},
+             Choice{2, 2, 4, 0, 1},
+             Choice{2, 2, 2, Rational(1, 100), 1},
+             Choice{2, 2, 4, Rational(1, 20), 1},
+             Choice{3, 2, 3, 0, Rational(3, 2)},
+             Choice{3, 2, 3, Rational(1, 100), Rational(3, 2)},
+             Choice{3, 2, 4, Rational(1, 10), Rational(3, 2)},
+             Choice{4, 2, 4, 0, 2},
+             Choice{4, 2, 4, Rational(1, 50), 2},
+             Choice{4, 2, 6, Rational(1, 5), 2},
          }) {
         set.push_back({.family = "nopd1d",
                        .horizon = choice.horizon,
                        .order = choice.order,
                        .stride = choice.stride,
                        .stabilisation = {},
-                       .damping = choice.damping});
+                       .damping = choice.damping,
+                       .time_step = choice.time_step});
     }
     return set;
 }

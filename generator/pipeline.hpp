@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// The generator, stage by stage. Each stage is a function from data to data:
 ///
-///   specification      family, horizon, order, stride, damping, G or none   table/table.hpp
+///   specification      family, horizon, order, stride, damping, time step,  table/table.hpp
+///                      G or none
 ///     | make_model     a family's energy as squares, hence symbol, damping  families/family.hpp
 ///   model
 ///     | thaw           into the algebra system                              matching/freeze.hpp

@@ -23,18 +23,19 @@ struct Question {
     Rational G = 0;
     std::optional<unsigned> order;  ///< exactly this one; none: 1 to 4
     /// Of the mean reflected energy; none: 1e-6, or the next power of ten that an undamped
-    /// condition keeps; from 1e-3 on a damped one will do.
+    /// condition keeps; from 1e-2 on a damped one will do.
     std::optional<double> tolerance;
-    Band band{0.05, 0.3};  ///< the reflected energy is averaged over
+    Band band{0.05, 0.3};       ///< the reflected energy is averaged over
+    std::optional<double> cfl;  ///< of the steps; none: the largest that are within the tolerance
 };
 
 /// What `progress` hears of: so many of so many conditions examined.
 using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// The recommended one and the others, as a text for people. Examined are orders 1 to 4 (or the one
-/// asked for) with strides 1 to n + 2. Of those within the tolerance less damping comes first,
-/// since it changes the model, then larger steps, then less reflection. Throws NoSuchBoundary, with
-/// the same table, where none is within it.
+/// asked for) with strides 1 to n + 2, those above order 1 also matched in time steps. Of those
+/// within the tolerance less damping comes first, since it changes the model, then larger steps,
+/// then less reflection. Throws NoSuchBoundary, with the same table, where none is within it.
 std::string recommendation(const Question& question, const Progress& progress);
 
 }  // namespace nmbcgen

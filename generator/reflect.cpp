@@ -6,12 +6,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "generator/exact/rational.hpp"
 #include "generator/stability/band_reflection.hpp"
 
 namespace nmbcgen {
 
 std::string reflection_csv(const Table& table, unsigned samples) {
-    const HalfSpace half_space = make_half_space(table, *table.specification.stabilisation);
+    const Specification& what = table.specification;
+    const HalfSpace half_space =
+        stepped(make_half_space(table, *what.stabilisation), nearest_double(what.time_step));
     std::string csv =
         "omega,incident_xi,outgoing_k_re,outgoing_k_im,amplitude_re,amplitude_im,energy_flux\n";
     for (unsigned i = 0; i < samples; ++i) {

@@ -10,6 +10,7 @@
 #include "generator/exact/rational.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/modal.hpp"
+#include "generator/time_step.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -60,17 +61,28 @@ std::string text_of(const std::vector<StabilityWindow>& windows) {
 }  // namespace
 
 void require_stable(const Table& table) {
-    if (!table.certificate->modal.empty()) {
-        return;
-    }
     const Specification& what = table.specification;
     const Rational& G = *what.stabilisation;
+    const double cfl =
+        what.time_step == 0 ? 0 : nearest_double(what.time_step) * maximum_frequency(what) / 2;
+    const Certificate& certificate = *table.certificate;
+    const double largest = certificate.max_cfl.empty() ? 0 : certificate.max_cfl.front().cfl;
+    if (!certificate.modal.empty() && cfl <= largest) {
+        return;
+    }
     std::string message = fmt::format(
-        "NMBC{} at horizon {}, stride {},{} G = {} is not stable: {}. Nothing was "
-        "written.",
-        what.order, what.horizon, what.stride,
+        "NMBC{} at horizon {}, stride {},{}{} G = {} is not {}. Nothing was written.", what.order,
+        what.horizon, what.stride,
         what.damping != 0 ? " damping " + to_string(what.damping) + "," : std::string(),
-        to_string(G), how_it_fails(table, G));
+        what.time_step != 0 ? " steps of " + to_string(what.time_step) + "," : std::string(),
+        to_string(G),
+        certificate.modal.empty()
+            ? "stable: " + how_it_fails(table, G)
+            : fmt::format("certified in steps of cfl {:.3f}, {:.2f} is the largest one", cfl,
+                          largest));
+    if (!certificate.modal.empty()) {
+        throw NotStable(message);
+    }
     constexpr unsigned quick = 5;  // above, windows take minutes
     if (what.order > quick) {
         throw NotStable(message);
@@ -78,8 +90,8 @@ void require_stable(const Table& table) {
     message += "\nG where it is stable:";
     std::vector<Table> open;
     for (const unsigned stride : std::set{1U, what.horizon, what.stride}) {
-        open.push_back(
-            derive({what.family, what.horizon, what.order, stride, std::nullopt, what.damping}));
+        open.push_back(derive({what.family, what.horizon, what.order, stride, std::nullopt,
+                               what.damping, what.time_step}));
     }
     certify_all(open);
     for (const Table& other : open) {

@@ -91,22 +91,9 @@ std::string window_members(const std::string& table_name, const Certificate& cer
            member("max_cfl_explicit", certificate.max_cfl_explicit.empty());
 }
 
-std::string certificate_statement(const Table& table) {
-    if (!table.certificate) {
-        return "not examined";
-    }
-    if (table.specification.damping > 0) {
-        return fmt::format(
-            "modal, sought up to G = {}: no growing boundary mode and no growth by round trips on "
-            "the "
-            "band, both ends alike, in chains of {} interior nodes and more, on whose length the "
-            "damping takes "
-            "back what an end amplifies; max_cfl: the same of the leapfrog scheme, damping force "
-            "from the old velocities; reflection, contractive and max_cfl_contractive: not sought, "
-            "since waves lose energy on the way; modal edges are exact where an exact value is "
-            "given, else in the bracket",
-            highest_damped_G, least_damped_nodes);
-    }
+namespace {
+
+std::string undamped_statement() {
     return "reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and "
            "sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for "
            "decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in "
@@ -114,6 +101,33 @@ std::string certificate_statement(const Table& table) {
            "max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; "
            "max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; "
            "modal edges are exact where an exact value is given, else in the bracket";
+}
+
+std::string damped_statement() {
+    return fmt::format(
+        "modal, sought up to G = {}: no growing boundary mode and no growth by round trips on "
+        "the band, both ends alike, in chains of {} interior nodes and more, on whose length the "
+        "damping takes back what an end amplifies; max_cfl: the same of the leapfrog scheme, "
+        "damping force "
+        "from the old velocities; reflection, contractive and max_cfl_contractive: not sought, "
+        "since waves lose energy on the way; modal edges are exact where an exact value is "
+        "given, else in the bracket",
+        highest_damped_G, least_damped_nodes);
+}
+
+}  // namespace
+
+std::string certificate_statement(const Table& table) {
+    if (!table.certificate) {
+        return "not examined";
+    }
+    const Specification& what = table.specification;
+    return (what.damping > 0 ? damped_statement() : undamped_statement()) +
+           (what.time_step > 0
+                ? "; max_cfl_explicit: not sought of a condition that is matched with "
+                  "midpoint ghosts; its own time step is one of those of max_cfl where "
+                  "dt omega_max / 2 is not above them"
+                : "");
 }
 
 }  // namespace nmbcgen

@@ -79,6 +79,7 @@ std::string emit_header(const Table& table) {
     const std::string name = table_name(what);
     const std::string G = what.stabilisation ? to_string(*what.stabilisation) : "";
     const bool damped = what.damping > 0;
+    const std::string dt = to_string(what.time_step);
     const std::string tau = to_string(what.damping);
     const Certificate certificate = table.certificate.value_or(Certificate{});
 
@@ -87,9 +88,9 @@ std::string emit_header(const Table& table) {
     text += fmt::format("// model   {}{}\n", table.model.description,
                         G.empty() ? "" : fmt::format("; here G = {}", G));
     text += fmt::format("// source  {}\n", table.source);
-    text +=
-        fmt::format("// units   xi in 1/dX, omega{} and b_j in c/dX, c_j and G without dimension\n",
-                    damped ? ", tau" : "");
+    text += fmt::format(
+        "// units   xi in 1/dX, omega{} and b_j in c/dX{}, c_j and G without dimension\n",
+        damped ? ", tau" : "", what.time_step != 0 ? ", time step in dX/c" : "");
     text +=
         "// sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the "
         "ghost node M, s the stride\n";
@@ -110,8 +111,10 @@ std::string emit_header(const Table& table) {
         text += rounded_array("rounded_b", table.b) + "\n";
     }
     text += fmt::format("}}  // namespace {}_data\n\n", name);
-    text += fmt::format("/// NMBC{}, horizon {} dX, stride {}{}{}.\n", what.order, what.horizon,
-                        what.stride, damped ? ", tau = " + tau : "", G.empty() ? "" : ", G = " + G);
+    text += fmt::format("/// NMBC{}, horizon {} dX, stride {}{}{}{}.\n", what.order, what.horizon,
+                        what.stride, damped ? ", tau = " + tau : "",
+                        what.time_step != 0 ? ", in leapfrog steps of " + dt + " dX/c" : "",
+                        G.empty() ? "" : ", G = " + G);
     text += fmt::format(
         "inline constexpr MatchingTable {0}{{\n"
         "    .name = \"{0}\",\n"
@@ -121,15 +124,16 @@ std::string emit_header(const Table& table) {
         "    .stride = {4},\n"
         "    .fixed_G = \"{5}\",\n"
         "    .tau = \"{6}\",\n"
-        "    .source = \"{7}\",\n"
-        "    .proved = \"{8}\",\n"
+        "    .time_step = \"{7}\",\n"
+        "    .source = \"{8}\",\n"
+        "    .proved = \"{9}\",\n"
         "    .symbol = {0}_data::symbol,\n"
-        "    .damping = {9},\n"
+        "    .damping = {10},\n"
         "    .energy = {0}_data::energy,\n"
         "    .taylor = {0}_data::taylor,\n"
         "    .c = {0}_data::c,\n"
         "    .b = {0}_data::b,\n",
-        name, what.family, what.horizon, what.order, what.stride, G, tau, table.source,
+        name, what.family, what.horizon, what.order, what.stride, G, tau, dt, table.source,
         table.proved, damped ? name + "_data::damping" : "{}");
     text += window_members(name, certificate, damped);
     text += fmt::format("    .least_nodes = {},\n", damped ? least_damped_nodes : 0);

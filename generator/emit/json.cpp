@@ -76,6 +76,7 @@ Json table_object(const Table& table) {
         {"stride", what.stride},
         {"G", fixed ? Json(to_string(*what.stabilisation)) : Json(nullptr)},
         {"tau", to_string(what.damping)},
+        {"time_step", to_string(what.time_step)},
         {"symbol", exact_array(table.model.symbol, fixed)},
         {"damping", exact_array(table.model.damping, fixed)},
         {"energy", energy_array(table.model.energy, fixed)},

@@ -16,6 +16,10 @@ std::string table_name(const Specification& specification) {
         name += fmt::format("_tau{}o{}", numerator(specification.damping).str(),
                             denominator(specification.damping).str());
     }
+    if (specification.time_step != 0) {
+        name += fmt::format("_dt{}o{}", numerator(specification.time_step).str(),
+                            denominator(specification.time_step).str());
+    }
     if (specification.stabilisation) {
         name += fmt::format("_G{}o{}", numerator(*specification.stabilisation).str(),
                             denominator(*specification.stabilisation).str());
@@ -32,6 +36,9 @@ std::string regenerating_command(const Specification& specification) {
     }
     if (specification.damping != 0) {
         command += " --damping " + to_string(specification.damping);
+    }
+    if (specification.time_step != 0) {
+        command += " --time-step " + to_string(specification.time_step);
     }
     if (specification.stabilisation) {
         command += " --G " + to_string(*specification.stabilisation);

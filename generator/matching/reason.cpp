@@ -17,8 +17,8 @@ GiNaC::ex laurent_sum(const std::vector<GiNaC::ex>& symbol, const GiNaC::ex& z) 
     return sum;
 }
 
-/// Whether s = B/C solves s^2 + tau sigma s + omega^2 = 0 for every z: the condition is then exact,
-/// and s itself a rational function.
+/// Whether s = B/C solves s^2 + tau sigma s + omega^2 = 0, or its like in time steps, for every z:
+/// the condition is then exact, and s itself a rational function.
 bool is_exact(const MatchingPolynomials& matching, const Dispersion& dispersion, unsigned stride) {
     const GiNaC::symbol z("z");
     GiNaC::ex C = 0;
@@ -29,7 +29,11 @@ bool is_exact(const MatchingPolynomials& matching, const Dispersion& dispersion,
     }
     const GiNaC::ex omega_squared = laurent_sum(dispersion.symbol, z);
     const GiNaC::ex tau_sigma = laurent_sum(dispersion.damping, z);
-    return !C.is_zero() && (B * B + tau_sigma * B * C + omega_squared * C * C).expand().is_zero();
+    const GiNaC::ex half_step = B * dispersion.time_step / 2;
+    return !C.is_zero() && (B * B + tau_sigma * B * (C - half_step) +
+                            omega_squared * (C - half_step) * (C + half_step))
+                               .expand()
+                               .is_zero();
 }
 
 /// How often z - 1 divides the polynomial, which is not zero.
@@ -50,13 +54,15 @@ unsigned zeros_at_one(const std::vector<GiNaC::ex>& polynomial) {
 
 std::string reason(Degeneracy found, const Specification& specification,
                    const Dispersion& dispersion, const std::vector<GiNaC::ex>& taylor) {
-    const std::string where =
-        fmt::format("NMBC{} does not exist for horizon {}, stride {}{} at {}", specification.order,
-                    specification.horizon, specification.stride,
-                    specification.damping != 0 ? ", damping " + to_string(specification.damping)
-                                               : std::string(),
-                    specification.stabilisation ? "G = " + to_string(*specification.stabilisation)
-                                                : std::string("any G"));
+    const std::string where = fmt::format(
+        "NMBC{} does not exist for horizon {}, stride {}{}{} at {}", specification.order,
+        specification.horizon, specification.stride,
+        specification.damping != 0 ? ", damping " + to_string(specification.damping)
+                                   : std::string(),
+        specification.time_step != 0 ? ", steps of " + to_string(specification.time_step)
+                                     : std::string(),
+        specification.stabilisation ? "G = " + to_string(*specification.stabilisation)
+                                    : std::string("any G"));
 
     unsigned lower = 0;  // the highest order below that exists
     for (unsigned order = 1; order <= specification.order; ++order) {
@@ -68,7 +74,9 @@ std::string reason(Degeneracy found, const Specification& specification,
                 "{}: {} is itself a rational function of z there (a block of the Pade "
                 "table), so (49) is singular for every order N >= {}. Use an order below {}, "
                 "another stride or another G.",
-                where, dispersion.damping.empty() ? "i*omega" : "s", singular, singular);
+                where,
+                dispersion.damping.empty() && dispersion.time_step.is_zero() ? "i*omega" : "s",
+                singular, singular);
         }
         if (exists) {
             lower = order;

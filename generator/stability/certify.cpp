@@ -31,7 +31,7 @@ Certificate certify_at(const Table& table, const Rational& G) {
                            : std::vector<StableStep>();
         };
         certificate.max_cfl = step_with(GhostLevel::midpoint, Grade::paired);
-        if (!half_space.is_damped()) {
+        if (!half_space.is_damped() && table.specification.time_step == 0) {
             certificate.max_cfl_explicit = step_with(GhostLevel::old, Grade::paired);
         }
         if (grade == Grade::contractive) {
@@ -56,8 +56,10 @@ Certificate certify(const Table& table) {
         certificate.reflection = scalar_windows(table);
         certificate.max_cfl_contractive =
             stable_steps(table, modal.contractive, GhostLevel::midpoint, Grade::contractive);
-        certificate.max_cfl_explicit =
-            stable_steps(table, modal.modal, GhostLevel::old, Grade::paired);
+        if (table.specification.time_step == 0) {
+            certificate.max_cfl_explicit =
+                stable_steps(table, modal.modal, GhostLevel::old, Grade::paired);
+        }
     }
     certificate.modal = std::move(modal.modal);
     certificate.contractive = std::move(modal.contractive);

@@ -108,10 +108,23 @@ class Search {
                 return window.high->inner - window.low.inner < narrowest;
             });
         }
+        if (samples_.front().grade >= least && !is_singular_at_zero() &&
+            (found.empty() || found.front().low.inner > 0)) {
+            // Alone, but the model without stabilisation.
+            const Edge zero{.where = to_algebraic_number(0), .inner = 0};
+            Edge high = zero;
+            describe(high, 0, false);
+            found.insert(found.begin(), {zero, high});
+        }
         return found;
     }
 
   private:
+    bool is_singular_at_zero() const {
+        const auto is_zero = [](const AlgebraicNumber& value) { return compare(value, 0) == 0; };
+        return std::ranges::any_of(poles_, is_zero) || std::ranges::any_of(jordan_values_, is_zero);
+    }
+
     /// At a pole there is no condition: that of the G just above stands for it.
     HalfSpace half_space_at(double G) const {
         constexpr double above = 1 + 1e-9;

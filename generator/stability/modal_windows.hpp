@@ -23,6 +23,8 @@ struct ModalWindows {
 /// without one in it, may be missed. Poles and C(1) = 0 are left out exactly.
 /// Of a damped lattice G is sampled from 0 to 3 in steps of 1/16, more densely near poles; the
 /// upper edge 3 means only that nothing was sought above.
+/// G = 0, the model without stabilisation, is a window by itself where it is stable and its
+/// neighbours are not.
 /// Throws std::invalid_argument for a table at a fixed G.
 ModalWindows modal_windows(const Table& table);
 

@@ -27,6 +27,10 @@ class Steps {
         constexpr double farthest = 1000;
         constexpr int pieces = 8;
         const double low = window.low.inner;
+        if (window.high && window.high->inner == low) {
+            append(low, low, cfl_at(low));
+            return;
+        }
         const double high = window.high ? window.high->inner : std::max(far, 2 * low);
         Sample begin{low, cfl_at(inside(low, high))};
         for (int piece = 1; piece <= pieces; ++piece) {

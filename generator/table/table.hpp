@@ -20,6 +20,7 @@ struct Specification {
     unsigned stride = 1;
     std::optional<Rational> stabilisation;  ///< G; none: G stays symbolic.
     Rational damping = 0;                   ///< tau >= 0 [c/dX]
+    Rational time_step = 0;  ///< dt [dX/c] of leapfrog it is matched in; 0: continuous time
 };
 
 /// The ledger entry an energy is counted in.
@@ -57,7 +58,7 @@ struct Table {
     Specification specification;
     Model model;
     std::vector<Polynomial> taylor;  ///< a_1 .. a_{2N+1} of s = sum a_k (i xi)^k, (47); s = i omega
-                                     ///< where nothing is damped
+                                     ///< where nothing is damped, in continuous time
     std::vector<RationalFunction> c;         ///< c_0 .. c_N, c_0 = 1
     std::vector<RationalFunction> b;         ///< b_0 .. b_N
     std::string source;                      ///< the equations the table is taken from

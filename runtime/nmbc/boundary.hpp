@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <nmbc/certificate.hpp>
 #include <nmbc/coefficients.hpp>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace nmbc {
@@ -23,8 +25,9 @@ class MatchingBoundary {
     /// ghost_layers: nodes outside each end that the interior stencil reaches (2n for NOPD).
     /// wave_speed [length/time], spacing [length] and time_step [time] in the user's units.
     /// Throws std::invalid_argument where one of them is not positive and finite, where the
-    /// coefficients are not N+1 of each at a stride of 1 or more, or where this time step makes the
-    /// midpoint rule singular (b_0 dt/2 = c_0).
+    /// coefficients are not N+1 of each at a stride of 1 or more or are matched in another time
+    /// step or with other ghosts, or where this time step makes the midpoint rule singular (b_0
+    /// dt/2 = c_0).
     MatchingBoundary(const BoundaryCoefficients& coefficients, std::size_t ghost_layers,
                      double wave_speed, double spacing, double time_step,
                      GhostRule rule = GhostRule::midpoint)
@@ -41,6 +44,7 @@ class MatchingBoundary {
                 "boundary coefficients: c and b need the same size, and a stride of 1 or more");
         }
         const double rate = wave_speed / spacing;
+        require_matched(coefficients.matched_time_step, rate * time_step, rule);
         const double implicit_time = rule == GhostRule::midpoint ? time_step / 2 : 0;
         const double own = coefficients.c[0] - implicit_time * rate * coefficients.b[0];
         if (std::abs(own) < 64 * std::numeric_limits<double>::epsilon()) {
@@ -85,6 +89,24 @@ class MatchingBoundary {
     }
 
   private:
+    /// matched, step: dt c/dX.
+    static void require_matched(double matched, double step, GhostRule rule) {
+        if (matched == 0) {
+            return;
+        }
+        // A step that is off by this much leaves less behind than the error of the next order.
+        constexpr double close = 1e-6;
+        if (std::abs(step - matched) > close * matched) {
+            throw std::invalid_argument("the boundary is matched in time steps of " +
+                                        detail::to_text(matched) + " dX/c, not " +
+                                        detail::to_text(step));
+        }
+        if (rule != GhostRule::midpoint) {
+            throw std::invalid_argument(
+                "the boundary is matched in time steps with midpoint ghosts");
+        }
+    }
+
     struct Weights {
         double displacement;
         double velocity;

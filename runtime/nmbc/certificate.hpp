@@ -85,7 +85,8 @@ inline std::string to_text(const Window& window) {
 
 inline std::string name_of(const MatchingTable& table) {
     return "NMBC" + std::to_string(table.order) + " with stride " + std::to_string(table.stride) +
-           (table.tau == "0" ? "" : " and tau " + std::string(table.tau));
+           (table.tau == "0" ? "" : " and tau " + std::string(table.tau)) +
+           (table.time_step == "0" ? "" : " in steps of " + std::string(table.time_step) + " dX/c");
 }
 
 }  // namespace detail

@@ -47,8 +47,8 @@ class Chain {
             throw std::invalid_argument("the chain needs at least " + std::to_string(smallest) +
                                         " interior nodes for these ends");
         }
-        require_certified_length(left);
-        require_certified_length(right);
+        require_certified_for(left);
+        require_certified_for(right);
         displacement_.resize(nodes(), 0.0);
         velocity_.resize(nodes(), 0.0);
         acceleration_.resize(nodes(), 0.0);
@@ -156,10 +156,21 @@ class Chain {
         return std::holds_alternative<FixedEnd>(end) ? Condition(FixedEnd{}) : FreeEnd{};
     }
 
-    void require_certified_length(const ChainEnd& end) const {
+    /// What is certified is certified for its own lattice and, where that is damped, for long
+    /// chains.
+    void require_certified_for(const ChainEnd& end) const {
         const auto* matching = std::get_if<MatchingEnd>(&end);
-        const int least = matching == nullptr ? 0 : matching->coefficients.least_nodes;
-        if (least > 0 && parameters_.nodes < static_cast<std::size_t>(least)) {
+        if (matching == nullptr || matching->coefficients.ghost_layers == 0) {
+            return;
+        }
+        const int least = matching->coefficients.least_nodes;
+        if (matching->coefficients.ghost_layers != ghosts() || (least > 0) != is_damped()) {
+            throw NotCertified(
+                "the boundary is certified for another lattice than the chain's: its horizon or "
+                "its "
+                "damping differ; take the coefficients with allow_unstable to run it");
+        }
+        if (parameters_.nodes < static_cast<std::size_t>(least)) {
             throw NotCertified("a chain with this damped matching boundary is certified from " +
                                std::to_string(least) + " interior nodes on, and has " +
                                std::to_string(parameters_.nodes) +

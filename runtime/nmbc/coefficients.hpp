@@ -24,6 +24,11 @@ struct BoundaryCoefficients {
     /// taken without a certificate. Chain refuses shorter ones; loops of your own have to see to
     /// it.
     int least_nodes = 0;
+    /// Ghost layers of the lattice it is certified for; 0: taken without a certificate.
+    std::size_t ghost_layers = 0;
+    /// The time step [dX/c] the condition is matched in, with midpoint ghosts; 0: in continuous
+    /// time, for steps of any length and any ghosts. MatchingBoundary refuses others.
+    double matched_time_step = 0;
 };
 
 /// The value does not exist: a pole of the coefficients, or C(1) = 0. what() says which and where.
@@ -175,16 +180,17 @@ inline std::vector<double> evaluate(std::span<const RationalFunction> functions,
 
 namespace detail {
 
+/// The double nearest to a fraction "p/q" or "p".
+inline double nearest_to_fraction(std::string_view fraction) {
+    const std::size_t slash = std::min(fraction.find('/'), fraction.size());
+    const bool whole = slash == fraction.size();
+    return evaluate(
+        RationalFunction{fraction.substr(0, slash), whole ? "1" : fraction.substr(slash + 1)}, 0);
+}
+
 /// Throws std::invalid_argument where the table was made for one G, and this is another.
 inline void require_own_G(const MatchingTable& table, double G) {
-    if (table.fixed_G.empty()) {
-        return;
-    }
-    const std::size_t slash = std::min(table.fixed_G.find('/'), table.fixed_G.size());
-    const bool whole = slash == table.fixed_G.size();
-    const RationalFunction own{table.fixed_G.substr(0, slash),
-                               whole ? "1" : table.fixed_G.substr(slash + 1)};
-    if (evaluate(own, 0) != G) {
+    if (!table.fixed_G.empty() && nearest_to_fraction(table.fixed_G) != G) {
         throw std::invalid_argument(std::string(table.name) +
                                     " was made for G = " + std::string(table.fixed_G) + " only");
     }
@@ -212,8 +218,11 @@ inline BoundaryCoefficients boundary_coefficients(const MatchingTable& table, do
     const std::string where =
         "NMBC" + std::to_string(table.order) + " (" + std::string(table.name) + ")";
     BoundaryCoefficients result;
+    result.stride = table.stride;
+    result.matched_time_step = detail::nearest_to_fraction(table.time_step);
     try {
-        result = {evaluate(table.c, G), evaluate(table.b, G), table.stride};
+        result.c = evaluate(table.c, G);
+        result.b = evaluate(table.b, G);
     } catch (const CoefficientError& pole) {
         throw CoefficientError(where + " does not exist here: " + pole.what());
     }
@@ -227,8 +236,8 @@ inline BoundaryCoefficients boundary_coefficients(const MatchingTable& table, do
     // of each c_j, make of it: coefficients can change 1000 times as fast as G.
     if (std::abs(sum) <= 1e-12 * magnitude) {
         throw CoefficientError(where + " is degenerate at G = " + detail::to_text(G) +
-                               ": C(1) = 0, a constant would grow like t^2; use order " +
-                               std::to_string(table.order - 2) + " or another G");
+                               ": C(1) = 0, a constant would grow like t^2; use another order or "
+                               "another G");
     }
     return result;
 }
@@ -241,6 +250,7 @@ inline BoundaryCoefficients boundary_coefficients(
     BoundaryCoefficients result = boundary_coefficients(table, G, allow_unstable);
     require_certified(table, G, others);
     result.least_nodes = table.least_nodes;
+    result.ghost_layers = table.ghost_layers();
     return result;
 }
 

@@ -122,7 +122,7 @@ inline double interior_cfl(const Lattice& lattice) {
 
 /// The largest time step [spacing/wave_speed] with which a chain between an end of this table and
 /// the opposite one is certified to be stable, midpoint ghosts; of a damped table, from
-/// table.least_nodes nodes on.
+/// table.least_nodes nodes on. Of a table that is matched in time steps it is that step.
 /// Throws NotCertified where there is none, as at the very edge of some windows, and
 /// std::invalid_argument where wave_speed or spacing is not positive and finite.
 inline double stable_time_step(const MatchingTable& table, double G, double wave_speed,
@@ -140,7 +140,14 @@ inline double stable_time_step(const MatchingTable& table, double G, double wave
                            (like ? "; " + certified_choices(table, G)
                                  : " with any opposite end (table.max_cfl_contractive)"));
     }
-    return 2 * cfl / maximum_frequency(make_lattice(table, G)) * spacing / wave_speed;
+    const double largest = 2 * cfl / maximum_frequency(make_lattice(table, G));
+    const double matched = detail::nearest_to_fraction(table.time_step);
+    if (matched > largest) {
+        throw NotCertified(std::string(table.name) + " is matched in time steps of " +
+                           std::string(table.time_step) + " dX/c, and certified up to " +
+                           detail::to_text(largest) + " at G = " + detail::to_text(G));
+    }
+    return (matched > 0 ? matched : largest) * spacing / wave_speed;
 }
 
 /// Accelerations of the interior nodes, a_I = -(c/dX)^2 sum_m symbol[|m|] u_{I+m}.

@@ -14,7 +14,7 @@
 namespace nmbc {
 
 /// Raised by any change that an old reader would misread; every emitted header asserts it.
-inline constexpr int table_schema = 3;
+inline constexpr int table_schema = 4;
 
 /// An exact rational function of the stabilisation G. Each string is a polynomial: its integer
 /// coefficients in ascending powers of G, in decimal, one space between. "576 -170" over
@@ -71,8 +71,11 @@ struct MatchingTable {
     int stride;                ///< node offsets of the condition are 0, s, 2s, .. Ns
     std::string_view fixed_G;  ///< "p/q" where G was fixed when the table was made, else ""
     std::string_view tau;      ///< damping of the lattice [c/dX], "p/q"; "0": undamped
-    std::string_view source;   ///< the equations it is taken from
-    std::string_view proved;   ///< what the generator established exactly
+    /// dt of leapfrog with midpoint ghosts in which it is matched [dX/c], "p/q"; "0": in continuous
+    /// time. A boundary takes no other step, and is certified in it where max_cfl allows it.
+    std::string_view time_step;
+    std::string_view source;  ///< the equations it is taken from
+    std::string_view proved;  ///< what the generator established exactly
     /// omega^2 = symbol[0] + sum_{m >= 1} symbol[m] (z^m + z^-m), z = exp(i xi dX): the interior
     /// stencil is minus this, rho u_tt = -(E/dX^2) sum_m symbol[|m|] u_{I+m}.
     std::span<const RationalFunction> symbol;
@@ -88,9 +91,10 @@ struct MatchingTable {
     /// general, needed. Not sought where tau > 0, and empty.
     std::span<const Window> reflection;
     /// Where a chain is stable with both ends alike. With tau = 0: whatever its length, unless it
-    /// is so short that waves which decay from one end reach the other: 9 nodes and less inside a
-    /// window, up to 29 near its ends (tests/stability/exam_short_chains.cpp). With tau > 0: from
-    /// `least_nodes` interior nodes on.
+    /// is so short that waves which decay from one end reach the other: with n <= 3, 9 nodes and
+    /// less inside a window, up to 29 near its ends (tests/stability/exam_short_chains.cpp), and 13
+    /// and 30 were seen at n = 4. Nothing here refuses a short chain, nmbcrun does. With tau > 0:
+    /// from `least_nodes` interior nodes on.
     std::span<const Window> modal;
     /// Where, in continuous time, no wave leaves the boundary with more energy than came in, so
     /// that the other end may be any that does not add energy, a fixed or a free one too. In time
@@ -109,15 +113,17 @@ struct MatchingTable {
     constexpr std::size_t ghost_layers() const { return symbol.size() - 1; }
 };
 
-/// The table with these properties, or nullptr; a damped one only where its tau is asked for, in
-/// lowest terms, as in the table. `tables` is nmbc::generated::tables of
-/// <nmbc/tables/tables.hpp>, or any list of tables of the user's own.
+/// The table with these properties, or nullptr; a damped one only where its tau is asked for, and
+/// one that is matched in time steps only where its step is, in lowest terms, as in the table.
+/// `tables` is nmbc::generated::tables of <nmbc/tables/tables.hpp>, or any list of tables of the
+/// user's own.
 constexpr const MatchingTable* find_table(std::span<const MatchingTable* const> tables,
                                           std::string_view family, int horizon, int order,
-                                          int stride = 1, std::string_view tau = "0") {
+                                          int stride = 1, std::string_view tau = "0",
+                                          std::string_view time_step = "0") {
     const auto found = std::ranges::find_if(tables, [&](const MatchingTable* table) {
         return table->family == family && table->horizon == horizon && table->order == order &&
-               table->stride == stride && table->tau == tau;
+               table->stride == stride && table->tau == tau && table->time_step == time_step;
     });
     return found == tables.end() ? nullptr : *found;
 }

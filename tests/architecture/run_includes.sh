@@ -30,7 +30,7 @@ allow generator "generator/|CLI/|fcntl.h|unistd.h|$text"
 allow generated/nmbc/tables 'nmbc/table.hpp|nmbc/tables/'
 allow runtime/nmbc 'nmbc/[a-z_]+\.hpp'
 allow tools/nmbcrun "tools/|nmbc/|generator/(table|exact|stability)/|CLI/|toml\+\+/|unistd.h|sys/ioctl.h|$text"
-allow tools/pulses "tools/pulses/|nmbc/|CLI/|$text"
+allow tools/pulses "tools/pulses/|tools/number_between.hpp|nmbc/|CLI/|$text"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|$text"
 
 # The algebra system: in matching alone, and in the pipeline that calls it.

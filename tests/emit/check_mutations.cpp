@@ -30,8 +30,9 @@ struct Copy {
     Copy& operator=(const Copy&) = delete;
 
     std::vector<std::string_view*> texts() {
-        std::vector<std::string_view*> all{&table.name, &table.family, &table.fixed_G,
-                                           &table.tau,  &table.source, &table.proved};
+        std::vector<std::string_view*> all{&table.name,  &table.family,    &table.fixed_G,
+                                           &table.tau,   &table.time_step, &table.source,
+                                           &table.proved};
         for (auto* list : {&symbol, &damping, &taylor, &c, &b}) {
             for (nmbc::RationalFunction& function : *list) {
                 all.insert(all.end(), {&function.numerator, &function.denominator});

@@ -12,13 +12,15 @@ using namespace nmbcgen;
 namespace {
 
 Specification specification(unsigned horizon, unsigned order, unsigned stride,
-                            std::optional<Rational> G, const Rational& damping = 0) {
+                            std::optional<Rational> G, const Rational& damping = 0,
+                            const Rational& time_step = 0) {
     return {.family = "nopd1d",
             .horizon = horizon,
             .order = order,
             .stride = stride,
             .stabilisation = std::move(G),
-            .damping = damping};
+            .damping = damping,
+            .time_step = time_step};
 }
 
 }  // namespace
@@ -33,6 +35,9 @@ TEST_CASE("the name leaves out what is usual") {
     CHECK(table_name(specification(2, 2, 1, {}, Rational(2, 20))) == "nopd1d_n2_order2_tau1o10");
     CHECK(table_name(specification(2, 2, 2, Rational(1, 2), 3)) ==
           "nopd1d_n2_order2_s2_tau3o1_G1o2");
+    CHECK(table_name(specification(1, 2, 1, {}, 0, Rational(2, 4))) == "nopd1d_n1_order2_dt1o2");
+    CHECK(table_name(specification(1, 2, 1, Rational(3), Rational(1, 50), 2)) ==
+          "nopd1d_n1_order2_tau1o50_dt2o1_G3o1");
 }
 
 TEST_CASE("the command says all that the name says") {
@@ -44,6 +49,8 @@ TEST_CASE("the command says all that the name says") {
           "nmbcgen --family nopd1d --order 1 --horizon 1 --G 0");
     CHECK(regenerating_command(specification(2, 2, 2, Rational(1, 2), Rational(2, 20))) ==
           "nmbcgen --family nopd1d --order 2 --horizon 2 --stride 2 --damping 1/10 --G 1/2");
+    CHECK(regenerating_command(specification(1, 2, 1, Rational(3), Rational(1, 50), 2)) ==
+          "nmbcgen --family nopd1d --order 2 --horizon 1 --damping 1/50 --time-step 2 --G 3");
 }
 
 TEST_CASE("different requests have different names and commands") {
@@ -57,16 +64,18 @@ TEST_CASE("different requests have different names and commands") {
                      {std::optional<Rational>{}, std::optional<Rational>{0},
                       std::optional<Rational>{Rational(1, 2)}, std::optional<Rational>{12}}) {
                     for (const Rational& tau : {Rational(0), Rational(1, 2), Rational(12)}) {
-                        const Specification what = specification(horizon, order, stride, G, tau);
-                        names.insert(table_name(what));
-                        commands.insert(regenerating_command(what));
-                        ++requests;
+                        for (const Rational& dt : {Rational(0), Rational(1, 2), Rational(12)}) {
+                            const auto what = specification(horizon, order, stride, G, tau, dt);
+                            names.insert(table_name(what));
+                            commands.insert(regenerating_command(what));
+                            ++requests;
+                        }
                     }
                 }
             }
         }
     }
-    CHECK(requests == 3 * 3 * 3 * 4 * 3);
+    CHECK(requests == 3 * 3 * 3 * 4 * 3 * 3);
     CHECK(names.size() == requests);
     CHECK(commands.size() == requests);
 }

@@ -9,7 +9,9 @@
 #include <nmbc/certificate.hpp>
 #include <nmbc/chain.hpp>
 #include <nmbc/energy.hpp>
+#include <nmbc/lattice.hpp>
 #include <nmbc/tables/tables.hpp>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -27,15 +29,25 @@ void randomise(nmbc::Chain& chain) {
     }
 }
 
-void check_million_steps(const MatchingTable& table, double G, std::size_t nodes) {
+/// Just below the largest certified one, or the one that the table is matched in; none where that
+/// is longer.
+std::optional<double> time_step_of(const MatchingTable& table, double G) {
+    try {
+        return (table.time_step == "0" ? 0.95 : 1) * nmbc::stable_time_step(table, G, 1, 1);
+    } catch (const nmbc::NotCertified&) {
+        REQUIRE(table.time_step != "0");
+        return std::nullopt;
+    }
+}
+
+void check_million_steps(const MatchingTable& table, double G, std::size_t nodes,
+                         double time_step) {
     CAPTURE(table.name);
     CAPTURE(G);
     CAPTURE(nodes);
-    const double cfl = 0.95 * nmbc::certified_cfl(table, G);
-    REQUIRE(cfl > 0);
     const auto lattice = nmbc::make_lattice(table, G);
     nmbc::Chain chain(lattice, nmbc::boundary_coefficients(table, G),
-                      {.nodes = nodes, .time_step = 2 * cfl / nmbc::maximum_frequency(lattice)});
+                      {.nodes = nodes, .time_step = time_step});
     randomise(chain);
     const auto run = [&chain](int steps) {
         for (int i = 0; i < steps; ++i) {
@@ -68,15 +80,21 @@ std::vector<double> shares(const MatchingTable& table) {
 
 TEST_CASE("a million steps in every window") {
     for (const MatchingTable* table : nmbc::generated::tables) {
+        int runs = 0;
         for (const Window& window : table->modal) {
             const double high = std::isinf(window.high) ? window.low + 4 : window.high;
             for (const double share : shares(*table)) {
                 const double G = window.low + share * (high - window.low);
+                const auto time_step = time_step_of(*table, G);
                 for (const std::size_t nodes : lengths(*table)) {
-                    check_million_steps(*table, G, nodes);
+                    if (time_step) {
+                        check_million_steps(*table, G, nodes, *time_step);
+                        ++runs;
+                    }
                 }
             }
         }
+        CHECK_MESSAGE((runs > 0 || table->modal.empty()), table->name);
     }
 }
 

@@ -39,7 +39,7 @@ for option in --order --horizon --stride; do
 done
 
 sixty=$(printf '7%.0s' {1..60})
-for option in --G --damping; do
+for option in --G --damping --time-step; do
     for bad in nan inf -1 -1/2 +1 1e400 1/3/5 1.2.3 .5 5. / "" " 1" 0x1 1,5 one; do
         refuses $option "'$bad'" "non-negative exact number" "1/2" -- \
             --order 1 --horizon 1 $option "$bad"
@@ -78,6 +78,14 @@ refuses --all --stdout excludes -- --all --stdout
 refuses --all --G excludes -- --all --G 1
 refuses --all --damping excludes -- --all --damping 1/10
 refuses --check --damping excludes -- --check --damping 0
+refuses --all --time-step excludes -- --all --time-step 1/2
+refuses --cfl "requires --G" -- --all --cfl 1/2
+refuses --cfl "requires --G" -- --order 2 --horizon 1 --cfl 1/2
+refuses --cfl --time-step excludes -- --order 2 --horizon 1 --G 1 --cfl 1/2 --time-step 1
+for bad in 0 1 1.5; do
+    refuses --cfl "'$bad'" "between 0 and 1" -- --order 2 --horizon 1 --G 1 --cfl $bad
+done
+refuses --cfl "'x'" "non-negative exact number" -- --order 2 --horizon 1 --G 1 --cfl x
 refuses --all --check excludes -- --all --check
 refuses --all --check excludes -- --check --all
 refuses --check --order excludes -- --check --order 1

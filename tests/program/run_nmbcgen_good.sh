@@ -34,6 +34,13 @@ writes out/nopd1d_n1_order2_tau1o10.hpp --order 2 --horizon 1 --damping 0.1 --ou
 writes out/nopd1d_n2_order2_s2_tau1o10_G1o2.json --order 2 --horizon 2 --stride 2 --G 1/2 \
     --damping 2/20 --out out --uncertified --format json
 writes out/nopd1d_n1_order1.hpp --order 1 --horizon 1 --damping 0 --out out
+writes out/nopd1d_n2_order2_s2_tau1o10_dt3o2.hpp --order 2 --horizon 2 --stride 2 --damping 1/10 \
+    --time-step 1.5 --out out --uncertified
+writes out/nopd1d_n1_order2.hpp --order 2 --horizon 1 --time-step 0 --out out
+# At n = 1, G = 1/2, the atom chain, omega_max = 2 c/dX and dt = cfl dX/c.
+writes out/nopd1d_n1_order2_dt3o5_G1o2.hpp --order 2 --horizon 1 --cfl 3/5 --G 1/2 --out out
+# At G = 1, omega_max^2 = 8: dt = 0.3 sqrt(2) = 0.4242..
+writes out/nopd1d_n1_order3_dt53o125_G1o1.hpp --order 3 --horizon 1 --cfl 0.6 --G 1 --out out
 writes out/nopd1d_n1_order1_G2o1.json --order 1 --horizon 1 --G 2 --format json --out out
 writes out/a/b/nopd1d_n1_order1.hpp --order 1 --horizon 1 --out out/a/b
 writes "out/with space/nopd1d_n1_order1.hpp" --order 1 --horizon 1 --out "out/with space"
@@ -54,7 +61,7 @@ done
 
 # The banner's command makes the file again.
 for request in "--order 2 --horizon 2 --stride 2 --G 3/4" \
-    "--order 2 --horizon 2 --stride 2 --damping 1/10 --G 3/4 --uncertified"; do
+    "--order 2 --horizon 2 --stride 2 --damping 1/10 --time-step 3/4 --G 3/4 --uncertified"; do
     # shellcheck disable=SC2086
     "$program" $request --stdout >"$scratch/first"
     command=$(sed -n 's/.*Regenerate: nmbcgen //p' "$scratch/first")
@@ -64,6 +71,11 @@ for request in "--order 2 --horizon 2 --stride 2 --G 3/4" \
     expect_exit 0
     expect_same "$scratch/stdout" "$scratch/first"
 done
+
+# In the very steps a condition is matched in it reflects less than the one in continuous time.
+try reflect --order 2 --horizon 1 --G 1/2 --cfl 3/5 --samples 3
+expect_exit 0
+expect "a tenth of the energy" awk -F, 'NR == 2 { exit !($7 < 1e-6) }' "$scratch/stdout"
 
 # reflect without damping is as without the option.
 try reflect --order 1 --horizon 1 --G 1 --samples 3
@@ -78,7 +90,7 @@ expect "name and version" grep -qxE 'nmbcgen [0-9]+\.[0-9]+\.[0-9]+' "$scratch/s
 try --help
 expect_exit 0
 expect_no_stderr
-for option in --family --order --horizon --stride --damping --G --format --stdout --out --all --check; do
+for option in --family --order --horizon --stride --damping --time-step --cfl --G --format --stdout --out --all --check; do
     expect "$option in the help" grep -qF -- "$option" "$scratch/stdout"
 done
 expect_nothing_written
@@ -94,6 +106,6 @@ expect "every file is printed once" test \
 expect_stdout_line all/nopd1d_n3_order4.hpp
 expect_stdout_line all/tables.hpp
 expect_stdout_line all/tables.json
-expect "36 tables, tables.hpp and tables.json" test "$(files_in all)" -eq 38
+expect "50 tables, tables.hpp and tables.json" test "$(files_in all)" -eq 52
 
 finish

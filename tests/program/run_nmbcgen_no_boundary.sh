@@ -59,6 +59,20 @@ expect_exit 3
 expect_stderr "s is itself a rational function"
 expect_stderr "every order N >= 3"
 
+# In time steps: NMBC1 does not see them, and leapfrog itself has a longest step.
+try --order 1 --horizon 1 --time-step 1/2
+expect_exit 3
+expect_stderr "NMBC1 is the same in time steps of any length"
+for subcommand in "" reflect; do
+    # shellcheck disable=SC2086  # a word or none
+    try $subcommand --order 2 --horizon 1 --G 1/2 --time-step 1
+    expect_exit 3
+    expect_stderr "unstable in steps of 1 dX/c at G = 1/2: they must be below 1"
+done
+try --order 2 --horizon 3 --G 1/2 --cfl 1/10000
+expect_exit 3
+expect_stderr "give --time-step"
+
 # With a stride, G = 0 has no such block; with G left open the condition exists.
 try --order 2 --horizon 1 --G 0 --stride 2 --stdout
 expect_exit 0

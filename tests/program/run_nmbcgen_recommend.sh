@@ -13,22 +13,39 @@ try recommend --horizon 2 --G 1
 expect_exit 0
 expect_no_stderr
 expect_stdout_line "NMBC1, stride 2, tau = 0, steps of cfl 0.97, at horizon 2, G = 1"
-row "1 1 0 0\.82 0\.82 8\.7e-07 0\.0e\+00 smaller time step"
-row "2 2 0 0\.75 0\.20 6\.2e-07 0\.0e\+00 smaller time step"
-row "2 1 - - - - - not certified with cfl 0\.25 or more"
+row "1 1 0 - 0\.82 0\.82 8\.7e-07 0\.0e\+00 smaller time step"
+row "2 2 0 - 0\.75 0\.20 6\.2e-07 0\.0e\+00 smaller time step"
+row "2 2 0 1697/1000 0\.87 0\.75 3\.7e-11 0\.0e\+00 smaller time step"
+row "2 1 - - - - - - not certified with cfl 0\.25 or more"
 
 try recommend --horizon 2 --G 1 --tolerance 1e-8
 expect_exit 0
-expect_stdout_line "NMBC3, stride 2, tau = 0, steps of cfl 0.05, at horizon 2, G = 1"
-row "1 2 0 0\.97 0\.97 6\.3e-07 0\.0e\+00 above the tolerance"
+expect_stdout_line "NMBC2, stride 2, tau = 0, matched in steps of cfl 0.75, at horizon 2, G = 1"
+row "1 2 0 - 0\.97 0\.97 6\.3e-07 0\.0e\+00 above the tolerance"
+row "3 2 0 - 0\.37 0\.05 9\.3e-10 0\.0e\+00 smaller time step"
+# What it recommends is certified when it is made by the command it prints.
+read -ra made < <(sed -n 's/^  command    nmbcgen //p' "$scratch/stdout")
+try "${made[@]}" --require-stable
+expect_exit 0
+expect_file generated/nmbc/tables/nopd1d_n2_order2_s2_dt1697o1000_G1o1.hpp
+rm -r generated
+
+# In steps of one's own what counts is the reflection.
+try recommend --horizon 2 --G 1 --cfl 0.2
+expect_exit 0
+expect_stdout_line "NMBC3, stride 2, tau = 0, matched in steps of cfl 0.20, at horizon 2, G = 1"
+row "2 2 0 113/250 0\.76 0\.20 5\.1e-08 0\.0e\+00 more reflection"
+try recommend --horizon 2 --G 1 --order 3 --cfl 0.9
+expect_exit 3
+expect_stderr "not certified in such steps"
 
 # The least of the ladder that certifies order 2 at G = 0, and what it costs.
 try recommend --horizon 2 --G 0 --order 2 --tolerance 1e-4
 expect_exit 0
-expect_stdout_line "NMBC2, stride 4, tau = 1/20, steps of cfl 0.35, at horizon 2, G = 0"
+expect_stdout_line "NMBC2, stride 4, tau = 1/20, matched in steps of cfl 0.82, at horizon 2, G = 0"
+row "2 4 1/20 - 0\.75 0\.35"
 expect "100 nodes" grep -qF "in chains of 100 interior nodes and more" "$scratch/stdout"
 expect_stdout_line "  loss       5.8e-03 of the energy"
-# What it recommends is certified when it is made.
 try --order 2 --horizon 2 --stride 4 --damping 1/20 --G 0 --require-stable
 expect_exit 0
 expect_file generated/nmbc/tables/nopd1d_n2_order2_s4_tau1o20_G0o1.hpp
@@ -37,7 +54,7 @@ rm -r generated
 # A band of longer waves reflects less.
 try recommend --horizon 2 --G 1 --order 2 --band 0.05..0.1 --tolerance 1e-6
 expect_exit 0
-expect_stdout_line "NMBC2, stride 2, tau = 0, steps of cfl 0.70, at horizon 2, G = 1"
+row "2 2 0 - 0\.75 0\.70"
 
 # Nothing reflects so little.
 try recommend --horizon 2 --G 1 --order 2 --tolerance 1e-12
@@ -66,6 +83,9 @@ for band in 0.1 0.1..0.1 0.3..0.1 0..1 1..4 ..1 1.. nan..1 0.1.2 ""; do
 done
 refused "--G" --horizon 1 --G -1
 refused "is not a whole number from 1 to 8" --horizon 1 --G 1 --order 9
+for cfl in 0 1 nan 1/2 ""; do
+    refused "is not a number between 0 and 1" --horizon 1 --G 1 --cfl "$cfl"
+done
 refused "--family" --horizon 1 --G 1 --family other
 expect "nothing written" test "$(files_in .)" -eq 0
 finish

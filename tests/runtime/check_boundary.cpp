@@ -50,6 +50,7 @@ TEST_CASE("after an update, (60) holds in every ghost layer at the rule's time l
         for (const int stride : {1, 2}) {
             auto coefficients = nmbc::boundary_coefficients(*table, 0.37, nmbc::allow_unstable);
             coefficients.stride = stride;
+            coefficients.matched_time_step = 0;  // and in whatever steps
             for (const auto rule : {nmbc::GhostRule::midpoint, nmbc::GhostRule::explicit_rule}) {
                 CAPTURE(table->name);
                 const nmbc::MatchingBoundary boundary(coefficients, table->ghost_layers(),

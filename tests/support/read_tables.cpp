@@ -202,7 +202,8 @@ Table read_table(const nmbc::MatchingTable& from) {
                            .order = read_count(from.order),
                            .stride = read_count(from.stride),
                            .stabilisation = {},
-                           .damping = read_rational(std::string(from.tau))};
+                           .damping = read_rational(std::string(from.tau)),
+                           .time_step = read_rational(std::string(from.time_step))};
     require_least_nodes(from.least_nodes, table.specification.damping);
     if (!from.fixed_G.empty()) {
         table.specification.stabilisation = read_rational(std::string(from.fixed_G));
@@ -224,11 +225,12 @@ Table read_table(const Json& from) {
         keys += item.key() + ' ';
     }
     require(keys ==
-                "schema family order horizon stride G tau symbol damping energy taylor c b source "
+                "schema family order horizon stride G tau time_step symbol damping energy taylor c "
+                "b source "
                 "proved windows least_nodes poles max_cfl max_cfl_contractive max_cfl_explicit "
                 "certificate ",
-            "the keys of schema 2, in order");
-    require(from.at("schema") == 2, "schema 2");
+            "the keys of schema 3, in order");
+    require(from.at("schema") == 3, "schema 3");
     const auto count = [&from](const char* key) {
         require(from.at(key).is_number_integer(), std::string(key) + " is a whole number");
         return read_count(from.at(key).get<long long>());
@@ -239,7 +241,8 @@ Table read_table(const Json& from) {
                            .order = count("order"),
                            .stride = count("stride"),
                            .stabilisation = {},
-                           .damping = read_rational(from.at("tau").get<std::string>())};
+                           .damping = read_rational(from.at("tau").get<std::string>()),
+                           .time_step = read_rational(from.at("time_step").get<std::string>())};
     require(from.at("least_nodes").is_number_integer(), "least_nodes is a whole number");
     require_least_nodes(from.at("least_nodes").get<long long>(), table.specification.damping);
     if (!from.at("G").is_null()) {
@@ -273,7 +276,7 @@ std::string objection(const Json& from) {
 
 std::string file_objection(const Json& file) {
     return message_of([&file] {
-        require(file.size() == 2 && file.at("schema") == 2, "schema 2 and tables");
+        require(file.size() == 2 && file.at("schema") == 3, "schema 3 and tables");
         const auto set = committed_set();
         require(file.at("tables").size() == set.size(), "as many tables as the committed set");
         for (std::size_t i = 0; i < set.size(); ++i) {

@@ -58,8 +58,13 @@ refuses 5 "/dev/null" --horizon 1 --points 2 --out /dev/null/folder
 program=$stability_atlas
 try choices --horizon 2 --G 1,3
 expect_exit 0
-expect_stdout_line "| n | order | stride | tau | G = 1 | G = 3 |"
-expect "NMBC2, stride 2" grep -qxE '\| 2 \| 2 \| 2 \| 0 \| \*\*0\.[0-9]{2}\*\* \|  \|' "$scratch/stdout"
+expect_stdout_line "| n | order | stride | tau | dt | G = 1 | G = 3 |"
+expect "NMBC2, stride 2" grep -qxE '\| 2 \| 2 \| 2 \| 0 \|  \| \*\*0\.[0-9]{2}\*\* \|  \|' "$scratch/stdout"
+for G in nan inf 1e308 abc ""; do
+    try choices --G "$G"
+    expect_exit 2
+    expect_stderr "is not a number from 0 to 1e+06"
+done
 try choices --G -1
 expect_exit 2
 expect_stderr "--G"

@@ -69,6 +69,31 @@ try run "$scene" "${short[@]}" --set drive.duration=0.001
 expect_exit 4
 expect_stderr "there was no energy at any time"
 expect_stderr "time step of 0.02 is too long for drive.duration = 0.001"
+# Matched in time steps: these, whatever the drive says, and no others.
+matched=(--set model.horizon=1 --set model.G=0.5 --set boundary.order=2 --set time.end=4
+    --set boundary.matched_step=0.5)
+needs="NMBC2, stride 1, midpoint ghosts, matched in steps of 1/2 dX/c needs 0.06614173"
+try run "$scratch/automatic.toml" "${matched[@]}" --set drive.duration=0.1
+expect_exit 0
+expect_no_stderr
+expect "its own step" grep -qF 'cfl = 0.5): what the boundary is matched in' "$scratch/stdout"
+try run "$scratch/automatic.toml" "${matched[@]}" --set time.step=0.4
+expect_exit 2
+expect_stderr "the time step is 0.4, but $needs"
+try run "$scratch/automatic.toml" "${matched[@]}" --set boundary.matched_step=1/7
+expect_exit 2
+expect_stderr "no table for family nopd1d, horizon 1, order 2, stride 1, matched_step 1/7;"
+try run "$scratch/automatic.toml" "${matched[@]}" --set boundary.ghosts='"explicit"'
+expect_exit 4
+expect_stderr "no time step is certified for NMBC2, stride 1, explicit ghosts, matched in steps of 1/2"
+try run "$scratch/automatic.toml" "${matched[@]}" --set time.cfl=0.5 --set boundary.ghosts='"explicit"'
+expect_exit 2
+expect_stderr "a boundary that is matched in time steps needs midpoint ghosts"
+# n = 2, N = 3, s = 2: steps of 1 dX/c are cfl 0.625 at G = 2.
+try run "$scratch/automatic.toml" --set model.horizon=2 --set model.G=2 --set boundary.order=3 \
+    --set boundary.stride=2 --set boundary.matched_step=1
+expect_exit 4
+expect_stderr "the boundary is matched in steps of cfl 0.625, and 0.2"
 # Unlike ends: NMBC2 of stride 3 has 0.55 with its like, and less against a fixed end.
 unlike=(--set model.horizon=3 --set boundary.order=2 --set boundary.stride=3 --set model.G=4
     --set time.end=4)
@@ -93,7 +118,7 @@ expect_exit 4
 expect_stderr "no time step is certified for this pair of ends: NMBC1 on the left and a fixed end"
 try run "$scratch/automatic.toml" --set boundary.ghosts='"explicit"'
 expect_exit 4
-expect_stderr "no time step is certified for NMBC1, stride 1, explicit ghosts at G = 0: NMBC1 with"
+expect_stderr "no time step is certified for NMBC1, stride 1, explicit ghosts at G = 0: with midpoint ghosts, NMBC1 with"
 try run "$scratch/automatic.toml" --set model.horizon=2 --set model.G=1 --set boundary.order=2
 expect_exit 4
 expect_stderr "at this G: NMBC1 with stride 1, NMBC1 with stride 2, NMBC2 with stride 2"

@@ -29,6 +29,12 @@ try --horizons 2 --G 0 --half-widths 20 --cfl 0.1
 expect_exit 0
 expect_stdout_line "| 2 | 0 | 1/20 | 5.8e-03 | 4.4e-01 |"
 
+# Matched in time steps: all in these steps, and nothing where no such table is committed.
+try --matched --horizons 2 --G 1,2 --half-widths 20
+expect_exit 0
+expect "NMBC2 in steps of 1 dX/c" grep -qE '^\| 2 \| 1 \| 0\.44 \| 1\.0e-11 \| NMBC2, s = 2 \| 0\.44 \| 2\.8e-19 \|' "$scratch/stdout"
+expect_stdout_line "Order 2 or more is below NMBC1 in 2 of 2."
+
 # Nothing certified: empty, not compared. NMBC1 is not at n = 2, G = 4; n = 5 has no higher order.
 try --horizons 2,5 --G 4 --half-widths 20 --cfl 0.2
 expect_exit 0
@@ -52,12 +58,15 @@ refuses() {
     expect_stderr_lines 2
     expect_no_stdout
 }
-for G in -1 1/0 1/-2 x nan inf 1/2/3 1e999; do
-    refuses "$G is no G: 0 or more, as in 1/4 or 0.25, is allowed" --G="$G"
+for G in -1 1e7 1e308 1/0 1/-2 x nan inf 1/2/3 1e999; do
+    refuses "$G is no G: 0 to 1e+06, as in 1/4 or 0.25, is allowed" --G="$G"
 done
 refuses "--horizons" --horizons 6
 refuses "--half-widths" --half-widths 1
 refuses "--cfl" --cfl 0
+refuses "'nan' is not a number from 0.01 to 1" --cfl nan
+refuses "'nan' is not a number from 2 to 50" --half-widths nan
+refuses "--cfl excludes --matched" --matched --cfl 0.5
 refuses "again" again
 if [ -e /dev/full ]; then
     code=0

@@ -35,7 +35,8 @@ nmbcgen::Table exact_table(const nmbc::MatchingTable& table) {
                             .order = unsigned(table.order),
                             .stride = unsigned(table.stride),
                             .stabilisation = {},
-                            .damping = nmbcgen::parse_rational(table.tau)};
+                            .damping = nmbcgen::parse_rational(table.tau),
+                            .time_step = nmbcgen::parse_rational(table.time_step)};
     for (const nmbcgen::RationalFunction& function : exact(table.symbol)) {
         const nmbcgen::Rational divisor(function.denominator[0]);  // of a polynomial: a number
         result.model.symbol.push_back(nmbcgen::over_rationals(function.numerator) / divisor);

@@ -8,8 +8,8 @@
 
 namespace nmbcrun {
 
-/// Family, horizon, order, stride, tau, symbol, damping, c and b of the table; the rest stays
-/// empty.
+/// Family, horizon, order, stride, tau, time step, symbol, damping, c and b of the table; the rest
+/// stays empty.
 nmbcgen::Table exact_table(const nmbc::MatchingTable& table);
 
 }  // namespace nmbcrun

@@ -203,6 +203,7 @@ void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
         scene.step || scene.cfl ? AutomaticStep{} : automatic_step(scene, lattice, omega_max);
     const double time_step =
         scene.step ? *scene.step : 2 * scene.cfl.value_or(automatic.cfl) / omega_max;
+    require_matched(scene, time_step);
     Plan plan = plan_of(scene, lattice, time_step, omega_max);
     plan.limit = automatic.limit;
     nmbc::Chain chain(std::move(lattice), end_of(scene, scene.left), end_of(scene, scene.right),

@@ -37,6 +37,17 @@ std::optional<Value> read_choice(SceneReader& reader, const std::string& key,
 }
 
 /// The keys of `group`; those that are not there are as in `others`.
+/// An exact number in lowest terms: a string "p/q", or a decimal number as it is written.
+std::optional<std::string> read_exact(SceneReader& reader, const std::string& key) {
+    const auto given = reader.number_or_text(key);
+    try {
+        return given ? std::optional(nmbcgen::to_string(nmbcgen::parse_rational(*given)))
+                     : std::nullopt;
+    } catch (const std::invalid_argument& error) {
+        reader.fail(key, "must be an exact number not below 0: " + std::string(error.what()));
+    }
+}
+
 Boundary read_boundary(SceneReader& reader, const std::string& group, const Boundary& others) {
     const auto kind = read_choice<BoundaryKind>(reader, group + ".kind",
                                                 {{"nmbc", BoundaryKind::nmbc},
@@ -47,20 +58,12 @@ Boundary read_boundary(SceneReader& reader, const std::string& group, const Boun
     const auto ghosts = read_choice<nmbc::GhostRule>(
         reader, group + ".ghosts",
         {{"midpoint", nmbc::GhostRule::midpoint}, {"explicit", nmbc::GhostRule::explicit_rule}});
-    return {.kind = kind.value_or(others.kind),
-            .order = int(order.value_or(others.order)),
-            .stride = int(stride.value_or(others.stride)),
-            .ghosts = ghosts.value_or(others.ghosts)};
-}
-
-/// tau as an exact number in lowest terms: a string "p/q", or a decimal number as it is written.
-std::string read_tau(SceneReader& reader, const std::string& key) {
-    const auto given = reader.number_or_text(key);
-    try {
-        return nmbcgen::to_string(nmbcgen::parse_rational(given.value_or("0")));
-    } catch (const std::invalid_argument& error) {
-        reader.fail(key, "must be an exact number not below 0: " + std::string(error.what()));
-    }
+    return {
+        .kind = kind.value_or(others.kind),
+        .order = int(order.value_or(others.order)),
+        .stride = int(stride.value_or(others.stride)),
+        .ghosts = ghosts.value_or(others.ghosts),
+        .matched_step = read_exact(reader, group + ".matched_step").value_or(others.matched_step)};
 }
 
 /// The name of the output files: the scene file's own unless it says another, which must not lead
@@ -97,8 +100,11 @@ std::string heading_of(const Boundary& boundary) {
         return boundary.kind == BoundaryKind::fixed ? "fixed" : "free";
     }
     const bool midpoint = boundary.ghosts == nmbc::GhostRule::midpoint;
-    return fmt::format("NMBC{}, stride {}, {} ghosts", boundary.order, boundary.stride,
-                       midpoint ? "midpoint" : "explicit");
+    return fmt::format("NMBC{}, stride {}, {} ghosts{}", boundary.order, boundary.stride,
+                       midpoint ? "midpoint" : "explicit",
+                       boundary.matched_step == "0"
+                           ? std::string()
+                           : ", matched in steps of " + boundary.matched_step + " dX/c");
 }
 
 Scene read_scene(const std::string& path, const Overrides& overrides) {
@@ -110,7 +116,7 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
     scene.horizon =
         int(reader.required("model.horizon", reader.whole_number("model.horizon", 1, 1000)));
     scene.G = reader.number("model.G", not_negative).value_or(scene.G);
-    scene.tau = read_tau(reader, "model.damping");
+    scene.tau = read_exact(reader, "model.damping").value_or(scene.tau);
     scene.density = reader.number("material.density", positive).value_or(scene.density);
     scene.youngs_modulus =
         reader.number("material.youngs_modulus", positive).value_or(scene.youngs_modulus);

@@ -22,12 +22,13 @@ struct Drive {
 
 enum class BoundaryKind { nmbc, fixed, free };
 
-/// One end of the chain; order, stride and ghosts count for an nmbc only.
+/// One end of the chain; all but the kind count for an nmbc only.
 struct Boundary {
     BoundaryKind kind = BoundaryKind::nmbc;
     int order = 1;
     int stride = 1;
     nmbc::GhostRule ghosts = nmbc::GhostRule::midpoint;
+    std::string matched_step = "0";  ///< dt its table is matched in [dX/c], "p/q"; "0": none
 
     friend bool operator==(const Boundary&, const Boundary&) = default;
 };

@@ -17,7 +17,8 @@ const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary
             return table->family == scene.family && table->horizon == scene.horizon &&
                    table->tau == scene.tau &&
                    (!matching ||
-                    (table->order == boundary.order && table->stride == boundary.stride));
+                    (table->order == boundary.order && table->stride == boundary.stride &&
+                     table->time_step == boundary.matched_step));
         });
     if (found != std::end(nmbc::generated::tables)) {
         return **found;
@@ -27,10 +28,13 @@ const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary
         known += fmt::format(" {}", other->name);
     }
     throw SceneError(fmt::format(
-        "nmbcrun has no table for family {}, horizon {}{}{}; it knows the committed set (others: "
+        "nmbcrun has no table for family {}, horizon {}{}{}{}; it knows the committed set (others: "
         "docs/example):{}",
         scene.family, scene.horizon,
         matching ? fmt::format(", order {}, stride {}", boundary.order, boundary.stride) : "",
+        matching && boundary.matched_step != "0"
+            ? fmt::format(", matched_step {}", boundary.matched_step)
+            : "",
         scene.tau == "0" ? "" : fmt::format(", damping tau = {}", scene.tau), known));
 }
 

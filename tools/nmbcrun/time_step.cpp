@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 #include <nmbc/certificate.hpp>
 #include <nmbc/tables/tables.hpp>
+#include <optional>
 
 #include "tools/nmbcrun/certificate.hpp"
 #include "tools/nmbcrun/errors.hpp"
@@ -29,9 +30,10 @@ AutomaticStep certified_with_their_like(const Scene& scene, const nmbc::Lattice&
         const double cfl = nmbc::certified_cfl(table, scene.G, boundary->ghosts);
         if (cfl == 0) {
             throw Unstable(fmt::format(
-                "no time step is certified for {} at G = {}: {}. {}", heading_of(*boundary),
-                scene.G, nmbc::certified_choices(table, scene.G, nmbc::generated::tables),
-                to_try_one));
+                "no time step is certified for {} at G = {}: {}{}. {}", heading_of(*boundary),
+                scene.G,
+                boundary->ghosts == nmbc::GhostRule::midpoint ? "" : "with midpoint ghosts, ",
+                nmbc::certified_choices(table, scene.G, nmbc::generated::tables), to_try_one));
         }
         if (cfl < step.cfl) {
             step = {cfl, "the largest certified for " + heading_of(*boundary)};
@@ -40,13 +42,56 @@ AutomaticStep certified_with_their_like(const Scene& scene, const nmbc::Lattice&
     return step;
 }
 
+double matched_time_step(const Boundary& boundary) {
+    return nmbc::detail::nearest_to_fraction(boundary.matched_step);
+}
+
+/// The step that an end is matched in, if there is one, and that end.
+std::optional<AutomaticStep> matched_step(const Scene& scene, const nmbc::Lattice& lattice) {
+    for (const Boundary* boundary : {&scene.left, &scene.right}) {
+        if (boundary->kind == BoundaryKind::nmbc && boundary->matched_step != "0") {
+            return AutomaticStep{
+                matched_time_step(*boundary) * nmbc::maximum_frequency(lattice) / 2,
+                "what the boundary is matched in"};
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
+
+void require_matched(const Scene& scene, double time_step) {
+    const double unit = scene.spacing / std::sqrt(scene.youngs_modulus / scene.density);
+    for (const Boundary* boundary : {&scene.left, &scene.right}) {
+        if (boundary->kind != BoundaryKind::nmbc || boundary->matched_step == "0") {
+            continue;
+        }
+        const double matched = matched_time_step(*boundary) * unit;
+        constexpr double close = 1e-6;  // as the runtime asks for
+        if (std::abs(time_step - matched) > close * matched) {
+            throw SceneError(
+                fmt::format("the time step is {:.7g}, but {} needs {:.7g}: leave out "
+                            "time.step and time.cfl, and match both ends alike",
+                            time_step, heading_of(*boundary), matched));
+        }
+        if (boundary->ghosts != nmbc::GhostRule::midpoint) {
+            throw SceneError("a boundary that is matched in time steps needs midpoint ghosts");
+        }
+    }
+}
 
 AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, double omega_max) {
     AutomaticStep step = certified_with_their_like(scene, lattice);
+    const auto matched = matched_step(scene, lattice);
+    if (matched && matched->cfl > step.cfl) {
+        throw Unstable(
+            fmt::format("the boundary is matched in steps of cfl {:.3f}, and {:.3f} is {}. {}",
+                        matched->cfl, step.cfl, step.limit, to_try_one));
+    }
+    step = matched.value_or(step);
     constexpr double steps_of_drive = 20;
     const double of_drive = scene.drive.duration / steps_of_drive * omega_max / 2;
-    if (of_drive < step.cfl) {
+    if (!matched && of_drive < step.cfl) {
         step = {of_drive, "a twentieth of drive.duration"};
     }
     if (scene.left == scene.right) {
@@ -59,7 +104,7 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
         constexpr double less = 0.05;
         constexpr double least = 0.01;  // that tables are certified for
         step = {step.cfl - less, "the largest certified for this pair of ends, to 0.05 of cfl"};
-        if (step.cfl < least) {
+        if (step.cfl < least || matched) {
             throw Unstable(fmt::format("no time step is certified for this pair of ends: {}. {}",
                                        problem, to_try_one));
         }

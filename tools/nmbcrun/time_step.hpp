@@ -14,11 +14,16 @@ struct AutomaticStep {
     std::string limit{};  ///< what does not allow a longer one, in words
 };
 
-/// The largest step that is certified for the scene's ends, but a twentieth of the drive at most.
+/// The step that an end of the scene is matched in; without one, the largest that is certified for
+/// the ends, but a twentieth of the drive at most.
 /// Like ends: as their table has it. Unlike ones: the least of their tables' own, and from there
 /// down in steps of 0.05 of cfl until the two are certified together.
 /// omega_max [1/time]: the top of the lattice's band.
-/// Throws Unstable where no step is certified.
+/// Throws Unstable where no step is certified, or not the one that an end is matched in.
 AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, double omega_max);
+
+/// Throws SceneError where an end is matched in another time step [time], or without midpoint
+/// ghosts.
+void require_matched(const Scene& scene, double time_step);
 
 }  // namespace nmbcrun

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "tools/pulses/choice.hpp"
 
+#include <algorithm>
 #include <nmbc/certificate.hpp>
+#include <nmbc/lattice.hpp>
 #include <nmbc/tables/tables.hpp>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <tuple>
 
 #include "tools/pulses/fraction.hpp"
@@ -15,6 +18,21 @@ namespace {
 constexpr std::string_view family = "nopd1d";
 constexpr double smallest_cfl = 0.25;  // as `nmbcgen recommend` asks for at least
 
+double value_of(std::string_view text, const nmbc::MatchingTable& table) {
+    const auto value = fraction(text);
+    if (!value) {
+        throw std::logic_error(std::string(table.name) + ": no fraction: " + std::string(text));
+    }
+    return *value;
+}
+
+/// That a table has to be certified for.
+double least_cfl(const nmbc::MatchingTable& table, double G) {
+    const double matched = step_of(table);
+    return std::max(smallest_cfl,
+                    matched * nmbc::maximum_frequency(nmbc::make_lattice(table, G)) / 2);
+}
+
 /// The least comes first.
 auto rank(const nmbc::MatchingTable& table, double G) {
     return std::tuple(damping_of(table), -nmbc::certified_cfl(table, G));
@@ -23,11 +41,11 @@ auto rank(const nmbc::MatchingTable& table, double G) {
 }  // namespace
 
 double damping_of(const nmbc::MatchingTable& table) {
-    const auto tau = fraction(table.tau);
-    if (!tau) {
-        throw std::logic_error(std::string(table.name) + ": tau is no fraction");
-    }
-    return *tau;
+    return value_of(table.tau, table);
+}
+
+double step_of(const nmbc::MatchingTable& table) {
+    return value_of(table.time_step, table);
 }
 
 const nmbc::MatchingTable* first_order(int horizon, double G) {
@@ -35,12 +53,13 @@ const nmbc::MatchingTable* first_order(int horizon, double G) {
     return table != nullptr && nmbc::certified_cfl(*table, G) > 0 ? table : nullptr;
 }
 
-const nmbc::MatchingTable* higher_order(int horizon, double G) {
+const nmbc::MatchingTable* higher_order(int horizon, double G, bool matched) {
     const nmbc::MatchingTable* best = nullptr;
     for (const nmbc::MatchingTable* table : nmbc::generated::tables) {
         if (table->family == family && table->horizon == horizon && table->order >= 2 &&
+            (table->time_step != "0") == matched &&
             nmbc::certified_grade(*table, G) != nmbc::Grade::none &&
-            nmbc::certified_cfl(*table, G) >= smallest_cfl &&
+            nmbc::certified_cfl(*table, G) >= least_cfl(*table, G) &&
             (best == nullptr || rank(*table, G) < rank(*best, G))) {
             best = table;
         }

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "tools/number_between.hpp"
 #include "tools/pulses/fraction.hpp"
 #include "tools/pulses/report.hpp"
 
@@ -16,9 +17,10 @@ enum ExitCode { done = 0, bad_input = 2, file_failed = 5 };
 /// What is wrong with a G, for CLI11; empty: nothing.
 std::string fault_of_G(const std::string& text) {
     const auto value = pulses::fraction(text);
-    return value && *value >= 0
+    constexpr double most = 1e6;
+    return value && *value >= 0 && *value <= most
                ? std::string()
-               : fmt::format("{} is no G: 0 or more, as in 1/4 or 0.25, is allowed", text);
+               : fmt::format("{} is no G: 0 to {:g}, as in 1/4 or 0.25, is allowed", text, most);
 }
 
 }  // namespace
@@ -36,12 +38,15 @@ int main(int argc, char** argv) {
         ->delimiter(',');
     app.add_option("--half-widths", question.half_widths,
                    "w of u = exp(-(x/w)^2) in dX, 2 to 50 (default 4,10,20)")
-        ->check(CLI::Range(2.0, 50.0))
+        ->check(tools::number_between(2, 50))
         ->delimiter(',');
     app.add_option("--cfl", question.cfl,
                    "steps of this cfl, 0.01 to 1, where 0.95 of the certified one is not less "
                    "(default 1: always 0.95 of the certified one)")
-        ->check(CLI::Range(0.01, 1.0));
+        ->check(tools::number_between(0.01, 1));
+    app.add_flag("--matched", question.matched,
+                 "order 2 or more matched in time steps of n/2 dX/c, NMBC1 in the same steps")
+        ->excludes("--cfl");
     app.footer("Exit codes: 0 done; 2 wrong arguments; 5 the output could not be written.");
     try {
         app.parse(argc, argv);

@@ -34,7 +34,8 @@ std::vector<const nmbc::MatchingTable*> tables_of(const std::vector<unsigned>& h
     }
     // Stable: of one lattice and condition the committed set has tau ascending.
     std::ranges::stable_sort(found, {}, [](const nmbc::MatchingTable* table) {
-        return std::array{table->horizon, table->order, table->stride};
+        return std::array{table->horizon, table->order, table->stride,
+                          table->time_step == "0" ? 0 : 1};
     });
     return found;
 }
@@ -42,16 +43,17 @@ std::vector<const nmbc::MatchingTable*> tables_of(const std::vector<unsigned>& h
 }  // namespace
 
 std::string choices(const std::vector<unsigned>& horizons, const std::vector<double>& values) {
-    std::string text = "| n | order | stride | tau |";
-    std::string rule = "|--:|------:|-------:|----:|";
+    std::string text = "| n | order | stride | tau | dt |";
+    std::string rule = "|--:|------:|-------:|----:|---:|";
     for (const double G : values) {
         text += fmt::format(" G = {:g} |", G);
         rule += "------:|";
     }
     text += "\n" + rule + "\n";
     for (const nmbc::MatchingTable* table : tables_of(horizons)) {
-        text += fmt::format("| {} | {} | {} | {} |", table->horizon, table->order, table->stride,
-                            table->tau);
+        text +=
+            fmt::format("| {} | {} | {} | {} | {} |", table->horizon, table->order, table->stride,
+                        table->tau, table->time_step == "0" ? "" : table->time_step);
         for (const double G : values) {
             text += fmt::format(" {} |", cell(*table, G));
         }

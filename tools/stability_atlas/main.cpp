@@ -5,6 +5,7 @@
 
 #include "generator/files.hpp"
 #include "tools/nmbcrun/progress.hpp"
+#include "tools/number_between.hpp"
 #include "tools/stability_atlas/atlas.hpp"
 #include "tools/stability_atlas/choices.hpp"
 #include "tools/stability_atlas/csv.hpp"
@@ -56,8 +57,8 @@ int main(int argc, char** argv) {
     choices->add_option("--horizon", arguments.choice_horizons, "horizons n, 1 to 5 (default all)")
         ->check(CLI::Range(1, 5))
         ->delimiter(',');
-    choices->add_option("--G", arguments.values, "values of G, >= 0 (default 0 to 6)")
-        ->check(CLI::NonNegativeNumber)
+    choices->add_option("--G", arguments.values, "values of G, decimal numbers (default 0 to 6)")
+        ->check(tools::number_between(0, 1e6))
         ->delimiter(',');
     app.footer("Exit codes: 0 done; 2 wrong arguments; 5 a file could not be written.");
     try {

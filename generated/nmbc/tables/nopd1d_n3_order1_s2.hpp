@@ -10,7 +10,7 @@
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 3,
+static_assert(nmbc::table_schema == 4,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
@@ -53,6 +53,16 @@ inline constexpr RationalFunction b[]{
     {"1", "1"},
 };
 
+inline constexpr Window modal[]{
+    // low: 0
+    // high: 0, beyond it: backward band
+    {0, 0},
+};
+
+inline constexpr StableStep max_cfl[]{
+    {{0, 0}, 0.65},
+};
+
 }  // namespace nopd1d_n3_order1_s2_data
 
 /// NMBC1, horizon 3 dX, stride 2.
@@ -64,6 +74,7 @@ inline constexpr MatchingTable nopd1d_n3_order1_s2{
     .stride = 2,
     .fixed_G = "",
     .tau = "0",
+    .time_step = "0",
     .source = "Nicely 2018: strain (16), stabilisation (34), symbol (41); Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)",
     .proved = "residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero",
     .symbol = nopd1d_n3_order1_s2_data::symbol,
@@ -73,9 +84,9 @@ inline constexpr MatchingTable nopd1d_n3_order1_s2{
     .c = nopd1d_n3_order1_s2_data::c,
     .b = nopd1d_n3_order1_s2_data::b,
     .reflection = {},
-    .modal = {},
+    .modal = nopd1d_n3_order1_s2_data::modal,
     .contractive = {},
-    .max_cfl = {},
+    .max_cfl = nopd1d_n3_order1_s2_data::max_cfl,
     .max_cfl_contractive = {},
     .max_cfl_explicit = {},
     .least_nodes = 0,

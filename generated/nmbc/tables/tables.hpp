@@ -38,6 +38,20 @@
 #include <nmbc/tables/nopd1d_n4_order2_s4_tau1o50.hpp>
 #include <nmbc/tables/nopd1d_n4_order2_s4_tau1o10.hpp>
 #include <nmbc/tables/nopd1d_n4_order2_s6_tau1o5.hpp>
+#include <nmbc/tables/nopd1d_n1_order2_dt1o2.hpp>
+#include <nmbc/tables/nopd1d_n1_order3_dt1o2.hpp>
+#include <nmbc/tables/nopd1d_n1_order2_s2_dt1o2.hpp>
+#include <nmbc/tables/nopd1d_n2_order2_s2_dt1o1.hpp>
+#include <nmbc/tables/nopd1d_n2_order3_s2_dt1o1.hpp>
+#include <nmbc/tables/nopd1d_n2_order2_s4_dt1o1.hpp>
+#include <nmbc/tables/nopd1d_n2_order2_s2_tau1o100_dt1o1.hpp>
+#include <nmbc/tables/nopd1d_n2_order2_s4_tau1o20_dt1o1.hpp>
+#include <nmbc/tables/nopd1d_n3_order2_s3_dt3o2.hpp>
+#include <nmbc/tables/nopd1d_n3_order2_s3_tau1o100_dt3o2.hpp>
+#include <nmbc/tables/nopd1d_n3_order2_s4_tau1o10_dt3o2.hpp>
+#include <nmbc/tables/nopd1d_n4_order2_s4_dt2o1.hpp>
+#include <nmbc/tables/nopd1d_n4_order2_s4_tau1o50_dt2o1.hpp>
+#include <nmbc/tables/nopd1d_n4_order2_s6_tau1o5_dt2o1.hpp>
 
 namespace nmbc::generated {
 
@@ -79,6 +93,20 @@ inline constexpr const MatchingTable* tables[]{
     &nopd1d_n4_order2_s4_tau1o50,
     &nopd1d_n4_order2_s4_tau1o10,
     &nopd1d_n4_order2_s6_tau1o5,
+    &nopd1d_n1_order2_dt1o2,
+    &nopd1d_n1_order3_dt1o2,
+    &nopd1d_n1_order2_s2_dt1o2,
+    &nopd1d_n2_order2_s2_dt1o1,
+    &nopd1d_n2_order3_s2_dt1o1,
+    &nopd1d_n2_order2_s4_dt1o1,
+    &nopd1d_n2_order2_s2_tau1o100_dt1o1,
+    &nopd1d_n2_order2_s4_tau1o20_dt1o1,
+    &nopd1d_n3_order2_s3_dt3o2,
+    &nopd1d_n3_order2_s3_tau1o100_dt3o2,
+    &nopd1d_n3_order2_s4_tau1o10_dt3o2,
+    &nopd1d_n4_order2_s4_dt2o1,
+    &nopd1d_n4_order2_s4_tau1o50_dt2o1,
+    &nopd1d_n4_order2_s6_tau1o5_dt2o1,
 };
 
 }  // namespace nmbc::generated
