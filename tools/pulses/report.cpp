@@ -83,8 +83,7 @@ class Comparison {
     }
 
     std::optional<double> add_first(const Case& at) {
-        if (at.first == nullptr ||
-            cfl_of(at, *at.first) > nmbc::certified_cfl(*at.first, at.G)) {
+        if (at.first == nullptr || cfl_of(at, *at.first) > nmbc::certified_cfl(*at.first, at.G)) {
             rows_ += "  |  |";
             return std::nullopt;
         }
