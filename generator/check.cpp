@@ -64,9 +64,10 @@ std::string compare(const std::string& name, const std::string& found, const std
 std::optional<Specification> specification_of(const std::string& file_name) {
     static const std::regex pattern(
         R"((\w+?)_n([1-9]\d?)_order([1-9]\d?)(?:_s([1-9]\d?))?(?:_tau(\d+)o(\d+))?)"
-        R"((?:_dt(\d+)o(\d+))?(?:_G(\d+)o(\d+))?\.(hpp|json))");
+        R"((?:_dt(\d+)o(\d+))?(?:_G(\d+)o(\d+))?(\.[a-z]+))");
     std::smatch match;
-    if (!std::regex_match(file_name, match, pattern)) {
+    if (!std::regex_match(file_name, match, pattern) ||
+        std::ranges::find(formats(), match[11].str(), &Format::ending) == formats().end()) {
         return std::nullopt;
     }
     Specification what{.family = match[1],
@@ -98,19 +99,17 @@ std::string compare_own_table(const std::filesystem::path& file, const MakeTable
         if (!what || table_name(*what) + file.extension().string() != name) {
             return left_over;  // a number not in lowest terms is not a name that we write
         }
-        const bool header = file.extension() == ".hpp";
-        const auto emitted = [header](const Table& table) {
-            return header ? emit_header(table) : emit_json(table);
-        };
+        const auto format =
+            std::ranges::find(formats(), file.extension().string(), &Format::ending);
         const std::string found = read_file(file).value_or("");
-        if (found == emitted(derive(*what))) {
+        if (found == format->emit(derive(*what))) {
             return "";
         }
-        const std::string report = compare(name, found, emitted(certified(*what)));
-        return report.empty()
-                   ? ""
-                   : report + "  outside the committed set; to write it anew: " +
-                         regenerating_command(*what) + (header ? "" : " --format json") + "\n";
+        const std::string report = compare(name, found, format->emit(certified(*what)));
+        return report.empty() ? ""
+                              : report + "  outside the committed set; to write it anew: " +
+                                    regenerating_command(*what) + " --format " +
+                                    std::string(format->name) + "\n";
     } catch (const NoSuchBoundary&) {
         return left_over;
     } catch (const std::invalid_argument&) {  // a family or a number that does not exist

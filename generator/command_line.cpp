@@ -65,11 +65,21 @@ CLI::Option* add_parsed(CLI::App& app, const std::string& name, Target& target, 
         ->expected(1);
 }
 
-Format parse_format(const std::string& text) {
-    if (text != "header" && text != "json") {
-        throw std::invalid_argument("'" + text + "' is not a format; allowed: header, json");
+std::string format_names() {
+    std::string names;
+    for (const Format& format : formats()) {
+        names += (names.empty() ? "" : ", ") + std::string(format.name);
     }
-    return text == "json" ? Format::json : Format::header;
+    return names;
+}
+
+const Format* parse_format(const std::string& text) {
+    for (const Format& format : formats()) {
+        if (format.name == text) {
+            return &format;
+        }
+    }
+    throw std::invalid_argument("'" + text + "' is not a format; allowed: " + format_names());
 }
 
 std::string parse_family(const std::string& text) {
@@ -89,8 +99,9 @@ std::string parse_folder(const std::string& text) {
 }
 
 Rational parse_cfl(const std::string& text) {
-    const Rational value = parse_rational(text);
-    if (value == 0 || value >= 1) {
+    Rational value = parse_rational(text);
+    const Rational limit = 1;
+    if (value == 0 || value >= limit) {
         throw std::invalid_argument("'" + text.substr(0, 60) +
                                     "' is not between 0 and 1, where leapfrog is stable");
     }
@@ -166,6 +177,15 @@ double parse_fraction(const std::string& text) {
     return value;
 }
 
+double parse_recommended_cfl(const std::string& text) {
+    constexpr double least = 0.01;  // that a table is ever certified for
+    const double value = nearest_double(parse_cfl(text));
+    if (value < least) {
+        throw std::invalid_argument("'" + text.substr(0, 60) + "' is less than 0.01");
+    }
+    return value;
+}
+
 Band parse_band(const std::string& text) {
     const std::size_t dots = text.find("..");
     Band band{};
@@ -201,7 +221,7 @@ CLI::App* add_recommend(CLI::App& app, Question& question) {
     add_parsed(*recommend, "--tolerance", question.tolerance, parse_fraction,
                "the part of the energy that may be reflected, mean over the band (default 1e-6, or "
                "the next power of ten up to 0.1 that can be kept)");
-    add_parsed(*recommend, "--cfl", question.cfl, parse_fraction,
+    add_parsed(*recommend, "--cfl", question.cfl, parse_recommended_cfl,
                "dt omega_max/2 of your steps (default: the largest that reflect no more than the "
                "tolerance)");
     add_parsed(*recommend, "--band", question.band, parse_band,
@@ -223,7 +243,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     app.set_version_flag("--version", "nmbcgen " NMBC_VERSION);
     const SpecificationOptions single = add_specification(app, request);
     auto* const format = add_parsed(app, "--format", request.format, parse_format,
-                                    "header or json (default header)");
+                                    format_names() + " (default header; docs/formats.md)");
     auto* const to_stdout =
         app.add_flag("--stdout", request.to_stdout, "print the table instead of writing a file");
     auto* const require_stable =

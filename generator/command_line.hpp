@@ -5,19 +5,19 @@
 #include <filesystem>
 #include <variant>
 
+#include "generator/emit/emit.hpp"
 #include "generator/recommend.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
 
-enum class Format { header, json };
 enum class Action { one_table, all_tables, check, reflect, recommend };
 
 struct Request {
     Action action = Action::one_table;
     Specification specification;
     std::optional<Rational> cfl;  ///< dt omega_max / 2, which is to give the time step
-    Format format = Format::header;
+    const Format* format = &formats().front();
     bool to_stdout = false;
     bool certified = true;        ///< with certificates of stability
     bool require_stable = false;  ///< nothing is written unless the certificate covers G

@@ -77,18 +77,18 @@ void write_and_name(const std::vector<TextFile>& files) {
 }
 
 int write_one(const Request& request) {
-    const bool json = request.format == Format::json;
     const Table table = request.certified
                             ? certified({request.specification}, request.cache).front()
                             : derive(request.specification);
     if (request.require_stable) {
         require_stable(table);
     }
-    const std::string text = json ? emit_json(table) : emit_header(table);
+    const std::string text = request.format->emit(table);
     if (request.to_stdout) {
         print(text);
     } else {
-        const std::string name = table_name(request.specification) + (json ? ".json" : ".hpp");
+        const std::string name =
+            table_name(request.specification) + std::string(request.format->ending);
         write_and_name({{request.folder / name, text}});
     }
     return done;

@@ -9,8 +9,8 @@
 
 #include "generator/exact/rational.hpp"
 #include "generator/pipeline.hpp"
+#include "generator/stability/discrete.hpp"
 #include "generator/stability/modal.hpp"
-#include "generator/time_step.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -61,26 +61,25 @@ std::string text_of(const std::vector<StabilityWindow>& windows) {
 }  // namespace
 
 void require_stable(const Table& table) {
-    const Specification& what = table.specification;
-    const Rational& G = *what.stabilisation;
-    const double cfl =
-        what.time_step == 0 ? 0 : nearest_double(what.time_step) * maximum_frequency(what) / 2;
-    const Certificate& certificate = *table.certificate;
-    const double largest = certificate.max_cfl.empty() ? 0 : certificate.max_cfl.front().cfl;
-    if (!certificate.modal.empty() && cfl <= largest) {
+    if (!table.certificate->modal.empty()) {
         return;
     }
+    const Specification& what = table.specification;
+    const Rational& G = *what.stabilisation;
+    const HalfSpace half_space = make_half_space(table, G);
+    const bool only_too_long = what.time_step != 0 && stability_grade(half_space) != Grade::none;
     std::string message = fmt::format(
         "NMBC{} at horizon {}, stride {},{}{} G = {} is not {}. Nothing was written.", what.order,
         what.horizon, what.stride,
         what.damping != 0 ? " damping " + to_string(what.damping) + "," : std::string(),
         what.time_step != 0 ? " steps of " + to_string(what.time_step) + "," : std::string(),
         to_string(G),
-        certificate.modal.empty()
-            ? "stable: " + how_it_fails(table, G)
-            : fmt::format("certified in steps of cfl {:.3f}, {:.2f} is the largest one", cfl,
-                          largest));
-    if (!certificate.modal.empty()) {
+        only_too_long
+            ? fmt::format("certified in these steps, of cfl {:.3f}: {:.2f} is the largest one",
+                          nearest_double(what.time_step) * maximum_frequency(half_space) / 2,
+                          largest_cfl(half_space, GhostLevel::midpoint))
+            : "stable: " + how_it_fails(table, G));
+    if (only_too_long) {
         throw NotStable(message);
     }
     constexpr unsigned quick = 5;  // above, windows take minutes

@@ -5,15 +5,26 @@
 
 #include "generator/exact/rational.hpp"
 #include "generator/pipeline.hpp"
+#include "generator/stability/damped.hpp"
 #include "generator/stability/discrete.hpp"
 
 namespace nmbcgen {
 
+namespace {
+
+/// With a condition that every lattice has.
+HalfSpace lattice_of(const Specification& specification) {
+    Specification first;
+    first.family = specification.family;
+    first.horizon = specification.horizon;
+    first.damping = specification.damping;
+    return make_half_space(derive(first), specification.stabilisation.value());
+}
+
+}  // namespace
+
 double maximum_frequency(const Specification& specification) {
-    Specification lattice;  // with a condition that every lattice has
-    lattice.family = specification.family;
-    lattice.horizon = specification.horizon;
-    return maximum_frequency(make_half_space(derive(lattice), specification.stabilisation.value()));
+    return maximum_frequency(lattice_of(specification));
 }
 
 Rational time_step_below(double longest) {
@@ -23,7 +34,7 @@ Rational time_step_below(double longest) {
 }
 
 Rational time_step_at(const Rational& cfl, const Specification& specification) {
-    const Rational time_step =
+    Rational time_step =
         time_step_below(2 * nearest_double(cfl) / maximum_frequency(specification));
     if (time_step == 0) {
         throw NoSuchBoundary(fmt::format(
@@ -36,11 +47,16 @@ void require_leapfrog(const Specification& specification) {
     if (!specification.stabilisation || specification.time_step == 0) {
         return;
     }
-    const double longest = 2 / maximum_frequency(specification);
-    if (specification.time_step >= Rational(longest)) {
+    const HalfSpace lattice =
+        stepped(lattice_of(specification), nearest_double(specification.time_step));
+    const double cfl = lattice.time_step * maximum_frequency(lattice) / 2;
+    if (cfl >= 1 || (lattice.is_damped() && !interior_is_stable(lattice))) {
         throw NoSuchBoundary(fmt::format(
-            "leapfrog itself is unstable in steps of {} dX/c at G = {}: they must be below {:.6g}",
-            to_string(specification.time_step), to_string(*specification.stabilisation), longest));
+            "leapfrog itself is unstable in steps of {} dX/c at G = {}{}: cfl = {:.6g}, which has "
+            "to be below 1{}",
+            to_string(specification.time_step), to_string(*specification.stabilisation),
+            lattice.is_damped() ? ", tau = " + to_string(specification.damping) : std::string(),
+            cfl, lattice.is_damped() ? ", and less with damping" : ""));
     }
 }
 

@@ -16,7 +16,7 @@ Rational time_step_below(double longest);
 Rational time_step_at(const Rational& cfl, const Specification& specification);
 
 /// Throws NoSuchBoundary where the specification has a G and a time step that leapfrog itself is
-/// not stable in: cfl >= 1.
+/// not stable in: cfl >= 1, or less where damped.
 void require_leapfrog(const Specification& specification);
 
 }  // namespace nmbcgen

@@ -72,7 +72,7 @@ AlgebraicNumber read_number(const Json& end) {
 }
 
 Failure read_failure(const std::string& name) {
-    for (int i = 0; i <= int(Failure::jordan_block); ++i) {
+    for (int i = 0; i <= int(Failure::time_step); ++i) {
         if (name_of(Failure(i)) == name) {
             return Failure(i);
         }

@@ -124,9 +124,10 @@ std::string certificate_statement(const Table& table) {
     const Specification& what = table.specification;
     return (what.damping > 0 ? damped_statement() : undamped_statement()) +
            (what.time_step > 0
-                ? "; max_cfl_explicit: not sought of a condition that is matched with "
-                  "midpoint ghosts; its own time step is one of those of max_cfl where "
-                  "dt omega_max / 2 is not above them"
+                ? "; matched in time steps: modal, contractive and steps are for the G at which "
+                  "its own step is certified; max_cfl_explicit: not sought, since it is matched "
+                  "with "
+                  "midpoint ghosts"
                 : "");
 }
 

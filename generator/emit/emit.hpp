@@ -22,6 +22,16 @@ std::string table_name(const Specification& specification);
 /// The command line that makes this table again.
 std::string regenerating_command(const Specification& specification);
 
+/// What one table can be written as.
+struct Format {
+    std::string_view name;    ///< on the command line
+    std::string_view ending;  ///< of its files, with the point
+    std::string (*emit)(const Table&);
+};
+
+/// All of them; the first is the usual one.
+std::span<const Format> formats();
+
 /// A C++20 header against runtime/nmbc/table.hpp.
 std::string emit_header(const Table& table);
 
@@ -30,6 +40,19 @@ std::string emit_registry(std::span<const Table> tables);
 
 /// One table as JSON, schema 3 (docs/json.md).
 std::string emit_json(const Table& table);
+
+/// A C99 header without anything else: at a fixed G its coefficients, else functions of G in
+/// doubles, which lose digits near poles.
+std::string emit_c(const Table& table);
+
+/// symbol, damping, taylor, c and b, a coefficient a line: exact, and its double at a fixed G.
+std::string emit_csv(const Table& table);
+
+/// symbol, taylor, c and b as displayed formulas for a paper; needs amsmath.
+std::string emit_latex(const Table& table);
+
+/// A module of Python 3, standard library only, exact: fractions.Fraction.
+std::string emit_python(const Table& table);
 
 /// tables.json: {"schema": 3, "tables": [...]}.
 std::string emit_json(std::span<const Table> tables);

@@ -8,6 +8,7 @@
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/modal.hpp"
 #include "generator/stability/modal_windows.hpp"
+#include "generator/stability/own_step.hpp"
 #include "generator/stability/scalar.hpp"
 #include "generator/stability/stable_steps.hpp"
 
@@ -42,12 +43,7 @@ Certificate certify_at(const Table& table, const Rational& G) {
     return certificate;
 }
 
-}  // namespace
-
-Certificate certify(const Table& table) {
-    if (table.specification.stabilisation) {
-        return certify_at(table, *table.specification.stabilisation);
-    }
+Certificate certify_open(const Table& table) {
     Certificate certificate;
     certificate.poles = poles(even_and_odd_parts(table));
     ModalWindows modal = modal_windows(table);
@@ -63,6 +59,18 @@ Certificate certify(const Table& table) {
     }
     certificate.modal = std::move(modal.modal);
     certificate.contractive = std::move(modal.contractive);
+    return certificate;
+}
+
+}  // namespace
+
+Certificate certify(const Table& table) {
+    const Specification& what = table.specification;
+    Certificate certificate =
+        what.stabilisation ? certify_at(table, *what.stabilisation) : certify_open(table);
+    if (what.time_step != 0) {
+        cut_to_own_step(table, certificate);
+    }
     return certificate;
 }
 

@@ -88,7 +88,7 @@ class Search {
             if (opens) {
                 low = edge;
             } else {
-                found.push_back({*low, edge});
+                found.push_back({*low, low->inner == 0 ? point_or(edge) : edge});
                 low.reset();
             }
         }
@@ -105,24 +105,21 @@ class Search {
             // Between a pole and a boundary mode near it there is no G that anybody would choose.
             std::erase_if(found, [](const StabilityWindow& window) {
                 constexpr double narrowest = 0.05;
-                return window.high->inner - window.low.inner < narrowest;
+                return window.low.inner > 0 && window.high->inner - window.low.inner < narrowest;
             });
-        }
-        if (samples_.front().grade >= least && !is_singular_at_zero() &&
-            (found.empty() || found.front().low.inner > 0)) {
-            // Alone, but the model without stabilisation.
-            const Edge zero{.where = to_algebraic_number(0), .inner = 0};
-            Edge high = zero;
-            describe(high, 0, false);
-            found.insert(found.begin(), {zero, high});
         }
         return found;
     }
 
   private:
-    bool is_singular_at_zero() const {
-        const auto is_zero = [](const AlgebraicNumber& value) { return compare(value, 0) == 0; };
-        return std::ranges::any_of(poles_, is_zero) || std::ranges::any_of(jordan_values_, is_zero);
+    /// The upper edge of a window that begins at G = 0: where not even the bracket's width lies
+    /// between them, the window is the point 0.
+    static Edge point_or(Edge high) {
+        if (high.inner < 2 * bracket_width) {
+            high.where = to_algebraic_number(0);
+            high.inner = 0;
+        }
+        return high;
     }
 
     /// At a pole there is no condition: that of the G just above stands for it.
@@ -139,7 +136,6 @@ class Search {
     Grade grade_at(double G) const { return stability_grade(half_space_at(G)); }
 
     Edge edge_between(double left, double right, Grade least, bool opens) const {
-        constexpr double bracket_width = 5e-7;
         while (right - left > bracket_width) {
             const double middle = left + (right - left) / 2;
             ((grade_at(middle) >= least) == opens ? right : left) = middle;
@@ -251,10 +247,12 @@ class Search {
     }
 
     /// Where two extrema of the band change their order, the band between them, with amplified
-    /// waves in it, is for a short while too narrow to be seen.
+    /// waves in it, is for a short while too narrow to be seen. G = 0 is the model without
+    /// stabilisation, whatever its neighbours are.
     static bool is_sliver(const StabilityWindow& window) {
         constexpr double narrowest = 5e-3;
-        return window.high && window.high->inner - window.low.inner < narrowest;
+        return window.low.inner > 0 && window.high &&
+               window.high->inner - window.low.inner < narrowest;
     }
 
     /// The nearest double not below the value, or not above it.
@@ -264,6 +262,8 @@ class Search {
         const bool outside = above ? order > 0 : order < 0;
         return outside ? std::nextafter(nearest, above ? HUGE_VAL : 0) : nearest;
     }
+
+    static constexpr double bracket_width = 5e-7;
 
     const Table& table_;
     EvenAndOddParts parts_;

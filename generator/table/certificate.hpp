@@ -26,6 +26,7 @@ enum class Failure {
     backward_band,   ///< likewise, with waves of opposed group and phase velocity among them
     pole,            ///< the coefficients have a pole at the edge
     jordan_block,    ///< C(1) = 0 at the edge: a constant displacement grows like t^2
+    time_step,       ///< the step that the condition is matched in is not certified
 };
 
 /// Its name in every format.
@@ -45,6 +46,8 @@ constexpr std::string_view name_of(Failure failure) {
             return "pole";
         case Failure::jordan_block:
             return "Jordan block";
+        case Failure::time_step:
+            return "time step";
     }
     return "";
 }
@@ -88,7 +91,9 @@ inline constexpr int highest_damped_G = 3;
 
 /// The three levels; ascending, disjoint. Of a damped lattice the modal windows up to
 /// highest_damped_G are sought and the steps with midpoint ghosts; the first and the contractive
-/// windows are not: both speak of waves that keep their energy on the way.
+/// windows are not: both speak of waves that keep their energy on the way. Where the condition is
+/// matched in time steps, modal and contractive windows and steps are for the G at which its own
+/// step is certified.
 struct Certificate {
     std::vector<Window> reflection;      ///< the paper's scalar |R| <= 1 on the whole band; exact
     std::vector<AlgebraicNumber> poles;  ///< where a coefficient has a pole

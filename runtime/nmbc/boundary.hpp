@@ -16,6 +16,10 @@ namespace nmbc {
 
 enum class End { left, right };
 
+/// How far off, relatively, the step may be that a boundary is matched in: for a step written with
+/// seven digits. It adds two millionths of the error that steps make of one that is not matched.
+inline constexpr double time_step_tolerance = 1e-6;
+
 /// Finds the velocities of the ghost nodes at one end of a chain. The scheme it is made for is
 /// leapfrog: u at levels k, v at k+1/2, u^{k+1} = u^k + dt v^{k+1/2}, ghost nodes included. For a
 /// damped table, v^{k+1/2} = v^{k-1/2} + dt (accelerations of u^k - decelerations of v^{k-1/2}),
@@ -94,9 +98,7 @@ class MatchingBoundary {
         if (matched == 0) {
             return;
         }
-        // A step that is off by this much leaves less behind than the error of the next order.
-        constexpr double close = 1e-6;
-        if (std::abs(step - matched) > close * matched) {
+        if (std::abs(step - matched) > time_step_tolerance * matched) {
             throw std::invalid_argument("the boundary is matched in time steps of " +
                                         detail::to_text(matched) + " dX/c, not " +
                                         detail::to_text(step));

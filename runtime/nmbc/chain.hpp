@@ -160,15 +160,15 @@ class Chain {
     /// chains.
     void require_certified_for(const ChainEnd& end) const {
         const auto* matching = std::get_if<MatchingEnd>(&end);
-        if (matching == nullptr || matching->coefficients.ghost_layers == 0) {
+        if (matching == nullptr || matching->coefficients.symbol.empty()) {
             return;
         }
         const int least = matching->coefficients.least_nodes;
-        if (matching->coefficients.ghost_layers != ghosts() || (least > 0) != is_damped()) {
+        if (matching->coefficients.symbol != lattice_.symbol ||
+            matching->coefficients.damping != lattice_.damping) {
             throw NotCertified(
-                "the boundary is certified for another lattice than the chain's: its horizon or "
-                "its "
-                "damping differ; take the coefficients with allow_unstable to run it");
+                "the boundary is certified for another lattice: horizon, G or tau are not those of "
+                "the chain; take the coefficients with allow_unstable to run it");
         }
         if (parameters_.nodes < static_cast<std::size_t>(least)) {
             throw NotCertified("a chain with this damped matching boundary is certified from " +

@@ -2,13 +2,16 @@
 /// The coefficients of a table at a value of G: exact evaluation, rounded once.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <nmbc/certificate.hpp>
 #include <nmbc/natural.hpp>
 #include <nmbc/table.hpp>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,8 +27,10 @@ struct BoundaryCoefficients {
     /// taken without a certificate. Chain refuses shorter ones; loops of your own have to see to
     /// it.
     int least_nodes = 0;
-    /// Ghost layers of the lattice it is certified for; 0: taken without a certificate.
-    std::size_t ghost_layers = 0;
+    /// Symbol and damping of the lattice it is certified for, as make_lattice() has them; empty:
+    /// taken without a certificate.
+    std::vector<double> symbol{};
+    std::vector<double> damping{};
     /// The time step [dX/c] the condition is matched in, with midpoint ghosts; 0: in continuous
     /// time, for steps of any length and any ghosts. MatchingBoundary refuses others.
     double matched_time_step = 0;
@@ -250,7 +255,8 @@ inline BoundaryCoefficients boundary_coefficients(
     BoundaryCoefficients result = boundary_coefficients(table, G, allow_unstable);
     require_certified(table, G, others);
     result.least_nodes = table.least_nodes;
-    result.ghost_layers = table.ghost_layers();
+    result.symbol = evaluate(table.symbol, G);
+    result.damping = evaluate(table.damping, 0);
     return result;
 }
 

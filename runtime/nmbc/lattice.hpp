@@ -142,11 +142,6 @@ inline double stable_time_step(const MatchingTable& table, double G, double wave
     }
     const double largest = 2 * cfl / maximum_frequency(make_lattice(table, G));
     const double matched = detail::nearest_to_fraction(table.time_step);
-    if (matched > largest) {
-        throw NotCertified(std::string(table.name) + " is matched in time steps of " +
-                           std::string(table.time_step) + " dX/c, and certified up to " +
-                           detail::to_text(largest) + " at G = " + detail::to_text(G));
-    }
     return (matched > 0 ? matched : largest) * spacing / wave_speed;
 }
 

@@ -72,7 +72,8 @@ struct MatchingTable {
     std::string_view fixed_G;  ///< "p/q" where G was fixed when the table was made, else ""
     std::string_view tau;      ///< damping of the lattice [c/dX], "p/q"; "0": undamped
     /// dt of leapfrog with midpoint ghosts in which it is matched [dX/c], "p/q"; "0": in continuous
-    /// time. A boundary takes no other step, and is certified in it where max_cfl allows it.
+    /// time. A boundary takes no other step, and modal and contractive windows and steps are for
+    /// the G at which it is certified.
     std::string_view time_step;
     std::string_view source;  ///< the equations it is taken from
     std::string_view proved;  ///< what the generator established exactly

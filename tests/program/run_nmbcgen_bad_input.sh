@@ -52,7 +52,7 @@ done
 
 refuses --family "'nopd7d'" "allowed: nopd1d" -- --order 1 --horizon 1 --family nopd7d
 refuses --family "''" "allowed: nopd1d" -- --order 1 --horizon 1 --family ""
-refuses --format "'xml'" "allowed: header, json" -- --order 1 --horizon 1 --format xml
+refuses --format "'xml'" "allowed: header, json, python, c, csv, latex" -- --order 1 --horizon 1 --format xml
 refuses --format "'JSON'" "allowed: header, json" -- --order 1 --horizon 1 --format JSON
 refuses --out "folder" -- --order 1 --horizon 1 --out ""
 

@@ -67,8 +67,11 @@ for subcommand in "" reflect; do
     # shellcheck disable=SC2086  # a word or none
     try $subcommand --order 2 --horizon 1 --G 1/2 --time-step 1
     expect_exit 3
-    expect_stderr "unstable in steps of 1 dX/c at G = 1/2: they must be below 1"
+    expect_stderr "unstable in steps of 1 dX/c at G = 1/2: cfl = 1, which has to be below 1"
 done
+try reflect --order 2 --horizon 2 --stride 2 --damping 5 --G 0 --time-step 2
+expect_exit 3
+expect_stderr "at G = 0, tau = 5: cfl = 0.547"
 try --order 2 --horizon 3 --G 1/2 --cfl 1/10000
 expect_exit 3
 expect_stderr "give --time-step"

@@ -35,14 +35,14 @@ try recommend --horizon 2 --G 1 --cfl 0.2
 expect_exit 0
 expect_stdout_line "NMBC3, stride 2, tau = 0, matched in steps of cfl 0.20, at horizon 2, G = 1"
 row "2 2 0 113/250 0\.76 0\.20 5\.1e-08 0\.0e\+00 more reflection"
-try recommend --horizon 2 --G 1 --order 3 --cfl 0.9
+try recommend --horizon 2 --G 1 --order 1 --cfl 0.99
 expect_exit 3
 expect_stderr "not certified in such steps"
 
 # The least of the ladder that certifies order 2 at G = 0, and what it costs.
 try recommend --horizon 2 --G 0 --order 2 --tolerance 1e-4
 expect_exit 0
-expect_stdout_line "NMBC2, stride 4, tau = 1/20, matched in steps of cfl 0.82, at horizon 2, G = 0"
+expect_stdout_line "NMBC2, stride 4, tau = 1/20, matched in steps of cfl 0.85, at horizon 2, G = 0"
 row "2 4 1/20 - 0\.75 0\.35"
 expect "100 nodes" grep -qF "in chains of 100 interior nodes and more" "$scratch/stdout"
 expect_stdout_line "  loss       5.8e-03 of the energy"
@@ -83,9 +83,13 @@ for band in 0.1 0.1..0.1 0.3..0.1 0..1 1..4 ..1 1.. nan..1 0.1.2 ""; do
 done
 refused "--G" --horizon 1 --G -1
 refused "is not a whole number from 1 to 8" --horizon 1 --G 1 --order 9
-for cfl in 0 1 nan 1/2 ""; do
-    refused "is not a number between 0 and 1" --horizon 1 --G 1 --cfl "$cfl"
+for cfl in 0 1 1.5; do
+    refused "is not between 0 and 1" --horizon 1 --G 1 --cfl $cfl
 done
+for cfl in nan "" -1 x; do
+    refused "non-negative exact number" --horizon 1 --G 1 --cfl "$cfl"
+done
+refused "'1/1000' is less than 0.01" --horizon 1 --G 1 --cfl 1/1000
 refused "--family" --horizon 1 --G 1 --family other
 expect "nothing written" test "$(files_in .)" -eq 0
 finish

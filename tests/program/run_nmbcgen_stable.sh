@@ -32,7 +32,7 @@ expect_file generated/nmbc/tables/nopd1d_n2_order2_s2_G1o1.hpp
 rm -r generated
 
 # Matched in time steps: these steps are to be certified, too.
-unstable "G = 2 is not certified in steps of cfl 0.625, 0.28 is the largest one" --order 3 \
+unstable "G = 2 is not certified in these steps, of cfl 0.625: 0.28 is the largest one" --order 3 \
     --horizon 2 --stride 2 --time-step 1 --G 2
 unstable "steps of 1/2, G = 1 is not stable" --order 2 --horizon 1 --G 1 --time-step 1/2
 expect_stderr "stride 1: 0.25 to 0.875"

@@ -9,6 +9,7 @@
 #include <nmbc/chain.hpp>
 #include <nmbc/tables/tables.hpp>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -75,8 +76,24 @@ TEST_CASE("its stable time step is its own, where that is certified") {
     // n = 2, N = 3, s = 2 is certified to cfl 0.27 at G = 2, and steps of 1 dX/c are cfl 0.625.
     CHECK_THROWS_WITH_AS(
         nmbc::stable_time_step(nmbc::generated::nopd1d_n2_order3_s2_dt1o1, 2, 1, 1),
-        doctest::Contains("is matched in time steps of 1 dX/c, and certified up to 0."),
-        nmbc::NotCertified);
+        doctest::Contains("is certified for no time step at G = 2"), nmbc::NotCertified);
+    CHECK_THROWS_AS(nmbc::boundary_coefficients(nmbc::generated::nopd1d_n2_order3_s2_dt1o1, 2),
+                    nmbc::NotCertified);
+}
+
+TEST_CASE("a chain takes a certified boundary of its own lattice only") {
+    const auto coefficients = nmbc::boundary_coefficients(continuous, G);
+    const nmbc::ChainParameters parameters{.nodes = 20, .time_step = 0.4};
+    CHECK_NOTHROW(nmbc::Chain(nmbc::make_lattice(continuous, G), coefficients, parameters));
+    for (const auto& [table, other_G] :
+         {std::pair(&continuous, 0.4), {&nmbc::generated::nopd1d_n2_order1, G}}) {
+        CHECK_THROWS_WITH_AS(
+            nmbc::Chain(nmbc::make_lattice(*table, other_G), coefficients, parameters),
+            doctest::Contains("certified for another lattice"), nmbc::NotCertified);
+        CHECK_NOTHROW(nmbc::Chain(nmbc::make_lattice(*table, other_G),
+                                  nmbc::boundary_coefficients(continuous, G, nmbc::allow_unstable),
+                                  parameters));
+    }
 }
 
 TEST_CASE("in its steps less of a pulse is left behind") {

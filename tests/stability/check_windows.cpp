@@ -87,7 +87,8 @@ TEST_CASE("inside a window no chain grows") {
 TEST_CASE("outside of the windows some chain grows") {
     CHECK(rc::check([] {
         const auto& table = *element_of(tables(false));
-        RC_PRE(table.tau == "0");  // what a damped chain may do is a bound (exam_damped.cpp)
+        RC_PRE(table.tau == "0" &&
+               table.time_step == "0");  // what a damped chain may do is a bound (exam_damped.cpp)
         const Rational G = value_in({0.01, 12});  // some have a pole at 0
         RC_PRE(std::ranges::none_of(table.modal, [&G](const Window& window) {
             constexpr double margin = 0.05;

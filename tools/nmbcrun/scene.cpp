@@ -36,7 +36,6 @@ std::optional<Value> read_choice(SceneReader& reader, const std::string& key,
     reader.fail(key, "must be " + allowed + ", not \"" + *given + '"');
 }
 
-/// The keys of `group`; those that are not there are as in `others`.
 /// An exact number in lowest terms: a string "p/q", or a decimal number as it is written.
 std::optional<std::string> read_exact(SceneReader& reader, const std::string& key) {
     const auto given = reader.number_or_text(key);
@@ -48,6 +47,7 @@ std::optional<std::string> read_exact(SceneReader& reader, const std::string& ke
     }
 }
 
+/// The keys of `group`; those that are not there are as in `others`.
 Boundary read_boundary(SceneReader& reader, const std::string& group, const Boundary& others) {
     const auto kind = read_choice<BoundaryKind>(reader, group + ".kind",
                                                 {{"nmbc", BoundaryKind::nmbc},

@@ -15,8 +15,13 @@
 namespace nmbcrun {
 namespace {
 
+constexpr const char* to_try_its_own = "To try it, give boundary.allow_unstable = true";
 constexpr const char* to_try_one =
     "To try one, give time.step or time.cfl, and boundary.allow_unstable = true";
+
+bool is_matched(const Boundary& boundary) {
+    return boundary.kind == BoundaryKind::nmbc && boundary.matched_step != "0";
+}
 
 /// The least of what each end's table is certified for with its like.
 AutomaticStep certified_with_their_like(const Scene& scene, const nmbc::Lattice& lattice) {
@@ -33,7 +38,8 @@ AutomaticStep certified_with_their_like(const Scene& scene, const nmbc::Lattice&
                 "no time step is certified for {} at G = {}: {}{}. {}", heading_of(*boundary),
                 scene.G,
                 boundary->ghosts == nmbc::GhostRule::midpoint ? "" : "with midpoint ghosts, ",
-                nmbc::certified_choices(table, scene.G, nmbc::generated::tables), to_try_one));
+                nmbc::certified_choices(table, scene.G, nmbc::generated::tables),
+                is_matched(*boundary) ? to_try_its_own : to_try_one));
         }
         if (cfl < step.cfl) {
             step = {cfl, "the largest certified for " + heading_of(*boundary)};
@@ -46,10 +52,17 @@ double matched_time_step(const Boundary& boundary) {
     return nmbc::detail::nearest_to_fraction(boundary.matched_step);
 }
 
-/// The step that an end is matched in, if there is one, and that end.
+void require_midpoint_ghosts(const Boundary& boundary) {
+    if (boundary.ghosts != nmbc::GhostRule::midpoint) {
+        throw SceneError("a boundary that is matched in time steps needs midpoint ghosts");
+    }
+}
+
+/// The step that an end is matched in, if there is one.
 std::optional<AutomaticStep> matched_step(const Scene& scene, const nmbc::Lattice& lattice) {
     for (const Boundary* boundary : {&scene.left, &scene.right}) {
-        if (boundary->kind == BoundaryKind::nmbc && boundary->matched_step != "0") {
+        if (is_matched(*boundary)) {
+            require_midpoint_ghosts(*boundary);
             return AutomaticStep{
                 matched_time_step(*boundary) * nmbc::maximum_frequency(lattice) / 2,
                 "what the boundary is matched in"};
@@ -63,30 +76,30 @@ std::optional<AutomaticStep> matched_step(const Scene& scene, const nmbc::Lattic
 void require_matched(const Scene& scene, double time_step) {
     const double unit = scene.spacing / std::sqrt(scene.youngs_modulus / scene.density);
     for (const Boundary* boundary : {&scene.left, &scene.right}) {
-        if (boundary->kind != BoundaryKind::nmbc || boundary->matched_step == "0") {
+        if (!is_matched(*boundary)) {
             continue;
         }
         const double matched = matched_time_step(*boundary) * unit;
-        constexpr double close = 1e-6;  // as the runtime asks for
-        if (std::abs(time_step - matched) > close * matched) {
+        if (std::abs(time_step - matched) > nmbc::time_step_tolerance * matched) {
             throw SceneError(
                 fmt::format("the time step is {:.7g}, but {} needs {:.7g}: leave out "
                             "time.step and time.cfl, and match both ends alike",
                             time_step, heading_of(*boundary), matched));
         }
-        if (boundary->ghosts != nmbc::GhostRule::midpoint) {
-            throw SceneError("a boundary that is matched in time steps needs midpoint ghosts");
-        }
+        require_midpoint_ghosts(*boundary);
     }
 }
 
 AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, double omega_max) {
-    AutomaticStep step = certified_with_their_like(scene, lattice);
     const auto matched = matched_step(scene, lattice);
+    if (matched && scene.allow_unstable) {
+        return *matched;
+    }
+    AutomaticStep step = certified_with_their_like(scene, lattice);
     if (matched && matched->cfl > step.cfl) {
         throw Unstable(
             fmt::format("the boundary is matched in steps of cfl {:.3f}, and {:.3f} is {}. {}",
-                        matched->cfl, step.cfl, step.limit, to_try_one));
+                        matched->cfl, step.cfl, step.limit, to_try_its_own));
     }
     step = matched.value_or(step);
     constexpr double steps_of_drive = 20;
@@ -106,7 +119,7 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
         step = {step.cfl - less, "the largest certified for this pair of ends, to 0.05 of cfl"};
         if (step.cfl < least || matched) {
             throw Unstable(fmt::format("no time step is certified for this pair of ends: {}. {}",
-                                       problem, to_try_one));
+                                       problem, matched ? to_try_its_own : to_try_one));
         }
         problem = objection(scene, left, right, 2 * step.cfl / omega_max, step.cfl);
     }

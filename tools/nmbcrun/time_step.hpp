@@ -19,7 +19,8 @@ struct AutomaticStep {
 /// Like ends: as their table has it. Unlike ones: the least of their tables' own, and from there
 /// down in steps of 0.05 of cfl until the two are certified together.
 /// omega_max [1/time]: the top of the lattice's band.
-/// Throws Unstable where no step is certified, or not the one that an end is matched in.
+/// Throws Unstable where no step is certified, or not the one that an end is matched in, unless
+/// boundary.allow_unstable.
 AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, double omega_max);
 
 /// Throws SceneError where an end is matched in another time step [time], or without midpoint

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, time step in dX/c, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G, in leapfrog steps of this length; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket; max_cfl_explicit: not sought of a condition that is matched with midpoint ghosts; its own time step is one of those of max_cfl where dt omega_max / 2 is not above them
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket; matched in time steps: modal, contractive and steps are for the G at which its own step is certified; max_cfl_explicit: not sought, since it is matched with midpoint ghosts
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -65,8 +65,8 @@ inline constexpr Window modal[]{
     // high: 5/8, beyond it: resonance at xi = 3.14
     {0.25, 0.625},
     // low: (5 + 2*sqrt(10))/8, beyond it: growing boundary mode
-    // high: none
-    {1.415569415042095, unbounded},
+    // high: between 1.9208000 and 1.9208000, beyond it: time step
+    {1.415569415042095, 1.9208},
 };
 
 inline constexpr Window contractive[]{
@@ -74,8 +74,8 @@ inline constexpr Window contractive[]{
     // high: 5/8, beyond it: resonance at xi = 3.14
     {0.25, 0.625},
     // low: (5 + 2*sqrt(10))/8, beyond it: growing boundary mode
-    // high: none
-    {1.415569415042095, unbounded},
+    // high: between 1.9208000 and 1.9208000, beyond it: time step
+    {1.415569415042095, 1.9208},
 };
 
 inline constexpr StableStep max_cfl[]{
@@ -91,7 +91,7 @@ inline constexpr StableStep max_cfl[]{
     {{0.53125, 0.578125}, 0.66},
     {{0.578125, 0.6015625}, 0.72},
     {{0.6015625, 0.625}, 0.77},
-    {{1.415569415042095, unbounded}, 0.98},
+    {{1.415569415042095, 1.9208}, 0.98},
 };
 
 inline constexpr StableStep max_cfl_contractive[]{
@@ -107,7 +107,7 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{0.53125, 0.578125}, 0.66},
     {{0.578125, 0.6015625}, 0.72},
     {{0.6015625, 0.625}, 0.77},
-    {{1.415569415042095, unbounded}, 0.98},
+    {{1.415569415042095, 1.9208}, 0.98},
 };
 
 }  // namespace nopd1d_n1_order3_dt1o2_data

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, time step in dX/c, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G, in leapfrog steps of this length; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket; max_cfl_explicit: not sought of a condition that is matched with midpoint ghosts; its own time step is one of those of max_cfl where dt omega_max / 2 is not above them
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket; matched in time steps: modal, contractive and steps are for the G at which its own step is certified; max_cfl_explicit: not sought, since it is matched with midpoint ghosts
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -58,25 +58,18 @@ inline constexpr RationalFunction b[]{
 };
 
 inline constexpr Window modal[]{
-    // low: between 0.8453140 and 0.8453148, beyond it: growing boundary mode
-    // high: between 2.0129134 and 2.0129142, beyond it: backward band at xi = 1.75
-    {0.8453148021914648, 2.0129133789489884},
-    // low: an algebraic number of degree at most 9, beyond it: growing boundary mode
-    // high: between 20.0318270 and 20.0318279, beyond it: growing boundary mode
-    {4.743330232786747, 20.03182701918883},
+    // low: between 0.8635585 and 0.8635585, beyond it: time step
+    // high: between 1.8669636 and 1.8669636, beyond it: time step
+    {0.8635585299533011, 1.866963556854298},
 };
 
 inline constexpr Window contractive[]{
-    // low: between 0.8453140 and 0.8453148, beyond it: growing boundary mode
-    // high: between 1.9546170 and 1.9546179
-    {0.8453148021914648, 1.9546170072146203},
-    // low: an algebraic number of degree at most 9, beyond it: growing boundary mode
-    // high: between 20.0318270 and 20.0318279, beyond it: growing boundary mode
-    {4.743330232786747, 20.03182701918883},
+    // low: between 0.8635585 and 0.8635585, beyond it: time step
+    // high: between 1.8506199 and 1.8506199, beyond it: time step
+    {0.8635585299533011, 1.8506199254936995},
 };
 
 inline constexpr StableStep max_cfl[]{
-    {{0.8453148021914648, 0.8635585299533011}, 0.37},
     {{0.8635585299533011, 0.8818022577151374}, 0.42},
     {{0.8818022577151374, 0.91828971323881}, 0.45},
     {{0.91828971323881, 0.9547771687624826}, 0.5},
@@ -89,22 +82,10 @@ inline constexpr StableStep max_cfl[]{
     {{1.4291140905702266, 1.575063912664917}, 0.7},
     {{1.575063912664917, 1.7210137347596075}, 0.69},
     {{1.7210137347596075, 1.866963556854298}, 0.63},
-    {{1.866963556854298, 1.9034510123779707}, 0.6},
-    {{1.9034510123779707, 1.9399384679016431}, 0.54},
-    {{1.9399384679016431, 1.9581821956634795}, 0.49},
-    {{1.9581821956634795, 1.9764259234253156}, 0.43},
-    {{1.9764259234253156, 1.985547787306234}, 0.38},
-    {{1.985547787306234, 1.994669651187152}, 0.32},
-    {{1.994669651187152, 2.00379151506807}, 0.23},
-    {{4.743330232786747, 10.47651652768753}, 0.89},
-    {{10.47651652768753, 14.298640724288049}, 0.88},
-    {{14.298640724288049, 18.120764920888572}, 0.87},
-    {{18.120764920888572, 20.03182701918883}, 0.86},
 };
 
 inline constexpr StableStep max_cfl_contractive[]{
-    {{0.8453148021914648, 0.8626476491449516}, 0.37},
-    {{0.8626476491449516, 0.8799804960984384}, 0.42},
+    {{0.8635585299533011, 0.8799804960984384}, 0.42},
     {{0.8799804960984384, 0.914646190005412}, 0.45},
     {{0.914646190005412, 0.9493118839123856}, 0.5},
     {{0.9493118839123856, 0.9839775778193592}, 0.54},
@@ -115,17 +96,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{1.3999659047030426, 1.6772914559588314}, 0.7},
     {{1.6772914559588314, 1.8159542315867259}, 0.67},
     {{1.8159542315867259, 1.8506199254936995}, 0.64},
-    {{1.8506199254936995, 1.885285619400673}, 0.6},
-    {{1.885285619400673, 1.9026184663541599}, 0.54},
-    {{1.9026184663541599, 1.9112848898309034}, 0.5},
-    {{1.9112848898309034, 1.9199513133076467}, 0.45},
-    {{1.9199513133076467, 1.92861773678439}, 0.39},
-    {{1.92861773678439, 1.9372841602611335}, 0.32},
-    {{1.9372841602611335, 1.945950583737877}, 0.23},
-    {{4.743330232786747, 8.565454429387268}, 0.89},
-    {{8.565454429387268, 12.38757862598779}, 0.88},
-    {{12.38757862598779, 16.209702822588312}, 0.87},
-    {{16.209702822588312, 20.03182701918883}, 0.86},
 };
 
 }  // namespace nopd1d_n2_order3_s2_dt1o1_data

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, time step in dX/c, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G, in leapfrog steps of this length; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket; max_cfl_explicit: not sought of a condition that is matched with midpoint ghosts; its own time step is one of those of max_cfl where dt omega_max / 2 is not above them
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket; matched in time steps: modal, contractive and steps are for the G at which its own step is certified; max_cfl_explicit: not sought, since it is matched with midpoint ghosts
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -59,14 +59,14 @@ inline constexpr RationalFunction b[]{
 
 inline constexpr Window modal[]{
     // low: (-282042 + 29079*sqrt(718))/393764, beyond it: backward band at xi = 1.12
-    // high: between 3.6225452 and 3.6225461, beyond it: backward band at xi = 1.29
-    {1.262545546681792, 3.622545195426513},
+    // high: between 3.1800453 and 3.1800453, beyond it: time step
+    {1.262545546681792, 3.1800452612868777},
 };
 
 inline constexpr Window contractive[]{
     // low: (-282042 + 29079*sqrt(718))/393764, beyond it: backward band at xi = 1.12
-    // high: between 3.5319815 and 3.5319824
-    {1.262545546681792, 3.5319815192395425},
+    // high: between 2.9646225 and 2.9646225, beyond it: time step
+    {1.262545546681792, 2.964622526100105},
 };
 
 inline constexpr StableStep max_cfl[]{
@@ -81,10 +81,6 @@ inline constexpr StableStep max_cfl[]{
     {{2.4425453710541527, 2.7375453271472425}, 0.71},
     {{2.7375453271472425, 3.032545283240333}, 0.66},
     {{3.032545283240333, 3.1800452612868777}, 0.63},
-    {{3.1800452612868777, 3.3275452393334226}, 0.59},
-    {{3.3275452393334226, 3.475045217379968}, 0.54},
-    {{3.475045217379968, 3.5487952064032404}, 0.5},
-    {{3.5487952064032404, 3.622545195426513}, 0.47},
 };
 
 inline constexpr StableStep max_cfl_contractive[]{
@@ -99,17 +95,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{2.3972635329606673, 2.680943029530386}, 0.7},
     {{2.680943029530386, 2.8227827778152457}, 0.66},
     {{2.8227827778152457, 2.964622526100105}, 0.61},
-    {{2.964622526100105, 3.0355424002425346}, 0.58},
-    {{3.0355424002425346, 3.106462274384964}, 0.54},
-    {{3.106462274384964, 3.1773821485273936}, 0.51},
-    {{3.1773821485273936, 3.2483020226698236}, 0.46},
-    {{3.2483020226698236, 3.3192218968122535}, 0.41},
-    {{3.3192218968122535, 3.390141770954683}, 0.35},
-    {{3.390141770954683, 3.425601708025898}, 0.31},
-    {{3.425601708025898, 3.4610616450971126}, 0.25},
-    {{3.4610616450971126, 3.47879161363272}, 0.22},
-    {{3.47879161363272, 3.4965215821683273}, 0.18},
-    {{3.4965215821683273, 3.5142515507039347}, 0.13},
 };
 
 }  // namespace nopd1d_n3_order2_s3_dt3o2_data

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, time step in dX/c, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G, in leapfrog steps of this length; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket; max_cfl_explicit: not sought of a condition that is matched with midpoint ghosts; its own time step is one of those of max_cfl where dt omega_max / 2 is not above them
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket; matched in time steps: modal, contractive and steps are for the G at which its own step is certified; max_cfl_explicit: not sought, since it is matched with midpoint ghosts
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -62,20 +62,18 @@ inline constexpr RationalFunction b[]{
 };
 
 inline constexpr Window modal[]{
-    // low: an algebraic number of degree at most 6, beyond it: backward band at xi = 0.87
-    // high: between 4.1432790 and 4.1432799, beyond it: backward band at xi = 1.00
-    {1.846147614472795, 4.143279042091831},
+    // low: between 1.9897183 and 1.9897183, beyond it: time step
+    // high: between 3.7125669 and 3.7125669, beyond it: time step
+    {1.9897183286989848, 3.712566899413262},
 };
 
 inline constexpr Window contractive[]{
-    // low: an algebraic number of degree at most 6, beyond it: backward band at xi = 0.87
-    // high: between 3.8955330 and 3.8955338
-    {1.846147614472795, 3.895532962077279},
+    // low: between 1.9897183 and 1.9897183, beyond it: time step
+    // high: between 3.2570725 and 3.2570725, beyond it: time step
+    {1.9897183286989848, 3.257072465856473},
 };
 
 inline constexpr StableStep max_cfl[]{
-    {{1.846147614472795, 1.91793297158589}, 0.34},
-    {{1.91793297158589, 1.9897183286989848}, 0.39},
     {{1.9897183286989848, 2.0615036858120797}, 0.43},
     {{2.0615036858120797, 2.1332890429251745}, 0.47},
     {{2.1332890429251745, 2.2768597571513642}, 0.5},
@@ -85,32 +83,17 @@ inline constexpr StableStep max_cfl[]{
     {{2.9947133282823133, 3.2818547567346927}, 0.63},
     {{3.2818547567346927, 3.568996185187072}, 0.6},
     {{3.568996185187072, 3.712566899413262}, 0.57},
-    {{3.712566899413262, 3.8561376136394516}, 0.53},
-    {{3.8561376136394516, 3.9997083278656413}, 0.49},
-    {{3.9997083278656413, 4.143279042091831}, 0.44},
 };
 
 inline constexpr StableStep max_cfl_contractive[]{
-    {{1.846147614472795, 1.9101909065854352}, 0.34},
-    {{1.9101909065854352, 1.9742341986980754}, 0.39},
-    {{1.9742341986980754, 2.1023207829233557}, 0.43},
+    {{1.9897183286989848, 2.1023207829233557}, 0.43},
     {{2.1023207829233557, 2.2304073671486355}, 0.49},
     {{2.2304073671486355, 2.358493951373916}, 0.54},
     {{2.358493951373916, 2.6146671198244764}, 0.58},
     {{2.6146671198244764, 2.870840288275037}, 0.63},
     {{2.870840288275037, 3.1270134567255976}, 0.62},
     {{3.1270134567255976, 3.255100040950878}, 0.58},
-    {{3.255100040950878, 3.383186625176158}, 0.53},
-    {{3.383186625176158, 3.4472299172887984}, 0.5},
-    {{3.4472299172887984, 3.5112732094014385}, 0.47},
-    {{3.5112732094014385, 3.575316501514078}, 0.43},
-    {{3.575316501514078, 3.6393597936267184}, 0.39},
-    {{3.6393597936267184, 3.7034030857393585}, 0.34},
-    {{3.7034030857393585, 3.7674463778519987}, 0.28},
-    {{3.7674463778519987, 3.799468023908319}, 0.24},
-    {{3.799468023908319, 3.831489669964639}, 0.2},
-    {{3.831489669964639, 3.8635113160209587}, 0.14},
-    {{3.8635113160209587, 3.8795221390491186}, 0.09},
+    {{3.255100040950878, 3.257072465856473}, 0.53},
 };
 
 }  // namespace nopd1d_n4_order2_s4_dt2o1_data

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// What nmbcgen recommend chooses from.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/recommend.hpp"
+#include "generator/stability/half_space.hpp"
+
+namespace nmbcgen {
+
+/// Examined with these dampings, ascending, and in steps of this cfl at least.
+const std::vector<Rational>& damping_ladder();
+inline constexpr double smallest_cfl = 0.25;    // below, more damping is the better bargain
+inline constexpr double faded_wavelength = 20;  ///< [dX], of the loss that is stated
+
+/// A condition with the least damping of the ladder that certifies it at the G of the question.
+struct Certified {
+    Specification what;
+    double cfl = 0;                       ///< the largest one; 0: not certified with any damping
+    std::optional<HalfSpace> half_space;  ///< where it is certified
+};
+
+/// Orders 1 to 4, or the one asked for, with strides 1 to n + 2; those above order 1 also matched
+/// in time steps, of the two largest cfl of a ladder in which they are certified, or of the
+/// question's.
+std::vector<Certified> all_certified(const Question& question, const Progress& progress);
+
+/// One in the question's steps, or in those it is matched in, or else in the largest certified
+/// steps in which it meets the tolerance or reflects least.
+struct Candidate {
+    Specification what;
+    double certified_cfl = 0;
+    double cfl = 0;        ///< of the steps
+    double time_step = 0;  ///< [dX/c]
+    double reflected = 0;  ///< mean reflected energy over the band, in these steps
+    double loss = 0;       ///< of the energy of a wave of 20 dX over one wavelength, by damping
+    std::string lost;      ///< why another one is recommended; empty: this one is
+};
+
+/// The recommended one first; of the same condition matched in several steps the best.
+std::vector<Candidate> in_order(const std::vector<Certified>& certified, const Question& question,
+                                double tolerance);
+
+}  // namespace nmbcgen

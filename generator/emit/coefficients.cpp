@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/coefficients.hpp"
+
+#include "generator/exact/rational_function.hpp"
+
+namespace nmbcgen {
+
+std::vector<CoefficientList> coefficient_lists(const Table& table) {
+    CoefficientList symbol{"symbol", 0, {}};
+    for (const Polynomial& coefficient : table.model.symbol) {
+        symbol.functions.push_back(to_rational_function(coefficient));
+    }
+    CoefficientList damping{"damping", 0, {}};
+    for (const Rational& coefficient : table.model.damping) {
+        damping.functions.push_back(to_rational_function(constant(coefficient)));
+    }
+    CoefficientList taylor{"taylor", 1, {}};
+    for (const Polynomial& coefficient : table.taylor) {
+        taylor.functions.push_back(to_rational_function(coefficient));
+    }
+    return {std::move(symbol),
+            std::move(damping),
+            std::move(taylor),
+            {"c", 0, table.c},
+            {"b", 0, table.b}};
+}
+
+std::vector<std::string> texts_of(const IntegerPolynomial& polynomial) {
+    std::vector<std::string> texts;
+    for (const Integer& coefficient : polynomial.data()) {
+        texts.push_back(coefficient.str());
+    }
+    return texts.empty() ? std::vector<std::string>{"0"} : texts;
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// A table's lists of coefficients in one shape, for formats that write them all alike.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/table/table.hpp"
+
+namespace nmbcgen {
+
+struct CoefficientList {
+    std::string_view name;  ///< symbol, damping, taylor, c or b
+    std::size_t first;      ///< index of the first one: a_1 of taylor, else 0
+    std::vector<RationalFunction> functions;
+};
+
+/// symbol, damping (which may be empty), taylor, c and b.
+std::vector<CoefficientList> coefficient_lists(const Table& table);
+
+/// The coefficients as decimal integers, by ascending powers; "0" for the zero polynomial.
+std::vector<std::string> texts_of(const IntegerPolynomial& polynomial);
+
+}  // namespace nmbcgen

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+
+#include "generator/emit/coefficients.hpp"
+#include "generator/emit/emit.hpp"
+#include "generator/emit/heading.hpp"
+#include "generator/exact/algebraic_number.hpp"
+#include "generator/exact/rational.hpp"
+
+namespace nmbcgen {
+namespace {
+
+std::string upper(std::string_view name) {
+    std::string text(name);
+    for (char& letter : text) {
+        letter = char(std::toupper(static_cast<unsigned char>(letter)));
+    }
+    return text;
+}
+
+std::string tuple(const IntegerPolynomial& polynomial) {
+    const std::vector<std::string> texts = texts_of(polynomial);
+    return fmt::format("({}{})", fmt::join(texts, ", "), texts.size() == 1 ? "," : "");
+}
+
+std::string number(double value) {
+    return std::isinf(value) ? "inf" : fmt::format("{}", value);
+}
+
+std::string entry(const Window& window) {
+    return fmt::format("({}, {})", number(nearest_double(window.low)),
+                       number(window.high ? nearest_double(*window.high) : HUGE_VAL));
+}
+
+std::string entry(const StabilityWindow& window) {
+    return fmt::format("({}, {})", number(window.low.inner),
+                       number(window.high ? window.high->inner : HUGE_VAL));
+}
+
+std::string entry(const StableStep& step) {
+    return fmt::format("({}, {}, {})", number(step.low), number(step.high), number(step.cfl));
+}
+
+template <class Item>
+std::string list(const std::string& name, const std::vector<Item>& items) {
+    std::string text = name + " = [\n";
+    for (const Item& item : items) {
+        text += "    " + entry(item) + ",\n";
+    }
+    return text + "]\n";
+}
+
+constexpr const char* functions = R"(
+
+def evaluate(function, G=0):
+    """The value at G (int, Fraction, float or text such as "1/2") as a Fraction: exact.
+
+    Raises ZeroDivisionError at a pole.
+    """
+    G = Fraction(G)
+    numerator, denominator = (sum(a * G**k for k, a in enumerate(p)) for p in function)
+    return Fraction(numerator) / denominator
+
+
+def coefficients(G=FIXED_G):
+    """c_0 .. c_N [1] and b_0 .. b_N [c/dX] at G, as two lists of Fractions.
+
+    Raises ValueError where no G is given, or another than the table's own.
+    """
+    if G is None or (FIXED_G is not None and Fraction(G) != FIXED_G):
+        raise ValueError(f"a value of G is needed, and no other than FIXED_G = {FIXED_G}")
+    return [evaluate(f, G) for f in C], [evaluate(f, G) for f in B]
+
+
+def largest_cfl(G, steps=MAX_CFL):
+    """The largest certified cfl = dt omega_max / 2 at G; 0 where no step is certified."""
+    return max((cfl for low, high, cfl in steps if low <= G <= high), default=0)
+)";
+
+}  // namespace
+
+std::string emit_python(const Table& table) {
+    const Specification& what = table.specification;
+    const Certificate certificate = table.certificate.value_or(Certificate{});
+    std::string text = heading("#", table, " --format python");
+    text += fmt::format("\"\"\"{}: nmbcgen, docs/formats.md.\"\"\"\n\n", title(what));
+    text += "from fractions import Fraction\nfrom math import inf\n\n";
+    text += fmt::format(
+        "FAMILY = \"{}\"\nHORIZON = {}  # dX\nORDER = {}\nSTRIDE = {}\n"
+        "TAU = Fraction(\"{}\")  # c/dX\nTIME_STEP = Fraction(\"{}\")  # dX/c; 0: continuous time\n"
+        "FIXED_G = {}\nLEAST_NODES = {}\n\n",
+        what.family, what.horizon, what.order, what.stride, to_string(what.damping),
+        to_string(what.time_step),
+        what.stabilisation ? "Fraction(\"" + to_string(*what.stabilisation) + "\")" : "None",
+        what.damping > 0 ? least_damped_nodes : 0);
+    text +=
+        "# Functions of G: numerator and denominator, integer coefficients by ascending powers.\n";
+    for (const CoefficientList& list : coefficient_lists(table)) {
+        text += fmt::format("{} = [{}\n", upper(list.name),
+                            list.first > 0 ? fmt::format("  # from index {}", list.first) : "");
+        for (const RationalFunction& function : list.functions) {
+            text += fmt::format("    ({}, {}),\n", tuple(function.numerator),
+                                tuple(function.denominator));
+        }
+        text += "]\n";
+    }
+    text += "# Windows of G, (low, high), and steps, (low, high, cfl).\n";
+    text += list("REFLECTION", certificate.reflection) + list("MODAL", certificate.modal) +
+            list("CONTRACTIVE", certificate.contractive) + list("MAX_CFL", certificate.max_cfl) +
+            list("MAX_CFL_CONTRACTIVE", certificate.max_cfl_contractive) +
+            list("MAX_CFL_EXPLICIT", certificate.max_cfl_explicit);
+    return text + functions;
+}
+
+}  // namespace nmbcgen

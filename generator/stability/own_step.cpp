@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/stability/own_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "generator/exact/rational.hpp"
+#include "generator/stability/discrete.hpp"
+#include "generator/stability/modal.hpp"
+
+namespace nmbcgen {
+namespace {
+
+class OwnStep {
+  public:
+    explicit OwnStep(const Table& table)
+        : table_(table), dt_(nearest_double(table.specification.time_step)) {}
+
+    /// What is left of the pieces.
+    std::vector<StableStep> pieces(const std::vector<StableStep>& steps, Grade least) const {
+        std::vector<StableStep> found;
+        for (StableStep step : steps) {
+            step.high = last_within(step);
+            if (step.low <= step.high && has_grade(step, least)) {
+                found.push_back(step);
+            }
+        }
+        return found;
+    }
+
+  private:
+    double cfl_at(double G) const { return dt_ * maximum_frequency(half_space_at(G)) / 2; }
+
+    HalfSpace half_space_at(double G) const { return make_half_space(table_, Rational(G)); }
+
+    /// The largest G of the piece where the step is no longer than its cfl allows; omega_max grows
+    /// with G, the energy being a sum of squares. Less than its low where there is none.
+    double last_within(const StableStep& step) const {
+        double inside = step.low;
+        if (cfl_at(inside) > step.cfl) {
+            return -1;
+        }
+        double outside = std::isinf(step.high) ? std::max(2 * step.low, 1.0) : step.high;
+        while (std::isinf(step.high) && cfl_at(outside) <= step.cfl) {
+            outside *= 2;
+        }
+        if (cfl_at(outside) <= step.cfl) {
+            return outside;
+        }
+        for (double middle = (inside + outside) / 2; inside < middle && middle < outside;
+             middle = (inside + outside) / 2) {
+            (cfl_at(middle) <= step.cfl ? inside : outside) = middle;
+        }
+        return inside;
+    }
+
+    bool has_grade(const StableStep& step, Grade least) const {
+        // At an edge of a window there may be a pole, or sup rho is 1.
+        const double near = 1e-6 * (step.high - step.low);
+        const auto holds = [&](double G) {
+            return stability_grade(stepped(half_space_at(G), dt_)) >= least;
+        };
+        return holds(step.low + near) && holds((step.low + step.high) / 2) &&
+               holds(step.high - near);
+    }
+
+    const Table& table_;
+    double dt_;
+};
+
+/// The windows of which these are the pieces; edges that are not those of `windows` are where the
+/// step is not certified any more.
+std::vector<StabilityWindow> joined(const std::vector<StableStep>& pieces,
+                                    const std::vector<StabilityWindow>& windows) {
+    std::vector<StabilityWindow> found;
+    for (const StabilityWindow& window : windows) {
+        const auto edge_at = [&window](double G) {
+            if (G == window.low.inner) {
+                return window.low;
+            }
+            return window.high && G == window.high->inner
+                       ? *window.high
+                       : Edge{.where = Bracket{G, G}, .inner = G, .beyond = Failure::time_step};
+        };
+        bool follows = false;  // a piece of this window
+        for (const StableStep& piece : pieces) {
+            if (piece.low < window.low.inner || (window.high && piece.high > window.high->inner)) {
+                continue;
+            }
+            if (follows && found.back().high->inner == piece.low) {
+                found.back().high = edge_at(piece.high);
+            } else {
+                found.push_back({edge_at(piece.low), edge_at(piece.high)});
+            }
+            follows = true;
+        }
+    }
+    return found;
+}
+
+/// The parts of the pieces that are in the windows.
+std::vector<StableStep> within(const std::vector<StabilityWindow>& windows,
+                               const std::vector<StableStep>& pieces) {
+    std::vector<StableStep> found;
+    for (const StableStep& piece : pieces) {
+        for (const StabilityWindow& window : windows) {
+            const double low = std::max(piece.low, window.low.inner);
+            const double high = std::min(piece.high, window.high->inner);
+            if (low <= high) {
+                found.push_back({low, high, piece.cfl});
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+void cut_to_own_step(const Table& table, Certificate& certificate) {
+    const OwnStep own(table);
+    certificate.max_cfl = own.pieces(certificate.max_cfl, Grade::paired);
+    certificate.modal = joined(certificate.max_cfl, certificate.modal);
+    certificate.max_cfl_contractive =
+        within(certificate.modal, own.pieces(certificate.max_cfl_contractive, Grade::contractive));
+    certificate.contractive = joined(certificate.max_cfl_contractive, certificate.contractive);
+}
+
+}  // namespace nmbcgen
