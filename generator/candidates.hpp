@@ -2,7 +2,6 @@
 /// What nmbcgen recommend chooses from.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,9 +11,6 @@
 
 namespace nmbcgen {
 
-/// Examined with these dampings, ascending, and in steps of this cfl at least.
-const std::vector<Rational>& damping_ladder();
-inline constexpr double smallest_cfl = 0.25;    // below, more damping is the better bargain
 inline constexpr double faded_wavelength = 20;  ///< [dX], of the loss that is stated
 
 /// A condition with the least damping of the ladder that certifies it at the G of the question.

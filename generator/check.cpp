@@ -59,6 +59,12 @@ std::string compare(const std::string& name, const std::string& found, const std
     return found == fresh ? "" : fmt::format("differs: {}\n{}", name, changed_lines(found, fresh));
 }
 
+/// The format of the files that end so; nullptr where there is none.
+const Format* format_of(const std::string& ending) {
+    const auto format = std::ranges::find(formats(), ending, &Format::ending);
+    return format == formats().end() ? nullptr : &*format;
+}
+
 /// The table a file of this name holds, where it is the name of one. More than two digits of
 /// order or horizon are no table that anybody could have made.
 std::optional<Specification> specification_of(const std::string& file_name) {
@@ -66,8 +72,7 @@ std::optional<Specification> specification_of(const std::string& file_name) {
         R"((\w+?)_n([1-9]\d?)_order([1-9]\d?)(?:_s([1-9]\d?))?(?:_tau(\d+)o(\d+))?)"
         R"((?:_dt(\d+)o(\d+))?(?:_G(\d+)o(\d+))?(\.[a-z]+))");
     std::smatch match;
-    if (!std::regex_match(file_name, match, pattern) ||
-        std::ranges::find(formats(), match[11].str(), &Format::ending) == formats().end()) {
+    if (!std::regex_match(file_name, match, pattern) || format_of(match[11].str()) == nullptr) {
         return std::nullopt;
     }
     Specification what{.family = match[1],
@@ -99,8 +104,7 @@ std::string compare_own_table(const std::filesystem::path& file, const MakeTable
         if (!what || table_name(*what) + file.extension().string() != name) {
             return left_over;  // a number not in lowest terms is not a name that we write
         }
-        const auto format =
-            std::ranges::find(formats(), file.extension().string(), &Format::ending);
+        const Format* const format = format_of(file.extension().string());
         const std::string found = read_file(file).value_or("");
         if (found == format->emit(derive(*what))) {
             return "";

@@ -76,7 +76,7 @@ void require_stable(const Table& table) {
         to_string(G),
         only_too_long
             ? fmt::format("certified in these steps, of cfl {:.3f}: {:.2f} is the largest one",
-                          nearest_double(what.time_step) * maximum_frequency(half_space) / 2,
+                          cfl_of(half_space, nearest_double(what.time_step)),
                           largest_cfl(half_space, GhostLevel::midpoint))
             : "stable: " + how_it_fails(table, G));
     if (only_too_long) {

@@ -49,7 +49,7 @@ void require_leapfrog(const Specification& specification) {
     }
     const HalfSpace lattice =
         stepped(lattice_of(specification), nearest_double(specification.time_step));
-    const double cfl = lattice.time_step * maximum_frequency(lattice) / 2;
+    const double cfl = cfl_of(lattice, lattice.time_step);
     if (cfl >= 1 || (lattice.is_damped() && !interior_is_stable(lattice))) {
         throw NoSuchBoundary(fmt::format(
             "leapfrog itself is unstable in steps of {} dX/c at G = {}{}: cfl = {:.6g}, which has "

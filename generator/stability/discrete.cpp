@@ -109,6 +109,10 @@ double maximum_frequency(const HalfSpace& half_space) {
     return critical_frequencies(half_space).back();
 }
 
+double cfl_of(const HalfSpace& half_space, double time_step) {
+    return time_step * maximum_frequency(half_space) / 2;
+}
+
 double largest_cfl(const HalfSpace& half_space, GhostLevel level, Grade least) {
     const double top = maximum_frequency(half_space);
     KnownModes modes(half_space);

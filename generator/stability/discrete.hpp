@@ -24,6 +24,9 @@ double spectral_radius(const ChainEnd& left, const ChainEnd& right, std::size_t 
 /// The top of the band, omega_max [c/dX].
 double maximum_frequency(const HalfSpace& half_space);
 
+/// cfl = dt omega_max / 2 of steps [dX/c], omega_max that of the undamped band.
+double cfl_of(const HalfSpace& half_space, double time_step);
+
 /// The largest cfl = dt omega_max / 2 in steps of 0.01 that has at least this grade, with every
 /// 0.05 below it, by the half-space condition in time steps (half_space.hpp), which holds for every
 /// length but short ones. omega_max is that of the undamped band. 0 where there is none.

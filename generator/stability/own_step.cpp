@@ -31,7 +31,7 @@ class OwnStep {
     }
 
   private:
-    double cfl_at(double G) const { return dt_ * maximum_frequency(half_space_at(G)) / 2; }
+    double cfl_at(double G) const { return cfl_of(half_space_at(G), dt_); }
 
     HalfSpace half_space_at(double G) const { return make_half_space(table_, Rational(G)); }
 

@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <nmbc/certificate.hpp>
+#include <nmbc/coefficients.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/tables/tables.hpp>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 #include <tuple>
-
-#include "tools/pulses/fraction.hpp"
 
 namespace pulses {
 namespace {
@@ -18,19 +15,9 @@ namespace {
 constexpr std::string_view family = "nopd1d";
 constexpr double smallest_cfl = 0.25;  // as `nmbcgen recommend` asks for at least
 
-double value_of(std::string_view text, const nmbc::MatchingTable& table) {
-    const auto value = fraction(text);
-    if (!value) {
-        throw std::logic_error(std::string(table.name) + ": no fraction: " + std::string(text));
-    }
-    return *value;
-}
-
 /// That a table has to be certified for.
 double least_cfl(const nmbc::MatchingTable& table, double G) {
-    const double matched = step_of(table);
-    return std::max(smallest_cfl,
-                    matched * nmbc::maximum_frequency(nmbc::make_lattice(table, G)) / 2);
+    return std::max(smallest_cfl, cfl_of(table, G, step_of(table)));
 }
 
 /// The least comes first.
@@ -41,11 +28,15 @@ auto rank(const nmbc::MatchingTable& table, double G) {
 }  // namespace
 
 double damping_of(const nmbc::MatchingTable& table) {
-    return value_of(table.tau, table);
+    return nmbc::detail::nearest_to_fraction(table.tau);
 }
 
 double step_of(const nmbc::MatchingTable& table) {
-    return value_of(table.time_step, table);
+    return nmbc::detail::nearest_to_fraction(table.time_step);
+}
+
+double cfl_of(const nmbc::MatchingTable& table, double G, double time_step) {
+    return time_step * nmbc::maximum_frequency(nmbc::make_lattice(table, G)) / 2;
 }
 
 const nmbc::MatchingTable* first_order(int horizon, double G) {

@@ -12,6 +12,9 @@ double damping_of(const nmbc::MatchingTable& table);
 /// The time step it is matched in [dX/c]; 0: none.
 double step_of(const nmbc::MatchingTable& table);
 
+/// cfl = dt omega_max / 2 of steps [dX/c] in the table's lattice.
+double cfl_of(const nmbc::MatchingTable& table, double G, double time_step);
+
 /// NMBC1 with stride 1, undamped; nullptr where none is committed or it is not certified at G.
 const nmbc::MatchingTable* first_order(int horizon, double G);
 

@@ -76,18 +76,18 @@ class Comparison {
     }
 
   private:
-    double cfl_of(const Case& at, const nmbc::MatchingTable& table) const {
+    double cfl_in(const Case& at, const nmbc::MatchingTable& table) const {
         const double matched = at.higher == nullptr ? 0 : step_of(*at.higher);
-        return matched > 0 ? matched * nmbc::maximum_frequency(nmbc::make_lattice(table, at.G)) / 2
+        return matched > 0 ? cfl_of(table, at.G, matched)
                            : std::min(most_cfl_, 0.95 * nmbc::certified_cfl(table, at.G));
     }
 
     std::optional<double> add_first(const Case& at) {
-        if (at.first == nullptr || cfl_of(at, *at.first) > nmbc::certified_cfl(*at.first, at.G)) {
+        if (at.first == nullptr || cfl_in(at, *at.first) > nmbc::certified_cfl(*at.first, at.G)) {
             rows_ += "  |  |";
             return std::nullopt;
         }
-        const double cfl = cfl_of(at, *at.first);
+        const double cfl = cfl_in(at, *at.first);
         const double step = time_step(nmbc::make_lattice(*at.first, at.G), cfl);
         const double left = left_between_ends(*at.first, at.G, step, half_width_);
         rows_ += fmt::format(" {:.2f} | {} |", cfl, energy(left));
@@ -101,7 +101,7 @@ class Comparison {
             return std::nullopt;
         }
         nmbc::Lattice lattice = nmbc::make_lattice(*at.higher, at.G);
-        const double cfl = cfl_of(at, *at.higher);
+        const double cfl = cfl_in(at, *at.higher);
         const double step = time_step(lattice, cfl);
         const double left = left_between_ends(*at.higher, at.G, step, half_width_);
         const std::string bold = first && left >= *first ? "**" : "";
