@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// The values of nmbcgen's options: text to value. Each throws std::invalid_argument with a message
+/// for people that quotes the text and says what is allowed.
+#pragma once
+
+#include <string>
+
+#include "generator/emit/emit.hpp"
+#include "generator/recommend.hpp"
+#include "generator/table/exact.hpp"
+
+namespace nmbcgen {
+
+/// Of an order, a horizon or a stride: 1 to 99, far beyond what finishes in a day with G open.
+unsigned parse_count(const std::string& text);
+
+unsigned parse_samples(const std::string& text);  ///< 1 to a million
+
+/// The names that are allowed, with commas between.
+std::string family_names();
+std::string format_names();
+
+std::string parse_family(const std::string& text);
+const Format* parse_format(const std::string& text);
+std::string parse_folder(const std::string& text);
+
+/// An exact cfl between 0 and 1.
+Rational parse_cfl(const std::string& text);
+
+unsigned parse_recommended_order(const std::string& text);  ///< 1 to 8; higher ones take minutes
+double parse_recommended_cfl(const std::string& text);      ///< 0.01 at least, below 1
+
+/// A number between 0 and 1.
+double parse_fraction(const std::string& text);
+
+/// LO..HI, 0 < LO < HI < pi.
+Band parse_band(const std::string& text);
+
+}  // namespace nmbcgen
