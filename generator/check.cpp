@@ -65,14 +65,28 @@ const Format* format_of(const std::string& ending) {
     return format == formats().end() ? nullptr : &*format;
 }
 
+/// _at6o5x2_atpi1o3x1
+std::vector<MatchingPoint> points_of(const std::string& text) {
+    static const std::regex pattern(R"(_at(pi)?(\d+)o(\d+)x([1-9]\d?))");
+    std::vector<MatchingPoint> points;
+    for (std::sregex_iterator match(text.begin(), text.end(), pattern);
+         match != std::sregex_iterator(); ++match) {
+        points.push_back(
+            {.wave_number = parse_rational((*match)[2].str() + "/" + (*match)[3].str()),
+             .of_pi = (*match)[1].matched,
+             .multiplicity = unsigned(std::stoul((*match)[4]))});
+    }
+    return points;
+}
+
 /// The table a file of this name holds, where it is the name of one. More than two digits of
 /// order or horizon are no table that anybody could have made.
 std::optional<Specification> specification_of(const std::string& file_name) {
     static const std::regex pattern(
         R"((\w+?)_n([1-9]\d?)_order([1-9]\d?)(?:_s([1-9]\d?))?(?:_tau(\d+)o(\d+))?)"
-        R"((?:_dt(\d+)o(\d+))?(?:_G(\d+)o(\d+))?(\.[a-z]+))");
+        R"((?:_dt(\d+)o(\d+))?((?:_at(?:pi)?\d+o\d+x\d+)*)(?:_G(\d+)o(\d+))?(\.[a-z]+))");
     std::smatch match;
-    if (!std::regex_match(file_name, match, pattern) || format_of(match[11].str()) == nullptr) {
+    if (!std::regex_match(file_name, match, pattern) || format_of(match[12].str()) == nullptr) {
         return std::nullopt;
     }
     Specification what{.family = match[1],
@@ -81,15 +95,16 @@ std::optional<Specification> specification_of(const std::string& file_name) {
                        .stride = match[4].matched ? unsigned(std::stoul(match[4])) : 1,
                        .stabilisation = {},
                        .damping = 0,
-                       .time_step = 0};
+                       .time_step = 0,
+                       .points = points_of(match[9])};
     if (match[5].matched) {
         what.damping = parse_rational(match[5].str() + "/" + match[6].str());
     }
     if (match[7].matched) {
         what.time_step = parse_rational(match[7].str() + "/" + match[8].str());
     }
-    if (match[9].matched) {
-        what.stabilisation = parse_rational(match[9].str() + "/" + match[10].str());
+    if (match[10].matched) {
+        what.stabilisation = parse_rational(match[10].str() + "/" + match[11].str());
     }
     return what;
 }

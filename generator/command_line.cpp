@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
@@ -32,6 +33,7 @@ CLI::Option* add_parsed(CLI::App& app, const std::string& name, Target& target, 
 struct SpecificationOptions {
     CLI::Option* family;
     CLI::Option* order;
+    CLI::Option* match;
     CLI::Option* horizon;
     CLI::Option* stride;
     CLI::Option* damping;
@@ -40,13 +42,19 @@ struct SpecificationOptions {
     CLI::Option* G;
 };
 
-SpecificationOptions add_specification(CLI::App& app, Request& request) {
+SpecificationOptions add_specification(CLI::App& app, Request& request,
+                                       std::optional<Matching>& matching) {
     Specification& what = request.specification;
     const SpecificationOptions options{
         .family = add_parsed(app, "--family", what.family, parse_family,
                              "lattice model: " + family_names() + " (default nopd1d)"),
         .order =
             add_parsed(app, "--order", what.order, parse_count, "order N of the condition, >= 1"),
+        .match =
+            add_parsed(app, "--match", matching, parse_matching,
+                       "with --G, in place of --order: XI:ROWS,.. matches the residual and its "
+                       "derivatives, ROWS in all, at the wave numbers XI in 1/dX, such as "
+                       "0:5,1.2:2 or 0:3,pi/3:1"),
         .horizon = add_parsed(app, "--horizon", what.horizon, parse_count,
                               "horizon n in units of dX, >= 1"),
         .stride = add_parsed(app, "--stride", what.stride, parse_count,
@@ -66,17 +74,23 @@ SpecificationOptions add_specification(CLI::App& app, Request& request) {
                         "(default: coefficients are functions of G)"),
     };
     options.cfl->needs(options.G)->excludes(options.time_step);
+    options.match->needs(options.G)->excludes(options.order);
     return options;
 }
 
+void require_condition(const SpecificationOptions& options, const std::string& otherwise) {
+    if (options.order->count() + options.match->count() == 0 || options.horizon->count() == 0) {
+        throw CLI::RequiredError("--order (or --match) and --horizon" + otherwise);
+    }
+}
+
 /// nmbcgen reflect, with the same options for the condition.
-CLI::App* add_reflect(CLI::App& app, Request& request) {
+CLI::App* add_reflect(CLI::App& app, Request& request, std::optional<Matching>& matching) {
     auto* const reflect = app.add_subcommand(
         "reflect", "print the true reflection over the band as CSV (docs/reflection.md)");
-    const SpecificationOptions options = add_specification(*reflect, request);
-    for (CLI::Option* needed : {options.order, options.horizon, options.G}) {
-        needed->required();
-    }
+    const SpecificationOptions options = add_specification(*reflect, request, matching);
+    options.G->required();
+    reflect->parse_complete_callback([options] { require_condition(options, ""); });
     add_parsed(*reflect, "--samples", request.samples, parse_samples,
                "wave numbers in (0, pi) (default 200)");
     return reflect;
@@ -119,7 +133,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         "it as a table.\nExample: nmbcgen --order 3 --horizon 2",
         "nmbcgen");
     app.set_version_flag("--version", "nmbcgen " NMBC_VERSION);
-    const SpecificationOptions single = add_specification(app, request);
+    std::optional<Matching> matching;
+    const SpecificationOptions single = add_specification(app, request, matching);
     auto* const format = add_parsed(app, "--format", request.format, parse_format,
                                     format_names() + " (default header; docs/formats.md)");
     auto* const to_stdout =
@@ -142,16 +157,16 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         "--check", check,
         "compare the committed set in the folder with a fresh one; exit code 1 if it is stale");
     for (CLI::Option* whole_set : {all_flag, check_flag}) {
-        for (CLI::Option* other : {single.family, single.order, single.horizon, single.stride,
-                                   single.damping, single.time_step, single.cfl, single.G, format,
-                                   to_stdout, require_stable, uncertified}) {
+        for (CLI::Option* other : {single.family, single.order, single.match, single.horizon,
+                                   single.stride, single.damping, single.time_step, single.cfl,
+                                   single.G, format, to_stdout, require_stable, uncertified}) {
             whole_set->excludes(other);
         }
     }
     all_flag->excludes(check_flag);
     to_stdout->excludes(folder);
     require_stable->needs(single.G)->excludes(uncertified);
-    auto* const reflect = add_reflect(app, request);
+    auto* const reflect = add_reflect(app, request, matching);
     auto* const recommend = add_recommend(app, request.question);
     app.footer(
         "Exit codes: 0 done; 1 the committed set is stale; 2 wrong arguments; 3 there is no such "
@@ -161,9 +176,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
 
     try {
         app.parse(argc, argv);
-        if (!all && !check && !reflect->parsed() && !recommend->parsed() &&
-            (single.order->count() == 0 || single.horizon->count() == 0)) {
-            throw CLI::RequiredError("--order and --horizon (or --all, or --check)");
+        if (!all && !check && !reflect->parsed() && !recommend->parsed()) {
+            require_condition(single, " (or --all, or --check)");
         }
     } catch (const CLI::Success& help) {
         return app.exit(help, std::cout, std::cerr);
@@ -172,6 +186,10 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         return 2;
     }
     request.certified = !uncertified_given;
+    if (matching) {
+        request.specification.order = matching->order;
+        request.specification.points = matching->points;
+    }
     if (all) {
         request.action = Action::all_tables;
     } else if (check) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <numbers>
 #include <stdexcept>
@@ -26,10 +27,40 @@ unsigned parse_whole_number(const std::string& text, unsigned highest) {
     return value;
 }
 
+constexpr unsigned highest_count = 99;
+
+double approximate_wave_number(const MatchingPoint& point) {
+    return nearest_double(point.wave_number) * (point.of_pi ? std::numbers::pi : 1.0);
+}
+
+/// 0, 6/5, 1.2, pi/3, 2pi/3, 0.4pi
+MatchingPoint parse_point(const std::string& text) {
+    const std::size_t pi = text.find("pi");
+    MatchingPoint point;
+    try {
+        if (pi == std::string::npos) {
+            point.wave_number = parse_rational(text);
+        } else {
+            const std::string rest = text.substr(pi + 2);
+            point.of_pi = true;
+            point.wave_number = (pi == 0 ? Rational(1) : parse_rational(text.substr(0, pi))) *
+                                (rest.empty() ? Rational(1) : parse_rational("1" + rest));
+        }
+    } catch (const std::invalid_argument&) {
+        throw std::invalid_argument("'" + text.substr(0, 60) +
+                                    "' is not a wave number such as 6/5, 1.2 or 2pi/3");
+    }
+    if (approximate_wave_number(point) >= std::numbers::pi ||
+        (point.of_pi && point.wave_number == 0)) {
+        throw std::invalid_argument("'" + text.substr(0, 60) +
+                                    "' is not a wave number from 0 to below pi, in 1/dX");
+    }
+    return point;
+}
+
 }  // namespace
 
 unsigned parse_count(const std::string& text) {
-    constexpr unsigned highest_count = 99;
     return parse_whole_number(text, highest_count);
 }
 
@@ -87,6 +118,48 @@ Rational parse_cfl(const std::string& text) {
                                     "' is not between 0 and 1, where leapfrog is stable");
     }
     return value;
+}
+
+Matching parse_matching(const std::string& text) {
+    Matching matching{.order = 0, .points = {}};
+    unsigned rows_at_zero = 0;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find(',', start), text.size());
+        const std::string item = text.substr(start, end - start);
+        start = end + 1;
+        const std::size_t colon = std::min(item.find(':'), item.size());
+        const std::string count = item.substr(std::min(colon + 1, item.size()));
+        MatchingPoint point = parse_point(item.substr(0, colon));
+        point.multiplicity = parse_whole_number(count, 2 * highest_count + 1);
+        if (point.wave_number == 0) {
+            if (rows_at_zero != 0 || point.multiplicity % 2 == 0) {
+                throw std::invalid_argument(
+                    "'" + item.substr(0, 60) +
+                    "': xi = 0 has an odd number of rows, and is given once");
+            }
+            rows_at_zero = point.multiplicity;
+            continue;
+        }
+        matching.order += point.multiplicity;
+        matching.points.push_back(point);
+    }
+    if (rows_at_zero == 0) {
+        throw std::invalid_argument("'" + text.substr(0, 60) +
+                                    "' needs 0:1 at least, so that a rigid motion is left alone");
+    }
+    matching.order += (rows_at_zero - 1) / 2;
+    if (matching.order < 1 || matching.order > highest_count) {
+        throw std::invalid_argument(
+            fmt::format("'{}' makes the order {}; allowed are 1 to {}: (rows at 0 - 1)/2 and the "
+                        "rows of the others",
+                        text.substr(0, 60), matching.order, highest_count));
+    }
+    std::ranges::sort(matching.points, {}, approximate_wave_number);
+    const auto twice = std::ranges::adjacent_find(matching.points, {}, approximate_wave_number);
+    if (twice != matching.points.end()) {
+        throw std::invalid_argument("a matching point is given twice: " + to_string(*twice));
+    }
+    return matching;
 }
 
 unsigned parse_recommended_order(const std::string& text) {

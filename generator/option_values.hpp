@@ -4,10 +4,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "generator/emit/emit.hpp"
 #include "generator/recommend.hpp"
-#include "generator/table/exact.hpp"
+#include "generator/table/table.hpp"
 
 namespace nmbcgen {
 
@@ -26,6 +27,13 @@ std::string parse_folder(const std::string& text);
 
 /// An exact cfl between 0 and 1.
 Rational parse_cfl(const std::string& text);
+
+/// XI:ROWS,..  as matching_text() of emit.hpp has them, in any order; XI = 0 among them.
+struct Matching {
+    unsigned order;  ///< with which there are as many equations as coefficients
+    std::vector<MatchingPoint> points;
+};
+Matching parse_matching(const std::string& text);
 
 unsigned parse_recommended_order(const std::string& text);  ///< 1 to 8; higher ones take minutes
 double parse_recommended_cfl(const std::string& text);      ///< 0.01 at least, below 1

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/pipeline.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <future>
@@ -9,8 +11,11 @@
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/family.hpp"
 #include "generator/matching/freeze.hpp"
+#include "generator/matching/local.hpp"
 #include "generator/matching/matching.hpp"
+#include "generator/matching/points.hpp"
 #include "generator/matching/proof.hpp"
+#include "generator/matching/real.hpp"
 #include "generator/matching/reason.hpp"
 #include "generator/matching/taylor.hpp"
 #include "generator/stability/certify.hpp"
@@ -38,15 +43,35 @@ std::vector<RationalFunction> over_first(const std::vector<Polynomial>& numerato
     return result;
 }
 
+/// What can be said before anything is derived.
+void require_sense(const Specification& specification) {
+    if (specification.order == 1 && specification.time_step != 0 && specification.points.empty()) {
+        throw NoSuchBoundary(
+            "NMBC1 is the same in time steps of any length: it sees a_1 and a_2 only, which they "
+            "leave alone. Use it without a time step, or a higher order.");
+    }
+    if (!specification.points.empty() && !specification.stabilisation) {
+        throw std::invalid_argument("matching points need a fixed G");
+    }
+    unsigned taken = 0;
+    Real last = 0;
+    for (const MatchingPoint& point : specification.points) {
+        taken += point.multiplicity;
+        const Real xi = wave_number(point);
+        if (xi <= last || xi >= boost::math::constants::pi<Real>()) {
+            throw std::invalid_argument("matching points ascend in (0, pi)");
+        }
+        last = xi;
+    }
+    if (taken > specification.order) {
+        throw std::invalid_argument("more matching points than the order has equations for");
+    }
+}
+
 }  // namespace
 
 Table derive(const Specification& specification) {
-    if (specification.order == 1 && specification.time_step != 0) {
-        throw NoSuchBoundary(
-            "NMBC1 is the same in time steps of any length: it sees a_1 and a_2 only, which they "
-            "leave "
-            "alone. Use it without a time step, or a higher order.");
-    }
+    require_sense(specification);
     Table table{
         .specification = specification,
         .model = make_model(specification.family, specification.horizon, specification.damping),
@@ -72,11 +97,6 @@ Table derive(const Specification& specification) {
         dispersion.damping.push_back(thaw(constant(coefficient), G));
     }
     const auto taylor = taylor_coefficients(dispersion, 2 * specification.order + 1);
-    const auto matching = match(taylor, specification.stride, specification.order);
-    if (const Degeneracy found = degeneracy(matching); found != Degeneracy::none) {
-        throw NoSuchBoundary(reason(found, specification, dispersion, taylor));
-    }
-
     const auto freeze_all = [&G](const std::vector<GiNaC::ex>& expressions) {
         std::vector<Polynomial> frozen;
         frozen.reserve(expressions.size());
@@ -85,10 +105,22 @@ Table derive(const Specification& specification) {
         }
         return frozen;
     };
-    const auto C = freeze_all(matching.C);
     table.taylor = freeze_all({taylor.begin() + 1, taylor.end()});
-    table.c = over_first(C, C.front());
-    table.b = over_first(freeze_all(matching.B), C.front());
+    if (specification.points.empty()) {
+        const auto matching = match(taylor, specification.stride, specification.order);
+        if (const Degeneracy found = degeneracy(matching); found != Degeneracy::none) {
+            throw NoSuchBoundary(reason(found, specification, dispersion, taylor));
+        }
+        const auto C = freeze_all(matching.C);
+        table.c = over_first(C, C.front());
+        table.b = over_first(freeze_all(matching.B), C.front());
+    } else {
+        try {
+            match_at_points(table);
+        } catch (const NotMatched& why) {
+            throw NoSuchBoundary(fmt::format("there is no such condition: {}", why.what()));
+        }
+    }
     table.proved = prove(table);
     return table;
 }

@@ -2,12 +2,13 @@
 /// The generator, stage by stage. Each stage is a function from data to data:
 ///
 ///   specification      family, horizon, order, stride, damping, time step,  table/table.hpp
-///                      G or none
+///                      matching points, G or none
 ///     | make_model     a family's energy as squares, hence symbol, damping  families/family.hpp
 ///   model
 ///     | thaw           into the algebra system                              matching/freeze.hpp
 ///     | taylor         a_1 .. a_{2N+1} of the dispersion relation (47)      matching/taylor.hpp
 ///     | match          C(z), B(z) by diagonal Pade approximation (49)       matching/matching.hpp
+///     |   or match_at_points, with other matching points than xi = 0        matching/points.hpp
 ///     | freeze         out of it, coefficient by coefficient                matching/freeze.hpp
 ///     | reduce         c_j, b_j as rational functions in normal form        exact/
 ///     | prove          residual of (49) and all else, exactly               matching/proof.hpp
@@ -31,8 +32,9 @@ struct NoSuchBoundary : std::runtime_error {
 };
 
 /// Derives and proves one table.
-/// Throws NoSuchBoundary, std::invalid_argument for an unknown family or damping that it cannot
-/// have, and std::logic_error where the proof fails (a defect of the generator).
+/// Throws NoSuchBoundary, std::invalid_argument for an unknown family, damping that it cannot have,
+/// or matching points without a G, beyond the order or out of order, and std::logic_error where the
+/// proof fails (a defect of the generator).
 Table derive(const Specification& specification);
 
 /// Certifies the tables that have no certificate, on all cores. Takes seconds a table at horizons

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "generator/emit/emit.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/discrete.hpp"
@@ -69,8 +70,9 @@ void require_stable(const Table& table) {
     const HalfSpace half_space = make_half_space(table, G);
     const bool only_too_long = what.time_step != 0 && stability_grade(half_space) != Grade::none;
     std::string message = fmt::format(
-        "NMBC{} at horizon {}, stride {},{}{} G = {} is not {}. Nothing was written.", what.order,
+        "NMBC{} at horizon {}, stride {},{}{}{} G = {} is not {}. Nothing was written.", what.order,
         what.horizon, what.stride,
+        what.points.empty() ? std::string() : " matched at " + matching_text(what) + ",",
         what.damping != 0 ? " damping " + to_string(what.damping) + "," : std::string(),
         what.time_step != 0 ? " steps of " + to_string(what.time_step) + "," : std::string(),
         to_string(G),
@@ -79,7 +81,7 @@ void require_stable(const Table& table) {
                           cfl_of(half_space, nearest_double(what.time_step)),
                           largest_cfl(half_space, GhostLevel::midpoint))
             : "stable: " + how_it_fails(table, G));
-    if (only_too_long) {
+    if (only_too_long || !what.points.empty()) {
         throw NotStable(message);
     }
     constexpr unsigned quick = 5;  // above, windows take minutes

@@ -5,6 +5,14 @@
 
 namespace nmbcgen {
 
+CoefficientList c_list(const Table& table) {
+    return {"c", 0, table.c, table.digits, table.closed_c};
+}
+
+CoefficientList b_list(const Table& table) {
+    return {"b", 0, table.b, table.digits, table.closed_b};
+}
+
 std::vector<CoefficientList> coefficient_lists(const Table& table) {
     CoefficientList symbol{"symbol", 0, {}};
     for (const Polynomial& coefficient : table.model.symbol) {
@@ -18,11 +26,7 @@ std::vector<CoefficientList> coefficient_lists(const Table& table) {
     for (const Polynomial& coefficient : table.taylor) {
         taylor.functions.push_back(to_rational_function(coefficient));
     }
-    return {std::move(symbol),
-            std::move(damping),
-            std::move(taylor),
-            {"c", 0, table.c},
-            {"b", 0, table.b}};
+    return {std::move(symbol), std::move(damping), std::move(taylor), c_list(table), b_list(table)};
 }
 
 std::vector<std::string> texts_of(const IntegerPolynomial& polynomial) {

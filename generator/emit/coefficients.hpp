@@ -14,7 +14,12 @@ struct CoefficientList {
     std::string_view name;  ///< symbol, damping, taylor, c or b
     std::size_t first;      ///< index of the first one: a_1 of taylor, else 0
     std::vector<RationalFunction> functions;
+    unsigned digits = 0;                    ///< they are rounded to; 0: exact
+    std::vector<AlgebraicNumber> closed{};  ///< what they were rounded from, where there is a form
 };
+
+CoefficientList c_list(const Table& table);
+CoefficientList b_list(const Table& table);
 
 /// symbol, damping (which may be empty), taylor, c and b.
 std::vector<CoefficientList> coefficient_lists(const Table& table);

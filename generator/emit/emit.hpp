@@ -16,8 +16,15 @@ inline constexpr int schema = 3;
 /// Of the headers: nmbc::table_schema in runtime/nmbc/table.hpp.
 inline constexpr int header_schema = 4;
 
-/// FAMILY_nH_orderN[_sS][_tauPoQ][_dtPoQ][_GPoQ], the name of the table and of its files.
+/// FAMILY_nH_orderN[_sS][_tauPoQ][_dtPoQ][_at[pi]PoQxM ..][_GPoQ], the name of the table and of its
+/// files.
 std::string table_name(const Specification& specification);
+
+/// The wave number as on the command line: 6/5, pi, 2pi/3.
+std::string to_string(const MatchingPoint& point);
+
+/// All that is matched, as on the command line: 0:5,6/5:2.
+std::string matching_text(const Specification& specification);
 
 /// The command line that makes this table again.
 std::string regenerating_command(const Specification& specification);

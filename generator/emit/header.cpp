@@ -3,8 +3,10 @@
 
 #include "generator/emit/array.hpp"
 #include "generator/emit/certificate_text.hpp"
+#include "generator/emit/coefficients.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/emit/heading.hpp"
+#include "generator/exact/algebraic_number.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 
@@ -48,13 +50,14 @@ constexpr auto line_of = [](const auto& item) {
 };
 
 /// The coefficients of a table at a fixed G, rounded once: for copying into other programs.
-std::string rounded_array(const std::string& name, const std::vector<RationalFunction>& items) {
-    std::string text = fmt::format("inline constexpr double {}[]{{\n", name);
-    for (const RationalFunction& item : items) {
-        const Rational value =
-            evaluate(over_rationals(item.numerator), 0) / Rational(item.denominator[0]);
+std::string rounded_array(const CoefficientList& list) {
+    std::string text = fmt::format("inline constexpr double rounded_{}[]{{\n", list.name);
+    for (std::size_t i = 0; i < list.functions.size(); ++i) {
+        const Rational value = evaluate(list.functions[i], 0);
         const double rounded = nearest_double(value);
-        text += fmt::format("    {:a},  // {:.17g} = {}\n", rounded, rounded, to_string(value));
+        const std::string exact = list.closed.empty() ? to_string(value) : to_text(list.closed[i]);
+        text += fmt::format("    {:a},  // {:.17g}{}\n", rounded, rounded,
+                            list.digits > 0 && list.closed.empty() ? "" : " = " + exact);
     }
     return text + "};\n";
 }
@@ -89,8 +92,8 @@ std::string emit_header(const Table& table) {
     text += window_arrays(certificate);
     if (what.stabilisation) {
         text += "/// c_j and b_j rounded to nearest: hexadecimal, 17 digits, exact.\n";
-        text += rounded_array("rounded_c", table.c) + "\n";
-        text += rounded_array("rounded_b", table.b) + "\n";
+        text += rounded_array(c_list(table)) + "\n";
+        text += rounded_array(b_list(table)) + "\n";
     }
     text += fmt::format("}}  // namespace {}_data\n\n", name);
     text += fmt::format("/// {}.\n", title(what));

@@ -38,10 +38,11 @@ std::string heading(const std::string& comment, const Table& table, const std::s
 
 std::string title(const Specification& what) {
     return fmt::format(
-        "NMBC{}, horizon {} dX, stride {}{}{}{}", what.order, what.horizon, what.stride,
+        "NMBC{}, horizon {} dX, stride {}{}{}{}{}", what.order, what.horizon, what.stride,
         what.damping > 0 ? ", tau = " + to_string(what.damping) : std::string(),
         what.time_step > 0 ? ", in leapfrog steps of " + to_string(what.time_step) + " dX/c"
                            : std::string(),
+        what.points.empty() ? std::string() : ", matched at " + matching_text(what),
         what.stabilisation ? ", G = " + to_string(*what.stabilisation) : std::string());
 }
 

@@ -4,6 +4,7 @@
 #include "generator/emit/certificate_json.hpp"
 #include "generator/emit/certificate_text.hpp"
 #include "generator/emit/emit.hpp"
+#include "generator/exact/algebraic_number.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 
@@ -63,12 +64,34 @@ Json energy_array(const std::vector<EnergySquare>& energy, bool at_fixed_G) {
     return array;
 }
 
+Json closed_array(const std::vector<AlgebraicNumber>& numbers) {
+    Json array = Json::array();
+    for (const AlgebraicNumber& number : numbers) {
+        array.push_back(to_text(number));
+    }
+    return array;
+}
+
+/// "match", and where there are closed forms "closed_c" and "closed_b", only of a table that has
+/// matching points besides xi = 0.
+void add_points(Json& object, const Table& table) {
+    if (table.specification.points.empty()) {
+        return;
+    }
+    object["match"] = matching_text(table.specification);
+    object["digits"] = table.digits;
+    if (!table.closed_c.empty()) {
+        object["closed_c"] = closed_array(table.closed_c);
+        object["closed_b"] = closed_array(table.closed_b);
+    }
+}
+
 Json table_object(const Table& table) {
     const Specification& what = table.specification;
     const bool fixed = what.stabilisation.has_value();
     const bool damped = what.damping > 0;
     const Certificate certificate = table.certificate.value_or(Certificate{});
-    return {
+    Json object = {
         {"schema", schema},
         {"family", what.family},
         {"order", what.order},
@@ -92,16 +115,18 @@ Json table_object(const Table& table) {
         {"max_cfl_contractive", steps_array(certificate.max_cfl_contractive)},
         {"max_cfl_explicit", steps_array(certificate.max_cfl_explicit)},
         {"certificate", table.certificate ? Json(certificate_statement(table)) : Json(nullptr)}};
+    add_points(object, table);
+    return object;
 }
 
-std::string to_text(const Json& json) {
+std::string dumped(const Json& json) {
     return json.dump(1) + "\n";
 }
 
 }  // namespace
 
 std::string emit_json(const Table& table) {
-    return to_text(table_object(table));
+    return dumped(table_object(table));
 }
 
 std::string emit_json(std::span<const Table> tables) {
@@ -109,7 +134,7 @@ std::string emit_json(std::span<const Table> tables) {
     for (const Table& table : tables) {
         list.push_back(table_object(table));
     }
-    return to_text({{"schema", schema}, {"tables", list}});
+    return dumped({{"schema", schema}, {"tables", list}});
 }
 
 }  // namespace nmbcgen

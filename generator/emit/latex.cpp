@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <regex>
+
 #include "generator/emit/coefficients.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/emit/heading.hpp"
+#include "generator/exact/algebraic_number.hpp"
+#include "generator/exact/rational.hpp"
+#include "generator/exact/rational_function.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -40,6 +45,25 @@ std::string fraction(const RationalFunction& function) {
                        minus ? numerator.substr(1) : numerator, denominator);
 }
 
+/// 3 + 2*sqrt(5) as (3 + 2\sqrt{5}), (3 + 2*sqrt(5))/7 likewise.
+std::string radical(const AlgebraicNumber& number) {
+    static const std::regex root(R"(\*?sqrt\((\d+)\))");
+    const std::string text = std::regex_replace(to_text(number), root, "\\sqrt{$1}");
+    const bool is_sum = text.find(' ') != std::string::npos && text.find('(') == std::string::npos;
+    return is_sum ? "(" + text + ")" : text;
+}
+
+/// What the i-th coefficient is; its decimals where it has no short form.
+std::string value(const CoefficientList& list, std::size_t i) {
+    if (!list.closed.empty()) {
+        return "= " + radical(list.closed[i]);
+    }
+    if (list.digits > 0 && list.functions[i].denominator != IntegerPolynomial(Integer(1))) {
+        return fmt::format("\\approx {:.17g}", nearest_double(evaluate(list.functions[i], 0)));
+    }
+    return "= " + fraction(list.functions[i]);
+}
+
 /// The letters of the lists, as in (47), (60) and the table's symbol.
 std::string letter(std::string_view name) {
     return name == "symbol"    ? "s"
@@ -68,8 +92,8 @@ std::string emit_latex(const Table& table) {
         }
         text += "\\begin{align*}\n";
         for (std::size_t i = 0; i < list.functions.size(); ++i) {
-            text += fmt::format("  {}_{{{}}} &= {}{}{}\n", letter(list.name), list.first + i,
-                                fraction(list.functions[i]), unit(list.name),
+            text += fmt::format("  {}_{{{}}} &{}{}{}\n", letter(list.name), list.first + i,
+                                value(list, i), unit(list.name),
                                 i + 1 < list.functions.size() ? " \\\\" : "");
         }
         text += "\\end{align*}\n";

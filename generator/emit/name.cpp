@@ -20,6 +20,11 @@ std::string table_name(const Specification& specification) {
         name += fmt::format("_dt{}o{}", numerator(specification.time_step).str(),
                             denominator(specification.time_step).str());
     }
+    for (const MatchingPoint& point : specification.points) {
+        name += fmt::format("_at{}{}o{}x{}", point.of_pi ? "pi" : "",
+                            numerator(point.wave_number).str(),
+                            denominator(point.wave_number).str(), point.multiplicity);
+    }
     if (specification.stabilisation) {
         name += fmt::format("_G{}o{}", numerator(*specification.stabilisation).str(),
                             denominator(*specification.stabilisation).str());
@@ -27,10 +32,29 @@ std::string table_name(const Specification& specification) {
     return name;
 }
 
+std::string to_string(const MatchingPoint& point) {
+    if (!point.of_pi) {
+        return to_string(point.wave_number);
+    }
+    const Integer p = numerator(point.wave_number);
+    const Integer q = denominator(point.wave_number);
+    return (p == 1 ? "" : p.str()) + "pi" + (q == 1 ? "" : "/" + q.str());
+}
+
+std::string matching_text(const Specification& specification) {
+    std::string text = fmt::format("0:{}", rows_at_zero(specification));
+    for (const MatchingPoint& point : specification.points) {
+        text += fmt::format(",{}:{}", to_string(point), point.multiplicity);
+    }
+    return text;
+}
+
 std::string regenerating_command(const Specification& specification) {
-    std::string command =
-        fmt::format("nmbcgen --family {} --order {} --horizon {}", specification.family,
-                    specification.order, specification.horizon);
+    const std::string condition = specification.points.empty()
+                                      ? fmt::format("--order {}", specification.order)
+                                      : "--match " + matching_text(specification);
+    std::string command = fmt::format("nmbcgen --family {} {} --horizon {}", specification.family,
+                                      condition, specification.horizon);
     if (specification.stride != 1) {
         command += fmt::format(" --stride {}", specification.stride);
     }

@@ -7,6 +7,7 @@
 
 #include "generator/exact/rational_function.hpp"
 #include "generator/exact/symbol.hpp"
+#include "generator/matching/points_proof.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -112,7 +113,7 @@ void prove_residual(const Table& table) {
         b.push_back(times_multiple(table.b[j], common));
         c_at_one += c.back();
     }
-    for (std::size_t k = 0; k <= 2 * order; ++k) {
+    for (std::size_t k = 0; k < rows_at_zero(table.specification); ++k) {
         Polynomial row;
         for (std::size_t j = 0; j <= order; ++j) {
             const Rational offset = j * table.specification.stride;
@@ -142,11 +143,21 @@ std::string prove(const Table& table) {
     prove_residual(table);
     prove_normal_form(table.c);
     prove_normal_form(table.b);
-    const bool fixed = table.specification.stabilisation.has_value();
+    prove_points(table);
+    const Specification& what = table.specification;
+    const bool fixed = what.stabilisation.has_value();
+    const std::string at_points =
+        what.points.empty()
+            ? std::string()
+            : fmt::format(", in {} rows at xi = 0, and below 1e-30 at the matching points{}",
+                          rows_at_zero(what),
+                          table.digits > 0
+                              ? fmt::format(" (c and b are rounded to {} digits)", table.digits)
+                              : std::string());
     return fmt::format(
-        "residual of (49) {}{}; symbol = sum of the energy's squares; {}C(1) {}",
+        "residual of (49) {}{}{}; symbol = sum of the energy's squares; {}C(1) {}",
         fixed ? "zero at this G" : "identically zero in G",
-        table.specification.time_step != 0 ? ", in leapfrog steps of this length" : "",
+        what.time_step != 0 ? ", in leapfrog steps of this length" : "", at_points,
         shows_damping(table) ? "damping = tau times those of stabilisation at G = 1; " : "",
         fixed ? "!= 0" : "not identically zero");
 }

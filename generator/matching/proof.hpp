@@ -16,7 +16,9 @@ namespace nmbcgen {
 ///   - a_1 = 1 (the root of omega^2 that (47) means: a wave coming in is one with +omega),
 ///   - s = sum a_k x^k solves s^2 + tau sigma s + omega^2 = 0 as a power series in x = i xi
 ///     through x^{2N+2} (47), or its like in time steps (taylor.hpp),
-///   - the residual of (49) vanishes in every row k = 0 .. 2N, and c_0 = 1,
+///   - the residual of (49) vanishes in every row k = 0 .. 2N that is not given to matching points,
+///     and c_0 = 1,
+///   - at matching points it vanishes but for roundings (points_proof.hpp),
 ///   - C(1) is not zero, and every rational function is in its normal form.
 /// Returns the sentence a table carries about it. Throws std::logic_error naming what fails.
 std::string prove(const Table& table);

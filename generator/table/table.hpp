@@ -12,6 +12,15 @@
 
 namespace nmbcgen {
 
+/// A wave number xi > 0 at which s(xi) C(z) - B(z) and its derivatives below multiplicity vanish.
+struct MatchingPoint {
+    Rational wave_number;  ///< xi in 1/dX; of_pi: in pi/dX
+    bool of_pi = false;
+    unsigned multiplicity = 1;
+
+    friend bool operator==(const MatchingPoint&, const MatchingPoint&) = default;
+};
+
 /// Which table: the request as a person makes it.
 struct Specification {
     std::string family = "nopd1d";
@@ -21,7 +30,17 @@ struct Specification {
     std::optional<Rational> stabilisation;  ///< G; none: G stays symbolic.
     Rational damping = 0;                   ///< tau >= 0 [c/dX]
     Rational time_step = 0;  ///< dt [dX/c] of leapfrog it is matched in; 0: continuous time
+    std::vector<MatchingPoint> points{};  ///< ascending, at a fixed G only
 };
+
+/// The rows k = 0, 1, .. of (49) that hold at xi = 0: what the matching points leave of 2N + 1.
+inline unsigned rows_at_zero(const Specification& specification) {
+    unsigned rows = 2 * specification.order + 1;
+    for (const MatchingPoint& point : specification.points) {
+        rows -= 2 * point.multiplicity;
+    }
+    return rows;
+}
 
 /// The ledger entry an energy is counted in.
 enum class EnergyPart { strain, stabilisation };
@@ -59,8 +78,12 @@ struct Table {
     Model model;
     std::vector<Polynomial> taylor;  ///< a_1 .. a_{2N+1} of s = sum a_k (i xi)^k, (47); s = i omega
                                      ///< where nothing is damped, in continuous time
-    std::vector<RationalFunction> c;         ///< c_0 .. c_N, c_0 = 1
-    std::vector<RationalFunction> b;         ///< b_0 .. b_N
+    std::vector<RationalFunction> c;  ///< c_0 .. c_N, c_0 = 1
+    std::vector<RationalFunction> b;  ///< b_0 .. b_N
+    unsigned digits = 0;  ///< of c and b where matching points make them irrational; 0: exact
+    /// Where c and b are rounded and lie in one quadratic field: what they were rounded from.
+    std::vector<AlgebraicNumber> closed_c{};
+    std::vector<AlgebraicNumber> closed_b{};
     std::string source;                      ///< the equations the table is taken from
     std::string proved;                      ///< what prove() established about it
     std::optional<Certificate> certificate;  ///< where it is stable; none before certify()

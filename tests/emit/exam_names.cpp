@@ -40,6 +40,19 @@ TEST_CASE("the name leaves out what is usual") {
           "nopd1d_n1_order2_tau1o50_dt2o1_G3o1");
 }
 
+TEST_CASE("matching points in name and command") {
+    Specification what = specification(1, 4, 1, Rational(1, 2));
+    what.points = {{.wave_number = Rational(1, 3), .of_pi = true, .multiplicity = 1},
+                   {.wave_number = Rational(12, 10), .of_pi = false, .multiplicity = 2}};
+    CHECK(table_name(what) == "nopd1d_n1_order4_atpi1o3x1_at6o5x2_G1o2");
+    CHECK(regenerating_command(what) ==
+          "nmbcgen --family nopd1d --match 0:3,pi/3:1,6/5:2 --horizon 1 --G 1/2");
+    what.points[0].wave_number = Rational(2, 3);
+    what.points.pop_back();
+    CHECK(matching_text(what) == "0:7,2pi/3:1");
+    CHECK(to_string(MatchingPoint{.wave_number = 1, .of_pi = true, .multiplicity = 1}) == "pi");
+}
+
 TEST_CASE("the command says all that the name says") {
     CHECK(regenerating_command(specification(2, 3, 1, {})) ==
           "nmbcgen --family nopd1d --order 3 --horizon 2");

@@ -50,6 +50,28 @@ for option in --G --damping --time-step; do
     refuses $option "At Most 1" -- --order 1 --horizon 1 $option 1 $option 1
 done
 
+for bad in "" "," "0:3," "0:3,,1:1" "nan:1,0:3" "0:3,-1:1" "0:3,1e3:1" "0:3,pipi:1" "0:3,pi/0:1" \
+    "0:3,1/0:1" "0:3,pi/1.5:1"; do
+    refuses --match "wave number such as 6/5, 1.2 or 2pi/3" -- --horizon 1 --G 1/2 --match "$bad:"
+done
+for bad in "0" "0:3,1:0" "0:3,1:-1" "0:3,1:1:1" "0:3,1:" "0:3,1" "0:3,1:200" "0:3,1:one"; do
+    refuses --match "whole number from 1 to 199" -- --horizon 1 --G 1/2 --match "$bad"
+done
+for bad in "0:3,4:1" "0:3,pi:1" "0:3,0pi:1" "0:3,355/113:1"; do
+    refuses --match "from 0 to below pi" -- --horizon 1 --G 1/2 --match "$bad"
+done
+refuses --match "'0:2'" "odd number of rows" -- --horizon 1 --G 1/2 --match 0:2
+refuses --match "'0:3'" "given once" -- --horizon 1 --G 1/2 --match 0:3,0:3
+refuses --match "needs 0:1 at least" -- --horizon 1 --G 1/2 --match 1:2
+refuses --match "makes the order 0" -- --horizon 1 --G 1/2 --match 0:1
+refuses --match "makes the order 100" -- --horizon 1 --G 1/2 --match 0:199,1:1
+refuses --match "given twice: pi/3" -- --horizon 1 --G 1/2 --match 0:1,pi/3:1,2pi/6:1
+refuses --match "given twice: 1" -- --horizon 1 --G 1/2 --match 0:1,1.0:1,1:1
+refuses --match "requires --G" -- --horizon 1 --match 0:3,1:1
+refuses --match "excludes" -- --horizon 1 --G 1/2 --match 0:3,1:1 --order 2
+refuses --match --horizon -- --G 1/2 --match 0:3,1:1
+refuses --match --order -- reflect --horizon 1 --G 1/2
+
 refuses --family "'nopd7d'" "allowed: nopd1d" -- --order 1 --horizon 1 --family nopd7d
 refuses --family "''" "allowed: nopd1d" -- --order 1 --horizon 1 --family ""
 refuses --format "'xml'" "allowed: header, json, python, c, csv, latex" -- --order 1 --horizon 1 --format xml
@@ -65,10 +87,10 @@ refuses --order "At Most 1" -- --order 1 --order 2 --horizon 1
 refuses --order "At Most 1" -- --order 1 --order 1 --horizon 1
 refuses --horizon "At Most 1" -- --order 1 --horizon 1 --horizon 1
 
-refuses "--order and --horizon" "--all" "--check" -- --order 1
-refuses "--order and --horizon" "--all" "--check" -- --horizon 1
-refuses "--order and --horizon" "--all" "--check" --
-refuses "--order and --horizon" "--all" "--check" -- --stdout
+refuses "--order (or --match) and --horizon" "--all" "--check" -- --order 1
+refuses "--order (or --match) and --horizon" "--all" "--check" -- --horizon 1
+refuses "--order (or --match) and --horizon" "--all" "--check" --
+refuses "--order (or --match) and --horizon" "--all" "--check" -- --stdout
 refuses --order "required" -- --horizon 1 --order
 refuses --order "required" -- --horizon 1 --order=
 

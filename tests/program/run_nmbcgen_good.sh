@@ -41,6 +41,14 @@ writes out/nopd1d_n1_order2.hpp --order 2 --horizon 1 --time-step 0 --out out
 writes out/nopd1d_n1_order2_dt3o5_G1o2.hpp --order 2 --horizon 1 --cfl 3/5 --G 1/2 --out out
 # At G = 1, omega_max^2 = 8: dt = 0.3 sqrt(2) = 0.4242..
 writes out/nopd1d_n1_order3_dt53o125_G1o1.hpp --order 3 --horizon 1 --cfl 0.6 --G 1 --out out
+writes out/nopd1d_n1_order4_at6o5x2_G1o2.hpp --match 0:5,1.2:2 --horizon 1 --G 1/2 --out out
+writes out/nopd1d_n1_order3_at1o5x1_atpi1o3x1_G1o2.hpp --match pi/3:1,0.2:1,0:3 --horizon 1 --G 0.5 \
+    --out out
+writes out/nopd1d_n1_order2.hpp --order 2 --horizon 1 --out out
+writes out/nopd1d_n1_order2_G1o2.hpp --match 0:5 --horizon 1 --G 1/2 --out out
+cp out/nopd1d_n1_order2_G1o2.hpp "$scratch/order"
+writes out/nopd1d_n1_order2_G1o2.hpp --order 2 --horizon 1 --G 1/2 --out out
+expect_same out/nopd1d_n1_order2_G1o2.hpp "$scratch/order"
 writes out/nopd1d_n1_order1_G2o1.json --order 1 --horizon 1 --G 2 --format json --out out
 writes out/a/b/nopd1d_n1_order1.hpp --order 1 --horizon 1 --out out/a/b
 writes "out/with space/nopd1d_n1_order1.hpp" --order 1 --horizon 1 --out "out/with space"
@@ -61,6 +69,7 @@ done
 
 # The banner's command makes the file again.
 for request in "--order 2 --horizon 2 --stride 2 --G 3/4" \
+    "--match 0:3,1/5:1,pi/3:1 --horizon 1 --G 1/2" \
     "--order 2 --horizon 2 --stride 2 --damping 1/10 --time-step 3/4 --G 3/4 --uncertified"; do
     # shellcheck disable=SC2086
     "$program" $request --stdout >"$scratch/first"
@@ -77,6 +86,12 @@ try reflect --order 2 --horizon 1 --G 1/2 --cfl 3/5 --samples 3
 expect_exit 0
 expect "little" awk -F, 'NR == 2 { exit !($7 < 1e-6) }' "$scratch/stdout"
 
+# Nothing comes back at a matching point: 200 samples, the 64th at 127 pi/400.
+try reflect --match 0:3,127pi/400:1 --horizon 2 --stride 2 --G 1 --samples 200
+expect_exit 0
+expect "nothing but roundings" awk -F, 'NR > 1 && $2 > 0.9974 && $2 < 0.9975 { n++; if ($7 > 1e-20) exit 1 }
+    END { exit !n }' "$scratch/stdout"
+
 # reflect without damping is as without the option.
 try reflect --order 1 --horizon 1 --G 1 --samples 3
 expect_exit 0
@@ -90,7 +105,7 @@ expect "name and version" grep -qxE 'nmbcgen [0-9]+\.[0-9]+\.[0-9]+' "$scratch/s
 try --help
 expect_exit 0
 expect_no_stderr
-for option in --family --order --horizon --stride --damping --time-step --cfl --G --format --stdout --out --all --check; do
+for option in --family --order --horizon --stride --damping --time-step --cfl --match --G --format --stdout --out --all --check; do
     expect "$option in the help" grep -qF -- "$option" "$scratch/stdout"
 done
 expect_nothing_written

@@ -34,6 +34,17 @@ done
 does_not_exist 2 1 0/5 "G = 0"
 does_not_exist 2 1 0.0 "G = 0"
 
+# Matching points.
+for case in "0:3,pi/2:1 1 0 group velocity is zero" "0:7,1/2:1 1 0 equations are singular" \
+    "0:3,1/2:1 1 0 pole"; do
+    read -r points horizon G reason <<<"$case"
+    try --match "$points" --horizon "$horizon" --G "$G" --stdout
+    expect_exit 3
+    expect_stderr_lines 1
+    expect_no_stdout
+    expect_stderr "$reason"
+done
+
 # NMBC1 gains an order.
 for case in "1 1" "2 208/85" "3 405/98"; do
     read -r horizon G <<<"$case"

@@ -93,7 +93,10 @@ is_up_to_date
 # Files that belong to no table: --check names them, and says that they are to be deleted.
 for left_over in notes.txt nopd1d_n2_order3.hpp.orig nopd1d_n2_order3.hpp.new-4711 \
     nopd7d_n1_order1.hpp nopd1d_n0_order1.hpp nopd1d_n1_order1_tau0o1.hpp \
-    nopd1d_n1_order2_G2o4.hpp nopd1d_n1_order2_G1o1.hpp; do  # the last: no such condition
+    nopd1d_n1_order2_G2o4.hpp nopd1d_n1_order1_at1o1x1.hpp nopd1d_n1_order1_at1o1x2_G1o2.hpp \
+    nopd1d_n1_order2_at1o1x1_at1o2x1_G1o2.hpp nopd1d_n1_order1_at4o1x1_G1o2.hpp \
+    nopd1d_n1_order1_at0o1x1_G1o2.hpp nopd1d_n1_order2_at1o1x1_at1o1x1_G1o2.hpp \
+    nopd1d_n1_order2_G1o1.hpp; do  # the last: no such condition
     echo "something" >"tables/$left_over"
     is_stale "left over: $left_over" "delete it"
     rm "tables/$left_over"
@@ -105,6 +108,8 @@ done
 "$program" --order 2 --horizon 1 --G 1/2 --out tables >/dev/null
 "$program" --order 2 --horizon 2 --stride 2 --G 0.75 --format json --out tables >/dev/null
 "$program" --order 2 --horizon 1 --damping 1/10 --uncertified --out tables >/dev/null
+"$program" --match 0:3,pi/3:1 --horizon 1 --G 1/2 --out tables >/dev/null
+expect_file tables/nopd1d_n1_order2_atpi1o3x1_G1o2.hpp
 expect_file tables/nopd1d_n2_order5.hpp
 expect_file tables/nopd1d_n1_order2_tau1o10.hpp
 expect_file tables/nopd1d_n1_order2_G1o2.hpp

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/matching/local.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "generator/exact/rational_function.hpp"
+
+namespace nmbcgen {
+namespace {
+
+template <class T>
+T number(const Rational& value) {
+    if constexpr (std::is_same_v<T, Complex>) {
+        return Complex(Real(value));
+    } else {
+        return T(value);
+    }
+}
+
+/// symbol[0] + 2 sum symbol[m] T_m(x), its coefficients at the table's G.
+template <class T, class Coefficient>
+Jet<T> even_sum(const std::vector<Coefficient>& symbol, const std::vector<Jet<T>>& chebyshev_of_x) {
+    const std::size_t size = chebyshev_of_x.front().size();
+    Jet<T> total = constant_jet(T(0), size);
+    for (std::size_t m = 0; m < symbol.size(); ++m) {
+        const Rational coefficient = evaluate(Polynomial(symbol[m]), 0);
+        total = sum(total, chebyshev_of_x[m],
+                    number<T>(m == 0 ? coefficient : Rational(2 * coefficient)));
+    }
+    return total;
+}
+
+/// What both kinds of lattices have at x_p + epsilon.
+template <class T>
+struct Lattice {
+    Lattice(const Table& table, const T& x, unsigned size) {
+        Jet<T> local = constant_jet(x, size);
+        if (size > 1) {
+            local[1] = T(1);
+        }
+        const unsigned stride = table.specification.stride;
+        const auto polynomials =
+            chebyshev(local, std::max<std::size_t>(table.model.symbol.size(), stride));
+        one = constant_jet(T(1), size);
+        omega_squared = even_sum(table.model.symbol, polynomials);
+        tau_sigma = even_sum(table.model.damping, polynomials);
+        y_squared =
+            quotient(sum(polynomials[stride], one, T(-1)), sum(polynomials[stride], one, T(1)));
+        half_step = number<T>(table.specification.time_step / 2);
+    }
+    Jet<T> one;
+    Jet<T> omega_squared;
+    Jet<T> tau_sigma;
+    Jet<T> y_squared;  // -tan^2(h xi/2)
+    T half_step;
+};
+
+/// Where nothing is damped: s^2 = -omega^2 / (1 - omega^2 dt^2/4), v = y^2. root(g^2) is the
+/// positive root, or nothing, and then there is nothing here either.
+template <class T, class Root>
+std::optional<Local<T>> undamped(const Table& table, const IncidentWave& wave, const T& x,
+                                 Root root) {
+    const Lattice<T> lattice(table, x, wave.multiplicity);
+    const Jet<T> in_steps =
+        sum(lattice.one, lattice.omega_squared, T(0) - lattice.half_step * lattice.half_step);
+    const Jet<T> minus_square =
+        quotient(quotient(lattice.omega_squared, in_steps), lattice.y_squared);
+    const Jet<T> square = sum(constant_jet(T(0), wave.multiplicity), minus_square, T(-1));
+    const auto first = root(square[0]);
+    if (!first) {
+        return std::nullopt;
+    }
+    return Local<T>{square_root(square, T(wave.direction * wave.side) * *first), lattice.y_squared};
+}
+
+}  // namespace
+
+Real wave_number(const MatchingPoint& point) {
+    const Real unit = point.of_pi ? boost::math::constants::pi<Real>() : Real(1);
+    return Real(point.wave_number) * unit;
+}
+
+IncidentWave incident_wave(const Table& table, const MatchingPoint& point) {
+    const Real xi = wave_number(point);
+    const Real phase = sin(table.specification.stride * xi);
+    if (abs(phase) < negligible) {
+        throw NotMatched(fmt::format(
+            "with stride {} a wave of xi = {} looks like one of xi = 0 or pi to the condition",
+            table.specification.stride, xi.str(6)));
+    }
+    const Lattice<Real> lattice(table, cos(xi), 2);
+    const Real slope = -lattice.omega_squared[1];  // of omega^2, over sin xi
+    if (abs(slope) < negligible) {
+        throw NotMatched(fmt::format(
+            "no wave comes in at xi = {}: its group velocity is zero there", xi.str(6)));
+    }
+    std::optional<Rational> cosine;
+    if (point.of_pi) {
+        for (const auto& [part, value] : {std::pair{Rational(1, 3), Rational(1, 2)},
+                                          {Rational(1, 2), Rational(0)},
+                                          {Rational(2, 3), Rational(-1, 2)}}) {
+            if (point.wave_number == part) {
+                cosine = value;
+            }
+        }
+    }
+    return {xi, point.multiplicity, slope > 0 ? 1 : -1, phase > 0 ? 1 : -1, cosine};
+}
+
+Local<Rational> expand_at_zero(const Table& table, std::size_t size) {
+    Jet<Rational> cosh(size, Rational(0));  // of h X/2, X = i xi, and sinh/X
+    Jet<Rational> sinh(size, Rational(0));
+    Jet<Rational> s(size, Rational(0));  // over X
+    Rational power = 1;                  // (h/2)^k / k!
+    for (std::size_t k = 0; k < size; ++k) {
+        const Rational next = power * table.specification.stride / (2 * (k + 1));
+        if (k % 2 == 0) {
+            cosh[k] = power;
+            sinh[k] = next;
+        }
+        power = next;
+        s[k] = evaluate(table.taylor[k], 0);
+    }
+    const Jet<Rational> y_over_X = quotient(sinh, cosh);
+    Jet<Rational> y(size, Rational(0));
+    std::copy(y_over_X.begin(), y_over_X.end() - 1, y.begin() + 1);
+    return {quotient(s, y_over_X), table.model.damping.empty() ? product(y, y) : y};
+}
+
+Local<Real> expand(const Table& table, const IncidentWave& wave) {
+    const auto root = [](const Real& square) { return std::optional<Real>(sqrt(square)); };
+    return *undamped(table, wave, Real(cos(wave.xi)), root);
+}
+
+std::optional<Local<Quadratic>> expand_exactly(const Table& table, const IncidentWave& wave,
+                                               const Rational& radicand) {
+    if (!wave.cosine) {
+        return std::nullopt;
+    }
+    const auto root = [&](const Quadratic& square) {
+        return quadratic_root(square.rational, radicand);
+    };
+    return undamped(table, wave, Quadratic(*wave.cosine), root);
+}
+
+// (1 - tau sigma dt/2 - omega^2 dt^2/4) s^2 + tau sigma s + omega^2 = 0, v = y.
+Local<Complex> expand_damped(const Table& table, const IncidentWave& wave) {
+    const Lattice<Complex> lattice(table, Complex(cos(wave.xi)), wave.multiplicity);
+    const Complex half = lattice.half_step;
+    const Jet<Complex> leading = sum(sum(lattice.one, lattice.tau_sigma, Complex(-half)),
+                                     lattice.omega_squared, Complex(-half * half));
+    const Jet<Complex> discriminant = sum(product(lattice.tau_sigma, lattice.tau_sigma),
+                                          product(leading, lattice.omega_squared), Complex(-4));
+    const Complex root = sqrt(discriminant[0]);
+    if (abs(root.imag()) < negligible) {
+        throw NotMatched(
+            fmt::format("damped as much as here, no wave travels at xi = {}", wave.xi.str(6)));
+    }
+    const Complex first = (root.imag() > 0) == (wave.direction > 0) ? root : Complex(-root);
+    const Jet<Complex> s =
+        quotient(sum(square_root(discriminant, first), lattice.tau_sigma, Complex(-1)),
+                 sum(leading, leading, Complex(1)));
+    const Real h = table.specification.stride;
+    const Jet<Complex> y = square_root(lattice.y_squared, Complex(0, tan(h * wave.xi / 2)));
+    return {quotient(s, y), y};
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/matching/points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "generator/exact/algebraic_number.hpp"
+#include "generator/exact/rational.hpp"
+#include "generator/exact/rational_function.hpp"
+#include "generator/matching/local.hpp"
+#include "generator/matching/moebius.hpp"
+#include "generator/matching/rows.hpp"
+
+namespace nmbcgen {
+namespace {
+
+/// The unknowns are p_1 .. p_m of P(v), q_0 .. q_l of Q(v), v = y^power.
+struct Shape {
+    explicit Shape(const Table& table)
+        : order(table.specification.order), power(table.model.damping.empty() ? 2 : 1) {}
+
+    unsigned order;
+    unsigned power;
+    unsigned m = order / power;
+    unsigned l = (order - 1) / power;
+};
+
+/// A row for every step-th power of the local variable in g P - Q.
+template <class T>
+void append_rows(Rows<T>& rows, const Local<T>& at, const Shape& shape, std::size_t step) {
+    std::vector<Jet<T>> columns;
+    Jet<T> term = at.g;
+    for (unsigned k = 0; k < shape.m; ++k) {
+        term = product(term, at.v);
+        columns.push_back(term);
+    }
+    term = constant_jet(T(-1), at.g.size());
+    for (unsigned k = 0; k <= shape.l; ++k) {
+        columns.push_back(term);
+        term = product(term, at.v);
+    }
+    for (std::size_t r = 0; r < at.g.size(); r += step) {
+        std::vector<T> row;
+        for (const Jet<T>& column : columns) {
+            row.push_back(column[r]);
+        }
+        row.push_back(T(0) - at.g[r]);
+        rows.push_back(std::move(row));
+    }
+}
+
+template <class T>
+struct Polynomials {
+    std::vector<T> C;
+    std::vector<T> B;
+};
+
+/// C and B in z from p_1 .. p_m, q_0 .. q_l.
+template <class T>
+Polynomials<T> in_z(const std::vector<T>& unknowns, const Shape& shape) {
+    Polynomials<T> result{std::vector<T>(shape.order + 1, T(0)),
+                          std::vector<T>(shape.order + 1, T(0))};
+    add_factors(result.C, T(1), 0, shape.order);
+    for (unsigned k = 1; k <= shape.m; ++k) {
+        add_factors(result.C, unknowns[k - 1], shape.power * k, shape.order - shape.power * k);
+    }
+    for (unsigned k = 0; k <= shape.l; ++k) {
+        add_factors(result.B, unknowns[shape.m + k], shape.power * k + 1,
+                    shape.order - shape.power * k - 1);
+    }
+    return result;
+}
+
+/// Over c_0.
+template <class T>
+void normalise(Polynomials<T>& polynomials) {
+    const T first = polynomials.C.front();
+    for (auto* const list : {&polynomials.C, &polynomials.B}) {
+        for (T& coefficient : *list) {
+            coefficient /= first;
+        }
+    }
+}
+
+[[noreturn]] void throw_singular() {
+    throw NotMatched(
+        "its equations are singular: several conditions, or none, meet them. Use other points, "
+        "another order, stride or G.");
+}
+
+const auto nonzero = [](const auto& candidate, const auto& best) {
+    return best == 0 && !(candidate == 0);
+};
+const auto larger = [](const Real& candidate, const Real& best) {
+    return abs(candidate) > abs(best) && abs(candidate) > negligible;
+};
+
+Rows<Rational> rows_at_zero(const Table& table, const Shape& shape) {
+    const unsigned multiplicity = rows_at_zero(table.specification);
+    Rows<Rational> rows;
+    if (multiplicity > 1) {  // the residual has a factor y, for a row
+        append_rows(rows, expand_at_zero(table, multiplicity - 1), shape, shape.power);
+    }
+    return rows;
+}
+
+/// The rows at all points, exactly, or nothing.
+std::optional<Rows<Quadratic>> exact_rows(const Table& table, const Shape& shape,
+                                          const std::vector<IncidentWave>& waves) {
+    Rows<Quadratic> rows;
+    for (const auto& row : rows_at_zero(table, shape)) {
+        rows.emplace_back(row.begin(), row.end());
+    }
+    Rational radicand = 0;
+    for (const IncidentWave& wave : waves) {
+        const auto local = expand_exactly(table, wave, radicand);
+        if (!local) {
+            return std::nullopt;
+        }
+        radicand = local->g[0].radicand != 0 ? local->g[0].radicand : radicand;
+        append_rows(rows, *local, shape, 1);
+    }
+    return rows;
+}
+
+std::vector<Quadratic> solve_exactly(Rows<Quadratic> rows) {
+    if (reduce(rows, nonzero).size() < rows.size()) {
+        throw_singular();
+    }
+    std::vector<Quadratic> unknowns;
+    for (const auto& row : rows) {
+        unknowns.push_back(row.back());
+    }
+    return unknowns;
+}
+
+Rows<Real> rows_at_points(const Table& table, const Shape& shape,
+                          const std::vector<IncidentWave>& waves) {
+    Rows<Real> rows;
+    for (const IncidentWave& wave : waves) {
+        if (shape.power == 2) {
+            append_rows(rows, expand(table, wave), shape, 1);
+            continue;
+        }
+        Rows<Complex> complex_rows;
+        append_rows(complex_rows, expand_damped(table, wave), shape, 1);
+        for (const auto& row : complex_rows) {
+            std::vector<Real> real;
+            std::vector<Real> imaginary;
+            for (const Complex& entry : row) {
+                real.push_back(entry.real());
+                imaginary.push_back(entry.imag());
+            }
+            rows.push_back(std::move(real));
+            rows.push_back(std::move(imaginary));
+        }
+    }
+    return rows;
+}
+
+/// The unknowns to all digits, and rounded so that the rows at xi = 0 hold exactly.
+struct Solution {
+    std::vector<Real> full;
+    std::vector<Rational> rounded;
+};
+
+constexpr unsigned digits = 40;
+
+Rational rounded(const Real& value) {
+    const Integer scale = pow(Integer(10), digits);
+    return {Integer(round(value * Real(scale))), scale};
+}
+
+/// Those of the unknowns that the rows at xi = 0 leave free are rounded; the others follow.
+Solution solve(Rows<Rational> at_zero, const Rows<Real>& at_points) {
+    const std::size_t count = at_points.front().size() - 1;
+    const std::vector<std::size_t> bound = reduce(at_zero, nonzero);
+    if (bound.size() < at_zero.size()) {
+        throw_singular();
+    }
+    std::vector<std::size_t> free;
+    for (std::size_t k = 0; k < count; ++k) {
+        if (std::ranges::find(bound, k) == bound.end()) {
+            free.push_back(k);
+        }
+    }
+    Rows<Real> rows;
+    for (const auto& point_row : at_points) {
+        std::vector<Real> row = point_row;
+        for (std::size_t i = 0; i < bound.size(); ++i) {
+            const Real factor = row[bound[i]];
+            for (std::size_t k = 0; k <= count; ++k) {
+                row[k] -= factor * Real(at_zero[i][k]);
+            }
+        }
+        auto& reduced = rows.emplace_back();
+        for (const std::size_t k : free) {
+            reduced.push_back(row[k]);
+        }
+        reduced.push_back(row.back());
+    }
+    if (reduce(rows, larger).size() < free.size()) {
+        throw_singular();
+    }
+    Solution solution{std::vector<Real>(count), std::vector<Rational>(count)};
+    for (std::size_t i = 0; i < free.size(); ++i) {
+        solution.full[free[i]] = rows[i].back();
+        solution.rounded[free[i]] = rounded(rows[i].back());
+    }
+    for (std::size_t i = 0; i < bound.size(); ++i) {
+        Rational value = at_zero[i].back();
+        Real full = Real(value);
+        for (const std::size_t k : free) {
+            value -= at_zero[i][k] * solution.rounded[k];
+            full -= Real(at_zero[i][k]) * solution.full[k];
+        }
+        solution.rounded[bound[i]] = value;
+        solution.full[bound[i]] = full;
+    }
+    return solution;
+}
+
+/// As degeneracy() of matching.hpp, of what is known to many digits; C(1) = 2^N.
+void require_regular(const Polynomials<Real>& matching) {
+    Real size = 0;
+    Real C_at_minus_one = 0;
+    Real B_at_minus_one = 0;
+    for (std::size_t j = 0; j < matching.C.size(); ++j) {
+        size = std::max({size, Real(abs(matching.C[j])), Real(abs(matching.B[j]))});
+        C_at_minus_one += j % 2 == 0 ? matching.C[j] : Real(-matching.C[j]);
+        B_at_minus_one += j % 2 == 0 ? matching.B[j] : Real(-matching.B[j]);
+    }
+    if (abs(matching.C.front()) < negligible * size) {
+        throw NotMatched(
+            "its coefficients have a pole there (c_0 = 1 is impossible). Use other points, or "
+            "another G.");
+    }
+    if (abs(C_at_minus_one) < negligible * size && abs(B_at_minus_one) < negligible * size) {
+        throw NotMatched("a condition of one order less meets all its equations. Use that.");
+    }
+}
+
+/// The doubles are those of the numbers that were rounded.
+void require_same_doubles(const std::vector<RationalFunction>& rounded,
+                          const std::vector<Real>& full) {
+    const Rational margin(1, pow(Integer(10), 34));
+    for (std::size_t j = 0; j < full.size(); ++j) {
+        const Rational value = evaluate(rounded[j], 0);
+        const Rational error = margin * abs(value);
+        if (abs(Real(value) - full[j]) > Real(error) ||
+            nearest_double(value - error) != nearest_double(value + error)) {
+            throw std::logic_error("matching points: 40 digits do not do for c or b");
+        }
+    }
+}
+
+std::vector<RationalFunction> over(const std::vector<Rational>& numerators,
+                                   const Rational& denominator) {
+    std::vector<RationalFunction> result;
+    for (const Rational& numerator : numerators) {
+        result.push_back(reduce(constant(numerator), constant(denominator)));
+    }
+    return result;
+}
+
+std::vector<AlgebraicNumber> algebraic(const std::vector<Quadratic>& numbers) {
+    std::vector<AlgebraicNumber> result;
+    for (const Quadratic& number : numbers) {
+        result.push_back(to_algebraic_number(number));
+    }
+    return result;
+}
+
+std::vector<Rational> rational_parts(const std::vector<Quadratic>& numbers) {
+    std::vector<Rational> parts;
+    for (const Quadratic& number : numbers) {
+        parts.push_back(number.rational);
+    }
+    return parts;
+}
+
+bool is_rational(const std::vector<Quadratic>& numbers) {
+    return std::ranges::all_of(numbers,
+                               [](const Quadratic& number) { return number.radical == 0; });
+}
+
+}  // namespace
+
+void match_at_points(Table& table) {
+    const Shape shape(table);
+    std::vector<IncidentWave> waves;
+    for (const MatchingPoint& point : table.specification.points) {
+        waves.push_back(incident_wave(table, point));
+    }
+    const Solution solution =
+        solve(rows_at_zero(table, shape), rows_at_points(table, shape, waves));
+    Polynomials<Real> full = in_z(solution.full, shape);
+    require_regular(full);
+    normalise(full);
+
+    Polynomials<Rational> found = in_z(solution.rounded, shape);
+    table.digits = digits;
+    if (shape.power == 2) {
+        if (auto rows = exact_rows(table, shape, waves)) {
+            Polynomials<Quadratic> exact = in_z(solve_exactly(std::move(*rows)), shape);
+            normalise(exact);
+            if (is_rational(exact.C) && is_rational(exact.B)) {
+                found = {rational_parts(exact.C), rational_parts(exact.B)};
+                table.digits = 0;
+            } else {
+                table.closed_c = algebraic(exact.C);
+                table.closed_b = algebraic(exact.B);
+            }
+        }
+    }
+    table.c = over(found.C, found.C.front());
+    table.b = over(found.B, found.C.front());
+    require_same_doubles(table.c, full.C);
+    require_same_doubles(table.b, full.B);
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/matching/points_proof.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "generator/exact/algebraic_number.hpp"
+#include "generator/exact/rational_function.hpp"
+#include "generator/matching/jet.hpp"
+#include "generator/matching/real.hpp"
+
+namespace nmbcgen {
+namespace {
+
+const Real tolerance("1e-30");  // c and b have 34 right digits
+
+void require(bool holds, const MatchingPoint& point, const char* statement) {
+    if (!holds) {
+        throw std::logic_error(fmt::format("not proved at the matching point {}: {}",
+                                           wave_number(point).str(6), statement));
+    }
+}
+
+/// z^power in powers of i(xi - xi_p).
+Jet<Complex> power_of_z(const Real& xi, const Real& power, std::size_t size) {
+    Jet<Complex> jet(size);
+    jet[0] = Complex(cos(power * xi), sin(power * xi));
+    for (std::size_t k = 1; k < size; ++k) {
+        jet[k] = jet[k - 1] * Complex(power / k);
+    }
+    return jet;
+}
+
+/// symbol[0] + sum symbol[m] (z^m + z^-m)
+Jet<Complex> laurent_sum(const std::vector<Rational>& symbol, const Real& xi, std::size_t size) {
+    Jet<Complex> total(size, Complex(0));
+    for (std::size_t m = 0; m < symbol.size(); ++m) {
+        const Complex factor(m == 0 ? Real(symbol[0]) / 2 : Real(symbol[m]));
+        for (const int sign : {-1, 1}) {
+            total = sum(total, power_of_z(xi, Real(sign * int(m)), size), factor);
+        }
+    }
+    return total;
+}
+
+std::vector<Rational> values(const std::vector<Polynomial>& coefficients) {
+    std::vector<Rational> result;
+    for (const Polynomial& coefficient : coefficients) {
+        result.push_back(evaluate(coefficient, 0));
+    }
+    return result;
+}
+
+/// s of the wave that comes in.
+Jet<Complex> incoming(const Table& table, const MatchingPoint& point) {
+    const Real xi = wave_number(point);
+    const std::size_t size = std::max(2U, point.multiplicity);
+    const Jet<Complex> omega_squared = laurent_sum(values(table.model.symbol), xi, size);
+    const Jet<Complex> tau_sigma = laurent_sum(table.model.damping, xi, size);
+    const Complex half_step(Real(table.specification.time_step) / 2);
+    // a s^2 + tau sigma s + omega^2 = 0
+    const Jet<Complex> a = sum(sum(constant_jet(Complex(1), size), tau_sigma, Complex(-half_step)),
+                               omega_squared, Complex(-half_step * half_step));
+    const Jet<Complex> discriminant =
+        sum(product(tau_sigma, tau_sigma), product(a, omega_squared), Complex(-4));
+    // d(omega^2)/d(xi) has the sign of the group velocity.
+    const bool forwards = (Complex(0, 1) * omega_squared[1]).real() > 0;
+    Complex root = sqrt(discriminant[0]);
+    if ((root.imag() > 0) != forwards) {
+        root = -root;
+    }
+    const Jet<Complex> s = quotient(sum(square_root(discriminant, root), tau_sigma, Complex(-1)),
+                                    sum(a, a, Complex(1)));
+    const Complex left = a[0] * s[0] * s[0] + tau_sigma[0] * s[0] + omega_squared[0];
+    require(abs(left) < negligible, point, "s solves its equation");
+    return s;
+}
+
+void prove_residual(const Table& table, const MatchingPoint& point) {
+    const Jet<Complex> s = incoming(table, point);
+    const Real xi = wave_number(point);
+    Jet<Complex> residual(s.size(), Complex(0));
+    std::vector<Real> size(s.size(), Real(0));
+    for (std::size_t j = 0; j < table.c.size(); ++j) {
+        const Jet<Complex> power =
+            power_of_z(xi, Real(j * std::size_t(table.specification.stride)), s.size());
+        const Jet<Complex> from_c = product(s, power);
+        const Real c(evaluate(table.c[j], 0));
+        const Real b(evaluate(table.b[j], 0));
+        for (std::size_t r = 0; r < s.size(); ++r) {
+            residual[r] += Complex(c) * from_c[r] - Complex(b) * power[r];
+            size[r] += abs(Complex(c) * from_c[r]) + abs(Complex(b) * power[r]);
+        }
+    }
+    for (std::size_t r = 0; r < point.multiplicity; ++r) {
+        require(abs(residual[r]) < tolerance * size[r], point, "the residual vanishes");
+    }
+}
+
+/// Whether the closed form lies within 1e-30 of the rounded coefficient.
+bool agree(AlgebraicNumber closed, const Rational& value) {
+    const Rational margin(1, pow(Integer(10), 30));
+    refine(closed, margin);
+    return closed.low - margin <= value && value <= closed.high + margin;
+}
+
+}  // namespace
+
+void prove_points(const Table& table) {
+    for (const MatchingPoint& point : table.specification.points) {
+        prove_residual(table, point);
+    }
+    for (std::size_t j = 0; j < table.closed_c.size(); ++j) {
+        if (!agree(table.closed_c[j], evaluate(table.c[j], 0)) ||
+            !agree(table.closed_b[j], evaluate(table.b[j], 0))) {
+            throw std::logic_error("not proved: closed forms of c and b");
+        }
+    }
+}
+
+}  // namespace nmbcgen
