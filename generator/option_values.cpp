@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
@@ -24,6 +25,30 @@ unsigned parse_whole_number(const std::string& text, unsigned highest) {
                         text.substr(0, 60), highest));
     }
     return value;
+}
+
+/// What `parse` makes of each item of a list with commas.
+template <class Value>
+std::vector<Value> parse_list(const std::string& text, Value (*parse)(const std::string&)) {
+    std::vector<Value> values;
+    std::set<Value> seen;
+    std::size_t begin = 0;
+    std::size_t comma = 0;
+    do {
+        comma = text.find(',', begin);
+        const std::string item = text.substr(begin, comma - begin);
+        if (item.empty()) {
+            throw std::invalid_argument("'" + text.substr(0, 60) +
+                                        "' has an empty item; values go with one comma between");
+        }
+        values.push_back(parse(item));
+        if (!seen.insert(values.back()).second) {
+            throw std::invalid_argument("'" + text.substr(0, 60) + "' has the value " + item +
+                                        " twice");
+        }
+        begin = comma + 1;
+    } while (comma != std::string::npos);
+    return values;
 }
 
 }  // namespace
@@ -103,6 +128,14 @@ double parse_fraction(const std::string& text) {
                                     "' is not a number between 0 and 1, such as 1e-4");
     }
     return value;
+}
+
+std::vector<unsigned> parse_counts(const std::string& text) {
+    return parse_list(text, parse_count);
+}
+
+std::vector<Rational> parse_rationals(const std::string& text) {
+    return parse_list<Rational>(text, [](const std::string& item) { return parse_rational(item); });
 }
 
 double parse_recommended_cfl(const std::string& text) {
