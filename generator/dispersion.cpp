@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
@@ -82,7 +81,7 @@ std::string row(const std::string& curve, const Wave& wave) {
 }  // namespace
 
 std::string dispersion_rows(const Curves& curves, unsigned horizon, const Rational& G) {
-    const Real pi = boost::math::constants::pi<Real>();
+    const Real pi = acos(Real(-1));
     const auto xi = [&](unsigned i) { return Real(pi * i / curves.samples); };
     const std::string curve = fmt::format("{},{}", horizon, nearest_double(G));
 

@@ -7,9 +7,11 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "generator/dispersion.hpp"
@@ -202,6 +204,25 @@ TEST_CASE("backward bands: none at n = 1 from G = 1/4 on, beyond xi = 1.823 at n
     CHECK(at_two.front() > 1.8225);
     CHECK(at_two.front() < 1.8235 + 3.15 / samples);
     CHECK(rows(2, 1, samples).back().group_velocity == 0);
+}
+
+TEST_CASE("zero-energy modes are extrema at every G above 0, so n >= 2 has backward waves") {
+    constexpr unsigned samples = 1000;
+    // Zeros of S/sin(xi): 1 + 4x, and 12x^2 + 4x - 2, x = cos(xi).
+    const std::vector<std::pair<unsigned, double>> modes{{2, std::acos(-1.0 / 4)},
+                                                         {3, std::acos((-1 + std::sqrt(7)) / 6)},
+                                                         {3, std::acos((-1 - std::sqrt(7)) / 6)}};
+    for (const auto& [n, xi] : modes) {
+        const auto below = std::size_t(xi / std::numbers::pi * samples) - 1;
+        for (const Rational& G : {Rational(0), Rational(1, 10), Rational(1), Rational(20)}) {
+            const std::vector<Row> all = rows(n, G, samples);
+            CHECK((all[below].xi < xi && xi < all[below + 1].xi));
+            CHECK(all[below].group_velocity * all[below + 1].group_velocity < 0);
+            // At G = 0 it jumps from -v to v, v of order 1; elsewhere it passes 0.
+            const double jump = all[below + 1].group_velocity - all[below].group_velocity;
+            CHECK((G == 0 ? jump > 0.9 : std::abs(jump) < 0.1));
+        }
+    }
 }
 
 TEST_CASE("long waves are slower than c below G = 4 n^3/((n+1)(2n+1)) and faster above") {
