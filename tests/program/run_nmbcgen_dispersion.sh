@@ -69,7 +69,7 @@ done
 refuses "'nopd7d' is not a family" --family nopd7d --horizon 1 --G 1 --limit
 refuses "limit was given" --horizon 1 --G 1 --limit=3
 refuses "not expected" --horizon 1 --G 1 --order 1
-refuses "not expected" --horizon 1 --G 0, 1
+refuses "--G: '0,' has an empty item" --horizon 1 --G 0, 1
 
 # Standard output that is closed, or full.
 code=0
