@@ -133,9 +133,9 @@ TEST_CASE("(43): c xi, as printed") {
         for (const int n : {1, 2, 3}) {
             const Float omega_squared = lattice(n, delta, at.xi, at.G);
             const Float first = at.G * pow(at.xi, 4) * M4[n - 1] / (2 * pow(Float(n), 5));
-            // The next term is delta^2 xi^4/n^2 or so, the last before it delta xi^4/10 or more.
-            CHECK(abs((omega_squared - at.xi * at.xi) / (delta * first) - 1) < Float("1e-6"));
-            CHECK(abs(sqrt(omega_squared) / at.xi - 1) < Float("2e-7"));  // delta first/(2 xi^2)
+            // The next term, that of (28), is 2 delta n^3/(3 M2 G) of it, 3e-8 at most.
+            CHECK(abs((omega_squared - at.xi * at.xi) / (delta * first) - 1) < Float("1e-7"));
+            CHECK(abs(sqrt(omega_squared) / at.xi - 1) < Float("3e-8"));  // delta first/(2 xi^2)
         }
     }
 }
@@ -144,8 +144,7 @@ TEST_CASE("(44): c xi, of the corrected (42); the printed (42) grows beyond all 
     const Float delta("1e-5");  // F keeps 50 - 6 * 5 digits
     for (const Point& point : points) {
         const Point at{delta, point.xi, point.G};
-        // The limit of (43)'s first order, M4/n^5 -> 1/5; the next is 2 delta/G of it, 4e-5 at
-        // most.
+        // As for (43), with M4/n^5 -> 1/5; the next term is 2 delta/G of it, 4e-5 at most.
         const Float first = delta * at.G * pow(at.xi, 4) / 10;
         const Float corrected = standard_limit(at) - F_term(at);
         CHECK(abs((corrected - at.xi * at.xi) / first - 1) < Float("1e-4"));
