@@ -96,6 +96,34 @@ CLI::App* add_reflect(CLI::App& app, Request& request, std::optional<Matching>& 
     return reflect;
 }
 
+/// nmbcgen dispersion.
+CLI::App* add_dispersion(CLI::App& app, Curves& curves) {
+    auto* const dispersion = app.add_subcommand(
+        "dispersion", "print dispersion relations over the band as CSV (docs/dispersion.md)");
+    add_parsed(*dispersion, "--family", curves.family, parse_family,
+               "lattice model: " + family_names() + " (default nopd1d)");
+    add_parsed(*dispersion, "--horizon", curves.horizons, parse_counts,
+               "horizons n in units of dX, with commas between, such as 1,2,3")
+        ->required();
+    add_parsed(*dispersion, "--G", curves.G, parse_rationals,
+               "values of the stabilisation G, exact numbers with commas between, such as 0,1/2,1")
+        ->required();
+    add_parsed(*dispersion, "--samples", curves.samples, parse_samples,
+               "wave numbers in 0 < xi <= pi (default 200)");
+    dispersion
+        ->add_flag("--limit", curves.limit, "add the continuum limit at the same horizon, dX -> 0")
+        ->disable_flag_override();
+    return dispersion;
+}
+
+void require_limit_of(const Curves& curves) {
+    try {
+        require_limit(find_family(curves.family));
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError("--limit", error.what());
+    }
+}
+
 /// nmbcgen recommend.
 CLI::App* add_recommend(CLI::App& app, Question& question) {
     auto* const recommend = app.add_subcommand(
@@ -168,6 +196,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     require_stable->needs(single.G)->excludes(uncertified);
     auto* const reflect = add_reflect(app, request, matching);
     auto* const recommend = add_recommend(app, request.question);
+    auto* const dispersion = add_dispersion(app, request.curves);
     app.footer(
         "Exit codes: 0 done; 1 the committed set is stale; 2 wrong arguments; 3 there is no such "
         "boundary\ncondition; 4 it is not certified to be stable (--require-stable); 5 a file "
@@ -176,8 +205,11 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
 
     try {
         app.parse(argc, argv);
-        if (!all && !check && !reflect->parsed() && !recommend->parsed()) {
+        if (!all && !check && app.get_subcommands().empty()) {
             require_condition(single, " (or --all, or --check)");
+        }
+        if (request.curves.limit) {
+            require_limit_of(request.curves);
         }
     } catch (const CLI::Success& help) {
         return app.exit(help, std::cout, std::cerr);
@@ -198,6 +230,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         request.action = Action::reflect;
     } else if (recommend->parsed()) {
         request.action = Action::recommend;
+    } else if (dispersion->parsed()) {
+        request.action = Action::dispersion;
     }
     return request;
 }

@@ -10,6 +10,7 @@
 #include "generator/certificate_cache.hpp"
 #include "generator/check.hpp"
 #include "generator/command_line.hpp"
+#include "generator/dispersion.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/files.hpp"
 #include "generator/pipeline.hpp"
@@ -120,6 +121,16 @@ void show_progress(std::size_t done_so_far, std::size_t all) {
     }
 }
 
+/// Curve by curve: all of them may be more than fits into memory.
+void print_curves(const Curves& curves) {
+    print(std::string(dispersion_columns));
+    for (const unsigned horizon : curves.horizons) {
+        for (const Rational& G : curves.G) {
+            print(dispersion_rows(curves, horizon, G));
+        }
+    }
+}
+
 /// Puts a time step in the place of cfl.
 Request settled(Request request) {
     if (request.cfl) {
@@ -140,6 +151,9 @@ int run(const Request& request) {
             return done;
         case Action::recommend:
             print(recommendation(request.question, show_progress));
+            return done;
+        case Action::dispersion:
+            print_curves(request.curves);
             return done;
         case Action::reflect:
             print(reflection_csv(derive(request.specification), request.samples));

@@ -58,6 +58,39 @@ MatchingPoint parse_point(const std::string& text) {
     return point;
 }
 
+/// XI:ROWS
+MatchingPoint parse_rows(const std::string& text) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    MatchingPoint point = parse_point(text.substr(0, colon));
+    point.multiplicity =
+        parse_whole_number(text.substr(std::min(colon + 1, text.size())), 2 * highest_count + 1);
+    return point;
+}
+
+/// What `parse` makes of each item of a list with commas.
+template <class Value>
+std::vector<Value> parse_list(const std::string& text, Value (*parse)(const std::string&)) {
+    std::vector<Value> values;
+    std::size_t begin = 0;
+    std::size_t comma = 0;
+    do {
+        comma = text.find(',', begin);
+        const std::string item = text.substr(begin, comma - begin);
+        if (item.empty()) {
+            throw std::invalid_argument("'" + text.substr(0, 60) +
+                                        "' has an empty item; values go with one comma between");
+        }
+        const Value value = parse(item);
+        if (std::ranges::find(values, value) != values.end()) {
+            throw std::invalid_argument("'" + text.substr(0, 60) + "' has the value " + item +
+                                        " twice");
+        }
+        values.push_back(value);
+        begin = comma + 1;
+    } while (comma != std::string::npos);
+    return values;
+}
+
 }  // namespace
 
 unsigned parse_count(const std::string& text) {
@@ -123,25 +156,16 @@ Rational parse_cfl(const std::string& text) {
 Matching parse_matching(const std::string& text) {
     Matching matching{.order = 0, .points = {}};
     unsigned rows_at_zero = 0;
-    for (std::size_t start = 0; start <= text.size();) {
-        const std::size_t end = std::min(text.find(',', start), text.size());
-        const std::string item = text.substr(start, end - start);
-        start = end + 1;
-        const std::size_t colon = std::min(item.find(':'), item.size());
-        const std::string count = item.substr(std::min(colon + 1, item.size()));
-        MatchingPoint point = parse_point(item.substr(0, colon));
-        point.multiplicity = parse_whole_number(count, 2 * highest_count + 1);
-        if (point.wave_number == 0) {
-            if (rows_at_zero != 0 || point.multiplicity % 2 == 0) {
-                throw std::invalid_argument(
-                    "'" + item.substr(0, 60) +
-                    "': xi = 0 has an odd number of rows, and is given once");
-            }
+    for (const MatchingPoint& point : parse_list(text, parse_rows)) {
+        if (point.wave_number != 0) {
+            matching.order += point.multiplicity;
+            matching.points.push_back(point);
+        } else if (rows_at_zero != 0 || point.multiplicity % 2 == 0) {
+            throw std::invalid_argument("'" + text.substr(0, 60) +
+                                        "': xi = 0 has an odd number of rows, and is given once");
+        } else {
             rows_at_zero = point.multiplicity;
-            continue;
         }
-        matching.order += point.multiplicity;
-        matching.points.push_back(point);
     }
     if (rows_at_zero == 0) {
         throw std::invalid_argument("'" + text.substr(0, 60) +
@@ -176,6 +200,14 @@ double parse_fraction(const std::string& text) {
                                     "' is not a number between 0 and 1, such as 1e-4");
     }
     return value;
+}
+
+std::vector<unsigned> parse_counts(const std::string& text) {
+    return parse_list(text, parse_count);
+}
+
+std::vector<Rational> parse_rationals(const std::string& text) {
+    return parse_list<Rational>(text, [](const std::string& item) { return parse_rational(item); });
 }
 
 double parse_recommended_cfl(const std::string& text) {

@@ -41,6 +41,10 @@ double parse_recommended_cfl(const std::string& text);      ///< 0.01 at least, 
 /// A number between 0 and 1.
 double parse_fraction(const std::string& text);
 
+/// Horizons or exact values of G, with commas between: none empty, none twice.
+std::vector<unsigned> parse_counts(const std::string& text);
+std::vector<Rational> parse_rationals(const std::string& text);
+
 /// LO..HI, 0 < LO < HI < pi.
 Band parse_band(const std::string& text);
 

@@ -58,7 +58,7 @@ void require_sense(const Specification& specification) {
     for (const MatchingPoint& point : specification.points) {
         taken += point.multiplicity;
         const Real xi = wave_number(point);
-        if (xi <= last || xi >= boost::math::constants::pi<Real>()) {
+        if (xi <= last || xi >= pi()) {
             throw std::invalid_argument("matching points ascend in (0, pi)");
         }
         last = xi;

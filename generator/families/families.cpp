@@ -12,9 +12,18 @@ namespace nmbcgen {
 
 std::span<const Family> families() {
     static constexpr std::array list{
-        Family{"nopd1d", nopd1d},
+        Family{"nopd1d", nopd1d, nopd1d_limit},
     };
     return list;
+}
+
+const Family& find_family(std::string_view name) {
+    const auto known = families();
+    const auto found = std::ranges::find(known, name, &Family::name);
+    if (found == known.end()) {
+        throw std::invalid_argument("there is no family '" + std::string(name) + "'");
+    }
+    return *found;
 }
 
 void damp(Model& model, const Rational& damping) {
@@ -43,12 +52,7 @@ void damp(Model& model, const Rational& damping) {
 }
 
 Model make_model(std::string_view family, unsigned horizon, const Rational& damping) {
-    const auto known = families();
-    const auto found = std::ranges::find(known, family, &Family::name);
-    if (found == known.end()) {
-        throw std::invalid_argument("there is no family '" + std::string(family) + "'");
-    }
-    Model model = found->describe(horizon);
+    Model model = find_family(family).describe(horizon);
     model.symbol = symbol_of(model.energy);
     damp(model, damping);
     return model;

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "generator/families/limit.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
@@ -16,10 +17,17 @@ struct Family {
     /// The energy, description and source of the model with the given horizon >= 1; symbol and
     /// damping are filled in by make_model. The weight of stabilisation is proportional to G.
     Model (*describe)(unsigned horizon);
+    /// The continuum limit at a fixed horizon delta = n dX, nullptr where a family states none:
+    /// what the model with horizon kn and stabilisation kG on a lattice of spacing dX/k tends to as
+    /// k -> infinity, for xi > 0 [1/dX].
+    SquaredFrequency (*limit)(unsigned horizon, const Real& G, const Real& xi) = nullptr;
 };
 
 /// The families there are, in the order they are listed to a user.
 std::span<const Family> families();
+
+/// Throws std::invalid_argument where there is no such family.
+const Family& find_family(std::string_view name);
 
 /// The model of a family at a horizon, with damping tau >= 0 [c/dX]; symbol and damping are derived
 /// from its energy. Throws std::invalid_argument where there is no such family, where tau < 0, and
@@ -31,5 +39,6 @@ Model make_model(std::string_view family, unsigned horizon, const Rational& damp
 void damp(Model& model, const Rational& damping);
 
 Model nopd1d(unsigned horizon);
+SquaredFrequency nopd1d_limit(unsigned horizon, const Real& G, const Real& xi);
 
 }  // namespace nmbcgen

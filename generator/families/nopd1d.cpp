@@ -43,4 +43,21 @@ Model nopd1d(unsigned horizon) {
             .damping = {}};
 }
 
+SquaredFrequency nopd1d_limit(unsigned horizon, const Real& G, const Real& xi) {
+    // (42) with both of its misprints corrected (docs/errata.md), d = delta xi:
+    //     omega^2 = xi^2 p^2 - (4 G/delta^3) h,
+    //     p = 3 (sin d - d cos d)/d^3,   h = sin d/d - 1 + d^2 p^2/6 = F/(2 d^4).
+    // At dX = 1 the printed G, which the limit holds fixed, is G and delta is n.
+    const Real delta = horizon;
+    const Real d = delta * xi;
+    const Real sine = sin(d);
+    const Real p = 3 * (sine - d * cos(d)) / pow(d, 3);
+    const Real p_slope = 3 * (sine / (d * d) - p / d);
+    const Real h = sine / d - 1 + d * d * p * p / 6;
+    const Real h_slope = d * (p * p + d * p * p_slope - p) / 3;  // (sin d/d)' = -d p/3
+    const Real stiffness = 4 * G / pow(delta, 3);
+    return {.value = xi * xi * p * p - stiffness * h,
+            .slope = 2 * xi * p * (p + d * p_slope) - stiffness * delta * h_slope};
+}
+
 }  // namespace nmbcgen

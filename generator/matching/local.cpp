@@ -81,7 +81,7 @@ std::optional<Local<T>> undamped(const Table& table, const IncidentWave& wave, c
 }  // namespace
 
 Real wave_number(const MatchingPoint& point) {
-    const Real unit = point.of_pi ? boost::math::constants::pi<Real>() : Real(1);
+    const Real unit = point.of_pi ? pi() : Real(1);
     return Real(point.wave_number) * unit;
 }
 

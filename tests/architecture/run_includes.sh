@@ -23,7 +23,7 @@ text='fmt/'
 allow generator/table 'generator/table/|boost/'
 allow generator/exact 'generator/(table|exact)/|boost/'
 allow generator/families "generator/(table|exact|families)/|$text"
-allow generator/matching "generator/(table|exact|matching)/|ginac/|boost/|$text"
+allow generator/matching "generator/(table|exact|matching)/|ginac/|$text"
 allow generator/stability 'generator/(table|exact|stability)/|Eigen/'
 allow generator/emit "generator/(table|exact|emit)/|nlohmann/|$text"
 allow generator "generator/|CLI/|fcntl.h|unistd.h|$text"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// The limits of many neighbours in a fixed horizon, n -> infinity with dX = delta/n: (27), (29)
-/// and (42) of Nicely 2018 against the dispersion relation of the lattice, (41). c = 1.
+/// The limits of many neighbours, n -> infinity with dX = delta/n, and of a small horizon,
+/// delta -> 0: (27) to (29) and (42) to (44) of Nicely 2018 against the dispersion relation of the
+/// lattice, (41). c = 1.
 #include <doctest/doctest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include "generator/families/family.hpp"
 
 namespace {
 
-using Float = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_50::backend_type,
-                                            boost::multiprecision::et_off>;
+using Float = nmbcgen::Real;
 
 /// omega^2 by (41); families/exam_equations_of_motion.cpp shows that it holds.
 Float lattice(int n, const Float& delta, const Float& xi, const Float& G) {
@@ -93,6 +93,69 @@ TEST_CASE("(42): the square belongs on the bracket, not on the cosine") {
         CHECK(differ(limit(at.delta, at.xi, 0), printed));
         CHECK(differ(limit(at.delta, at.xi, at.G), printed - F_term(at)));
         CHECK(differ(limit(at.delta, at.xi, at.G), printed + F_term(at)));
+    }
+}
+
+TEST_CASE("the family's limit is the corrected (42), with G and delta in units of dX") {
+    for (const Point& at : points) {
+        for (const unsigned n : {1U, 2U, 3U, 20U}) {
+            // The printed G is a length, too: it is G dX, and delta = n dX.
+            const Point in_spacings{n, at.xi, at.G};
+            const Float corrected = standard_limit(in_spacings) - F_term(in_spacings);
+            // 50 digits less those that cancel in F.
+            CHECK(abs(nmbcgen::nopd1d_limit(n, at.G, at.xi).value / corrected - 1) <
+                  Float("1e-40"));
+        }
+    }
+    CHECK(agree(limit(2, Float("0.7"), Float("0.5")),
+                nmbcgen::nopd1d_limit(2, Float("0.5"), Float("0.7")).value));
+}
+
+TEST_CASE("(28): c xi is the limit delta -> 0, not n -> infinity as the middle has it") {
+    for (const Point& at : points) {
+        CHECK(differ(limit(at.delta, at.xi, 0), at.xi * at.xi));
+        // omega^2 = xi^2 - delta^2 xi^4 M4/(3 M2 n^2) + O(delta^4) with M_k = sum m^k.
+        const Float delta("1e-8");
+        const Float M4_over_M2[]{1, Float(17) / 5, 7};  // 1/1, 17/5, 98/14
+        for (const int n : {1, 2, 3}) {
+            const Float approach = (lattice(n, delta, at.xi, 0) - at.xi * at.xi) / pow(delta, 2);
+            const Float expected = -pow(at.xi, 4) * M4_over_M2[n - 1] / (3 * n * n);
+            CHECK(abs(approach / expected - 1) < Float("1e-14"));  // (delta xi)^2 = 9e-16 at most
+        }
+    }
+}
+
+TEST_CASE("(43): c xi, as printed") {
+    // omega^2 = xi^2 + delta G xi^4 M4/(2 n^5) + O(delta^2): C + S^2/A_n = -M4 (xi dX)^4/8 + ...
+    const Float delta("1e-8");
+    const Float M4[]{1, 17, 98};
+    for (const Point& at : points) {
+        for (const int n : {1, 2, 3}) {
+            const Float omega_squared = lattice(n, delta, at.xi, at.G);
+            const Float first = at.G * pow(at.xi, 4) * M4[n - 1] / (2 * pow(Float(n), 5));
+            // The next term, that of (28), is 2 delta n^3/(3 M2 G) of it, 3e-8 at most.
+            CHECK(abs((omega_squared - at.xi * at.xi) / (delta * first) - 1) < Float("1e-7"));
+            CHECK(abs(sqrt(omega_squared) / at.xi - 1) < Float("3e-8"));  // delta first/(2 xi^2)
+        }
+    }
+}
+
+TEST_CASE("(44): c xi, of the corrected (42); the printed (42) grows beyond all bounds") {
+    const Float delta("1e-5");  // F keeps 50 - 6 * 5 digits
+    for (const Point& point : points) {
+        const Point at{delta, point.xi, point.G};
+        // As for (43), with M4/n^5 -> 1/5; the next term is 2 delta/G of it, 4e-5 at most.
+        const Float first = delta * at.G * pow(at.xi, 4) / 10;
+        const Float corrected = standard_limit(at) - F_term(at);
+        CHECK(abs((corrected - at.xi * at.xi) / first - 1) < Float("1e-4"));
+        // The sign of F alone does not matter to the limit, only to the side it comes from.
+        const Float other_sign = standard_limit(at) + F_term(at);
+        CHECK(abs((at.xi * at.xi - other_sign) / first - 1) < Float("1e-4"));
+        // sin(d) - d cos^2(d) = 5 d^3/6 + O(d^5).
+        const Float d = delta * at.xi;
+        const Float printed = 9 * (sin(d) - d * pow(cos(d), 2)) / (pow(delta, 6) * pow(at.xi, 4));
+        CHECK(abs(printed * pow(delta, 3) * at.xi / Float("7.5") - 1) < Float("1e-9"));
+        CHECK(printed > Float("1e14"));
     }
 }
 

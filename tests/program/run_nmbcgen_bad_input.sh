@@ -50,9 +50,12 @@ for option in --G --damping --time-step; do
     refuses $option "At Most 1" -- --order 1 --horizon 1 $option 1 $option 1
 done
 
-for bad in "" "," "0:3," "0:3,,1:1" "nan:1,0:3" "0:3,-1:1" "0:3,1e3:1" "0:3,pipi:1" "0:3,pi/0:1" \
-    "0:3,1/0:1" "0:3,pi/1.5:1"; do
-    refuses --match "wave number such as 6/5, 1.2 or 2pi/3" -- --horizon 1 --G 1/2 --match "$bad:"
+for bad in "" nan -1 1e3 pipi pi/0 1/0 pi/1.5; do
+    refuses --match "'$bad' is not a wave number such as 6/5, 1.2 or 2pi/3" -- \
+        --horizon 1 --G 1/2 --match "0:3,$bad:1"
+done
+for bad in "" "," "0:3," ",0:3" "0:3,,1:1"; do
+    refuses --match "empty item" -- --horizon 1 --G 1/2 --match "$bad"
 done
 for bad in "0" "0:3,1:0" "0:3,1:-1" "0:3,1:1:1" "0:3,1:" "0:3,1" "0:3,1:200" "0:3,1:one"; do
     refuses --match "whole number from 1 to 199" -- --horizon 1 --G 1/2 --match "$bad"
@@ -65,6 +68,7 @@ refuses --match "'0:3'" "given once" -- --horizon 1 --G 1/2 --match 0:3,0:3
 refuses --match "needs 0:1 at least" -- --horizon 1 --G 1/2 --match 1:2
 refuses --match "makes the order 0" -- --horizon 1 --G 1/2 --match 0:1
 refuses --match "makes the order 100" -- --horizon 1 --G 1/2 --match 0:199,1:1
+refuses --match "value 1:2 twice" -- --horizon 1 --G 1/2 --match 0:1,1:2,1:2
 refuses --match "given twice: pi/3" -- --horizon 1 --G 1/2 --match 0:1,pi/3:1,2pi/6:1
 refuses --match "given twice: 1" -- --horizon 1 --G 1/2 --match 0:1,1.0:1,1:1
 refuses --match "requires --G" -- --horizon 1 --match 0:3,1:1

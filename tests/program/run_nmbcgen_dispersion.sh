@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck disable=SC1091,SC2034,SC2154  # assert.sh defines and reads what is not used here
+# nmbcgen dispersion: which rows in which order, and what is refused. What is in them:
+# tests/dispersion. Usage: run_nmbcgen_dispersion.sh NMBCGEN
+source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+
+# Two rows a curve, at pi/2 and pi. n = 1: omega^2 = sin^2 + 2 G (1 - cos)^2.
+try dispersion --horizon 1 --G 1/2,0 --samples 2
+expect_exit 0
+expect_no_stderr
+expect_nothing_written
+printf '%s\n' model,horizon,G,xi,omega,phase_velocity,group_velocity \
+    lattice,1,0.5,1.5707963267948966,1.4142135623730951,0.9003163161571061,0.7071067811865476 \
+    lattice,1,0.5,3.141592653589793,2,0.6366197723675814,0 \
+    lattice,1,0,1.5707963267948966,1,0.6366197723675814,0 \
+    lattice,1,0,3.141592653589793,0,0,-1 >"$scratch/expected"
+expect_same "$scratch/stdout" "$scratch/expected"
+try dispersion --family nopd1d --G=0.5,0/7 --horizon=1 --samples=2
+expect_same "$scratch/stdout" "$scratch/expected"
+
+# n varies slowest, then G, then the model; 200 wave numbers unless told otherwise.
+try dispersion --horizon 3,1 --G 1,0 --limit
+expect_exit 0
+expect_no_stderr
+cut -d, -f1-3 "$scratch/stdout" | uniq -c | awk '{ print $1, $2 }' >"$scratch/order"
+printf '%s\n' "1 model,horizon,G" "200 lattice,3,1" "200 limit,3,1" "200 lattice,3,0" "200 limit,3,0" \
+    "200 lattice,1,1" "200 limit,1,1" "200 lattice,1,0" "200 limit,1,0" >"$scratch/expected"
+expect_same "$scratch/order" "$scratch/expected"
+expect "xi = pi/200 .. pi, and finite numbers" awk -F, 'BEGIN { pi = atan2(0, -1) }
+    NR == 1 { next }
+    { i = (NR - 2) % 200 + 1; if (($4 - pi * i / 200) ^ 2 > 1e-28 || $0 ~ /nan|inf/) { print; bad = 1 } }
+    END { exit bad || NR != 1601 }' "$scratch/stdout"
+# 40 digits at most: the largest G there is, and a very small one.
+try dispersion --horizon 99 --G "$(printf '9%.0s' {1..39}),0.$(printf '0%.0s' {1..37})1" --limit --samples 3
+expect_exit 0
+expect "twelve rows of finite numbers" awk -F, '/nan|inf/ { bad = 1 } END { exit bad || NR != 13 }' "$scratch/stdout"
+
+# refuses TEXT ARGUMENT..
+refuses() {
+    local text=$1
+    shift
+    try dispersion "$@"
+    expect_exit 2
+    expect_stderr_lines 2
+    expect_no_stdout
+    expect_nothing_written
+    expect_stderr "$text"
+}
+refuses "--horizon is required" --G 1
+refuses "--G is required" --horizon 1
+for list in "" "," "1," ",1" "1,,2"; do
+    refuses "--horizon: '$list' has an empty item" --G 1 --horizon "$list"
+    refuses "--G: '$list' has an empty item" --horizon 1 --G "$list"
+done
+refuses "--horizon: '2,1,2' has the value 2 twice" --G 1 --horizon 2,1,2
+refuses "--G: '1/2,1,0.5' has the value 0.5 twice" --horizon 1 --G 1/2,1,0.5
+for bad in 0 -1 100 1.5 x " 2" "1;2" 1e1; do
+    refuses "--horizon: '$bad' is not a whole number from 1 to 99" --G 1 --horizon "1,$bad"
+done
+for bad in -1 nan inf 1e308 x " 2" "1;2" 1/0; do
+    refuses "--G: '$bad'" --horizon 1 --G "1/3,$bad"
+done
+refuses "--horizon: At Most 1" --horizon 1 --horizon 2 --G 1
+refuses "--G: At Most 1" --horizon 1 --G 1 --G 2
+for bad in 0 -1 1.5 1000001 nan "" 1,2; do
+    refuses "--samples: '$bad' is not a whole number from 1 to 1000000" --horizon 1 --G 1 --samples "$bad"
+done
+refuses "'nopd7d' is not a family" --family nopd7d --horizon 1 --G 1 --limit
+refuses "limit was given" --horizon 1 --G 1 --limit=3
+refuses "not expected" --horizon 1 --G 1 --order 1
+refuses "--G: '0,' has an empty item" --horizon 1 --G 0, 1
+
+# Standard output that is closed, or full.
+code=0
+"$program" dispersion --horizon 1 --G 1 2>"$scratch/stderr" >&- || code=$?
+expect_exit 5
+expect_stderr "standard output"
+code=0
+"$program" dispersion --horizon 1 --G 1 2>"$scratch/stderr" >/dev/full || code=$?
+expect_exit 5
+expect_stderr "No space left"
+
+finish
