@@ -107,6 +107,21 @@ CLI::App* add_recommend(CLI::App& app, Question& question) {
     return recommend;
 }
 
+/// nmbcgen closed-forms.
+CLI::App* add_closed_forms(CLI::App& app, Request& request) {
+    auto* const closed_forms = app.add_subcommand(
+        "closed-forms",
+        "print the Taylor coefficients for all horizons at once (docs/closed-forms.md)");
+    add_parsed(*closed_forms, "--order", request.specification.order, parse_closed_order,
+               "N: a_1 to a_{2N+1}, 1 to 12")
+        ->required();
+    add_parsed(*closed_forms, "--family", request.specification.family, parse_family,
+               "lattice model: " + family_names() + " (default nopd1d)");
+    add_parsed(*closed_forms, "--format", request.closed_format, parse_closed_format,
+               closed_format_names() + " (default text)");
+    return closed_forms;
+}
+
 }  // namespace
 
 std::variant<Request, int> parse_command_line(int argc, char** argv) {
@@ -153,6 +168,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     require_stable->needs(single.G)->excludes(uncertified);
     auto* const reflect = add_reflect(app, request);
     auto* const recommend = add_recommend(app, request.question);
+    auto* const closed_forms = add_closed_forms(app, request);
     app.footer(
         "Exit codes: 0 done; 1 the committed set is stale; 2 wrong arguments; 3 there is no such "
         "boundary\ncondition; 4 it is not certified to be stable (--require-stable); 5 a file "
@@ -162,6 +178,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         if (!all && !check && !reflect->parsed() && !recommend->parsed() &&
+            !closed_forms->parsed() &&
             (single.order->count() == 0 || single.horizon->count() == 0)) {
             throw CLI::RequiredError("--order and --horizon (or --all, or --check)");
         }
@@ -180,6 +197,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         request.action = Action::reflect;
     } else if (recommend->parsed()) {
         request.action = Action::recommend;
+    } else if (closed_forms->parsed()) {
+        request.action = Action::closed_forms;
     }
     return request;
 }

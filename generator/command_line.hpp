@@ -5,13 +5,14 @@
 #include <filesystem>
 #include <variant>
 
+#include "generator/emit/closed_forms.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/recommend.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
 
-enum class Action { one_table, all_tables, check, reflect, recommend };
+enum class Action { one_table, all_tables, check, reflect, recommend, closed_forms };
 
 struct Request {
     Action action = Action::one_table;
@@ -23,7 +24,8 @@ struct Request {
     bool require_stable = false;  ///< nothing is written unless the certificate covers G
     unsigned samples = 200;       ///< wave numbers of Action::reflect
     Question question;            ///< of Action::recommend
-    std::optional<std::filesystem::path> cache;  ///< folder of kept certificates
+    const ClosedFormat* closed_format = &closed_formats().front();  ///< of Action::closed_forms
+    std::optional<std::filesystem::path> cache;                     ///< folder of kept certificates
     std::filesystem::path folder = "generated/nmbc/tables";
 };
 

@@ -9,6 +9,7 @@
 
 #include "generator/certificate_cache.hpp"
 #include "generator/check.hpp"
+#include "generator/closed_forms.hpp"
 #include "generator/command_line.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/files.hpp"
@@ -144,6 +145,10 @@ int run(const Request& request) {
         case Action::reflect:
             print(reflection_csv(derive(request.specification), request.samples));
             return done;
+        case Action::closed_forms:
+            print(request.closed_format->emit(closed_forms(
+                family_named(request.specification.family), request.specification.order)));
+            return done;
     }
     return done;
 }
@@ -161,6 +166,9 @@ int main(int argc, char** argv) {
     } catch (const nmbcgen::NoSuchBoundary& reason) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::no_such_boundary;
+    } catch (const nmbcgen::NoClosedForms& reason) {
+        std::cerr << "nmbcgen: " << reason.what() << "\n";
+        return nmbcgen::bad_input;
     } catch (const nmbcgen::NotStable& reason) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::not_stable;

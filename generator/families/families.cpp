@@ -12,7 +12,7 @@ namespace nmbcgen {
 
 std::span<const Family> families() {
     static constexpr std::array list{
-        Family{"nopd1d", nopd1d},
+        Family{"nopd1d", nopd1d, nopd1d_moments},
     };
     return list;
 }
@@ -42,13 +42,17 @@ void damp(Model& model, const Rational& damping) {
     model.source += "; damping: not in the paper";
 }
 
-Model make_model(std::string_view family, unsigned horizon, const Rational& damping) {
+const Family& family_named(std::string_view name) {
     const auto known = families();
-    const auto found = std::ranges::find(known, family, &Family::name);
+    const auto found = std::ranges::find(known, name, &Family::name);
     if (found == known.end()) {
-        throw std::invalid_argument("there is no family '" + std::string(family) + "'");
+        throw std::invalid_argument("there is no family '" + std::string(name) + "'");
     }
-    Model model = found->describe(horizon);
+    return *found;
+}
+
+Model make_model(std::string_view family, unsigned horizon, const Rational& damping) {
+    Model model = family_named(family).describe(horizon);
     model.symbol = symbol_of(model.energy);
     damp(model, damping);
     return model;

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "generator/table/closed_forms.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
@@ -16,10 +17,18 @@ struct Family {
     /// The energy, description and source of the model with the given horizon >= 1; symbol and
     /// damping are filled in by make_model. The weight of stabilisation is proportional to G.
     Model (*describe)(unsigned horizon);
+    /// The coefficients of x^2, x^4, .. x^(2 count), x = i xi, in -omega^2 as functions of the
+    /// horizon; nullptr where no closed form is known. The proof of what follows from them
+    /// (generator/closed_forms.hpp) rests on this: n^(pole g) times the coefficient of G^g x^(2k)
+    /// in -omega^2 of the described models is a polynomial in n of degree <= 2k - 2 + pole g.
+    ClosedForms (*moments)(unsigned count);
 };
 
 /// The families there are, in the order they are listed to a user.
 std::span<const Family> families();
+
+/// Throws std::invalid_argument where there is no such family.
+const Family& family_named(std::string_view name);
 
 /// The model of a family at a horizon, with damping tau >= 0 [c/dX]; symbol and damping are derived
 /// from its energy. Throws std::invalid_argument where there is no such family, where tau < 0, and
@@ -31,5 +40,6 @@ Model make_model(std::string_view family, unsigned horizon, const Rational& damp
 void damp(Model& model, const Rational& damping);
 
 Model nopd1d(unsigned horizon);
+ClosedForms nopd1d_moments(unsigned count);
 
 }  // namespace nmbcgen
