@@ -149,6 +149,21 @@ CLI::App* add_recommend(CLI::App& app, Question& question) {
     return recommend;
 }
 
+/// nmbcgen closed-forms.
+CLI::App* add_closed_forms(CLI::App& app, Request& request) {
+    auto* const closed_forms = app.add_subcommand(
+        "closed-forms",
+        "print the Taylor coefficients for all horizons at once (docs/closed-forms.md)");
+    add_parsed(*closed_forms, "--order", request.specification.order, parse_closed_order,
+               "N: a_1 to a_{2N+1}, 1 to 12")
+        ->required();
+    add_parsed(*closed_forms, "--family", request.specification.family, parse_family,
+               "lattice model: " + family_names() + " (default nopd1d)");
+    add_parsed(*closed_forms, "--format", request.closed_format, parse_closed_format,
+               closed_format_names() + " (default text)");
+    return closed_forms;
+}
+
 }  // namespace
 
 std::variant<Request, int> parse_command_line(int argc, char** argv) {
@@ -197,6 +212,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     auto* const reflect = add_reflect(app, request, matching);
     auto* const recommend = add_recommend(app, request.question);
     auto* const dispersion = add_dispersion(app, request.curves);
+    auto* const closed_forms = add_closed_forms(app, request);
     app.footer(
         "Exit codes: 0 done; 1 the committed set is stale; 2 wrong arguments; 3 there is no such "
         "boundary\ncondition; 4 it is not certified to be stable (--require-stable); 5 a file "
@@ -232,6 +248,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         request.action = Action::recommend;
     } else if (dispersion->parsed()) {
         request.action = Action::dispersion;
+    } else if (closed_forms->parsed()) {
+        request.action = Action::closed_forms;
     }
     return request;
 }

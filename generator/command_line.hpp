@@ -6,13 +6,14 @@
 #include <variant>
 
 #include "generator/dispersion.hpp"
+#include "generator/emit/closed_forms.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/recommend.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
 
-enum class Action { one_table, all_tables, check, reflect, recommend, dispersion };
+enum class Action { one_table, all_tables, check, reflect, recommend, dispersion, closed_forms };
 
 struct Request {
     Action action = Action::one_table;
@@ -25,7 +26,8 @@ struct Request {
     unsigned samples = 200;       ///< wave numbers of Action::reflect
     Question question;            ///< of Action::recommend
     Curves curves;                ///< of Action::dispersion
-    std::optional<std::filesystem::path> cache;  ///< folder of kept certificates
+    const ClosedFormat* closed_format = &closed_formats().front();  ///< of Action::closed_forms
+    std::optional<std::filesystem::path> cache;                     ///< folder of kept certificates
     std::filesystem::path folder = "generated/nmbc/tables";
 };
 

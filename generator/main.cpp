@@ -9,6 +9,7 @@
 
 #include "generator/certificate_cache.hpp"
 #include "generator/check.hpp"
+#include "generator/closed_forms.hpp"
 #include "generator/command_line.hpp"
 #include "generator/dispersion.hpp"
 #include "generator/emit/emit.hpp"
@@ -158,6 +159,10 @@ int run(const Request& request) {
         case Action::reflect:
             print(reflection_csv(derive(request.specification), request.samples));
             return done;
+        case Action::closed_forms:
+            print(request.closed_format->emit(closed_forms(
+                find_family(request.specification.family), request.specification.order)));
+            return done;
     }
     return done;
 }
@@ -175,6 +180,9 @@ int main(int argc, char** argv) {
     } catch (const nmbcgen::NoSuchBoundary& reason) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::no_such_boundary;
+    } catch (const nmbcgen::NoClosedForms& reason) {
+        std::cerr << "nmbcgen: " << reason.what() << "\n";
+        return nmbcgen::bad_input;
     } catch (const nmbcgen::NotStable& reason) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::not_stable;

@@ -91,6 +91,26 @@ std::vector<Value> parse_list(const std::string& text, Value (*parse)(const std:
     return values;
 }
 
+/// The names of a list, with commas between.
+template <class Item>
+std::string names_of(std::span<const Item> list) {
+    std::string names;
+    for (const Item& item : list) {
+        names += (names.empty() ? "" : ", ") + std::string(item.name);
+    }
+    return names;
+}
+
+template <class SomeFormat>
+const SomeFormat* named(std::span<const SomeFormat> list, const std::string& text) {
+    for (const SomeFormat& format : list) {
+        if (format.name == text) {
+            return &format;
+        }
+    }
+    throw std::invalid_argument("'" + text + "' is not a format; allowed: " + names_of(list));
+}
+
 }  // namespace
 
 unsigned parse_count(const std::string& text) {
@@ -103,28 +123,28 @@ unsigned parse_samples(const std::string& text) {
 }
 
 std::string family_names() {
-    std::string names;
-    for (const Family& family : families()) {
-        names += (names.empty() ? "" : ", ") + std::string(family.name);
-    }
-    return names;
+    return names_of(families());
 }
 
 std::string format_names() {
-    std::string names;
-    for (const Format& format : formats()) {
-        names += (names.empty() ? "" : ", ") + std::string(format.name);
-    }
-    return names;
+    return names_of(formats());
 }
 
 const Format* parse_format(const std::string& text) {
-    for (const Format& format : formats()) {
-        if (format.name == text) {
-            return &format;
-        }
-    }
-    throw std::invalid_argument("'" + text + "' is not a format; allowed: " + format_names());
+    return named(formats(), text);
+}
+
+std::string closed_format_names() {
+    return names_of(closed_formats());
+}
+
+const ClosedFormat* parse_closed_format(const std::string& text) {
+    return named(closed_formats(), text);
+}
+
+unsigned parse_closed_order(const std::string& text) {
+    constexpr unsigned highest_order = 12;
+    return parse_whole_number(text, highest_order);
 }
 
 std::string parse_family(const std::string& text) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/emit/closed_forms.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/recommend.hpp"
 #include "generator/table/table.hpp"
@@ -23,6 +24,9 @@ std::string format_names();
 
 std::string parse_family(const std::string& text);
 const Format* parse_format(const std::string& text);
+std::string closed_format_names();
+const ClosedFormat* parse_closed_format(const std::string& text);
+unsigned parse_closed_order(const std::string& text);  ///< 1 to 12; higher ones take minutes
 std::string parse_folder(const std::string& text);
 
 /// An exact cfl between 0 and 1.

@@ -8,11 +8,10 @@
 #include "generator/exact/rational.hpp"
 
 namespace nmbcgen {
-namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json end_point(const AlgebraicNumber& number) {
+Json number_object(const AlgebraicNumber& number) {
     Json end = {{"value", nearest_double(number)}};
     const std::string exact = to_text(number);
     if (!exact.empty()) {
@@ -28,6 +27,12 @@ Json end_point(const AlgebraicNumber& number) {
     end["poly"] = polynomial;
     end["interval"] = {to_string(number.low), to_string(number.high)};
     return end;
+}
+
+namespace {
+
+Json end_point(const AlgebraicNumber& number) {
+    return number_object(number);
 }
 
 Json end_point(const Edge& edge) {

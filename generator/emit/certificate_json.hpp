@@ -8,6 +8,9 @@
 
 namespace nmbcgen {
 
+/// {"value", "exact", "poly", "interval"}, as the end of a window in docs/json.md.
+nlohmann::ordered_json number_object(const AlgebraicNumber& number);
+
 /// damped: of a table with tau > 0; the windows that are not sought of one are null.
 nlohmann::ordered_json windows_object(const Certificate& certificate, bool damped);
 nlohmann::ordered_json poles_array(const Certificate& certificate);

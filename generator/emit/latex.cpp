@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
-#include <regex>
-
 #include "generator/emit/coefficients.hpp"
 #include "generator/emit/emit.hpp"
+#include "generator/emit/formula.hpp"
 #include "generator/emit/heading.hpp"
-#include "generator/exact/algebraic_number.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 
@@ -45,10 +43,9 @@ std::string fraction(const RationalFunction& function) {
                        minus ? numerator.substr(1) : numerator, denominator);
 }
 
-/// 3 + 2*sqrt(5) as (3 + 2\sqrt{5}), (3 + 2*sqrt(5))/7 likewise.
-std::string radical(const AlgebraicNumber& number) {
-    static const std::regex root(R"(\*?sqrt\((\d+)\))");
-    const std::string text = std::regex_replace(to_text(number), root, "\\sqrt{$1}");
+/// In brackets where it is a sum, since a unit follows.
+std::string factor(const AlgebraicNumber& number) {
+    const std::string text = latex_radical(number);
     const bool is_sum = text.find(' ') != std::string::npos && text.find('(') == std::string::npos;
     return is_sum ? "(" + text + ")" : text;
 }
@@ -56,7 +53,7 @@ std::string radical(const AlgebraicNumber& number) {
 /// What the i-th coefficient is; its decimals where it has no short form.
 std::string value(const CoefficientList& list, std::size_t i) {
     if (!list.closed.empty()) {
-        return "= " + radical(list.closed[i]);
+        return "= " + factor(list.closed[i]);
     }
     if (list.digits > 0 && list.functions[i].denominator != IntegerPolynomial(Integer(1))) {
         return fmt::format("\\approx {:.17g}", nearest_double(evaluate(list.functions[i], 0)));

@@ -12,7 +12,7 @@ namespace nmbcgen {
 
 std::span<const Family> families() {
     static constexpr std::array list{
-        Family{"nopd1d", nopd1d, nopd1d_limit},
+        Family{"nopd1d", nopd1d, nopd1d_moments, nopd1d_limit},
     };
     return list;
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "generator/families/limit.hpp"
+#include "generator/table/closed_forms.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
@@ -17,6 +18,11 @@ struct Family {
     /// The energy, description and source of the model with the given horizon >= 1; symbol and
     /// damping are filled in by make_model. The weight of stabilisation is proportional to G.
     Model (*describe)(unsigned horizon);
+    /// The coefficients of x^2, x^4, .. x^(2 count), x = i xi, in -omega^2 as functions of the
+    /// horizon; nullptr where no closed form is known. The proof of what follows from them
+    /// (generator/closed_forms.hpp) rests on this: n^(pole g) times the coefficient of G^g x^(2k)
+    /// in -omega^2 of the described models is a polynomial in n of degree <= 2k - 2 + pole g.
+    ClosedForms (*moments)(unsigned count) = nullptr;
     /// The continuum limit at a fixed horizon delta = n dX, nullptr where a family states none:
     /// what the model with horizon kn and stabilisation kG on a lattice of spacing dX/k tends to as
     /// k -> infinity, for xi > 0 [1/dX].
@@ -40,5 +46,6 @@ void damp(Model& model, const Rational& damping);
 
 Model nopd1d(unsigned horizon);
 SquaredFrequency nopd1d_limit(unsigned horizon, const Real& G, const Real& xi);
+ClosedForms nopd1d_moments(unsigned count);
 
 }  // namespace nmbcgen

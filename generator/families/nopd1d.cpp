@@ -7,6 +7,60 @@
 #include "generator/families/family.hpp"
 
 namespace nmbcgen {
+namespace {
+
+/// P_k = sum_{m=1}^n m^k, k = 0 .. highest, as polynomials in n of degree k + 1 (Faulhaber), from
+/// (n+1)^(k+1) - 1 = sum_{j=0}^k binomial(k+1, j) P_j, which is sum (m+1)^(k+1) - m^(k+1).
+std::vector<Polynomial> power_sums(unsigned highest) {
+    const Polynomial next(std::vector<Rational>{1, 1});  // n + 1
+    std::vector<Polynomial> sums;
+    Polynomial power = next;
+    for (unsigned k = 0; k <= highest; ++k) {
+        Polynomial sum = power - constant(1);
+        Integer binomial = 1;
+        for (unsigned j = 0; j < k; ++j) {
+            sum -= sums[j] * constant(Rational(binomial));
+            binomial = binomial * (k + 1 - j) / (j + 1);
+        }
+        sums.push_back(sum / constant(Rational(k + 1)));
+        power *= next;
+    }
+    return sums;
+}
+
+}  // namespace
+
+/// With x = i xi, (41) is  -omega^2 = 4 [(T/A)^2 + (G/n^4) (C - T^2/A)],
+///     T = i S = sum_m m sinh(m x),   C = sum_m (cosh(m x) - 1),   A = A_n = 2 P_2.
+/// It is the energy below: the strain is e(x) = 2T/A, its square -e^2, and the bonds' are
+///     sum_b (exp(b x) - 1 - b e) (exp(-b x) - 1 + b e) = -4C + 4T e - A e^2 = -4 (C - T^2/A).
+///
+/// n(n+1)(2n+1) divides every P_{2k}, k >= 1 (Faulhaber), so that the coefficient of x^(2k+1) in
+/// T/A is a polynomial in n of degree 2k, and those of x^(2k) in C and T^2/A are n times one of
+/// degree 2k. This gives the pole 3 and the degrees that family.hpp asks for.
+ClosedForms nopd1d_moments(unsigned count) {
+    const std::vector<Polynomial> sums = power_sums(2 * count);
+    const Polynomial shape = sums.at(2) * constant(2);
+    const Polynomial n(std::vector<Rational>{0, 1});
+    ClosedForms moments{.pole = 3, .functions = {}};
+    std::vector<Polynomial> strain;  // of x, x^3, .. in T/A
+    Rational factorial = 1;
+    for (std::size_t k = 1; k <= count; ++k) {
+        factorial *= 2 * k - 1;
+        strain.push_back(sums[2 * k] / (shape * constant(factorial)));
+        factorial *= 2 * k;
+        Polynomial square;  // of x^(2k) in (T/A)^2
+        for (std::size_t i = 0; i < k; ++i) {
+            square += strain[i] * strain[k - 1 - i];
+        }
+        const Polynomial state = sums[2 * k] / constant(factorial) - shape * square;
+        moments.functions.push_back({square * constant(4)});
+        if (!state.is_zero()) {
+            moments.functions.back().push_back(state * constant(4) / n);
+        }
+    }
+    return moments;
+}
 
 Model nopd1d(unsigned horizon) {
     const int n = int(horizon);

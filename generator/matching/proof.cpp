@@ -69,6 +69,8 @@ void prove_damping(const Table& table) {
     }
 }
 
+}  // namespace
+
 void prove_taylor(const Table& table) {
     const auto& a = table.taylor;  // a[k-1] is a_k
     require(!a.empty() && a.front() == constant(1), "Taylor coefficients: a_1 = c = 1");
@@ -94,6 +96,8 @@ void prove_taylor(const Table& table) {
         require(sum.is_zero(), fmt::format("Taylor coefficients at x^{}", k));
     }
 }
+
+namespace {
 
 void prove_residual(const Table& table) {
     const std::size_t order = table.specification.order;

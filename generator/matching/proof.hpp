@@ -23,4 +23,7 @@ namespace nmbcgen {
 /// Returns the sentence a table carries about it. Throws std::logic_error naming what fails.
 std::string prove(const Table& table);
 
+/// The two of these that are about a_k, from the table's model, a_k and time step.
+void prove_taylor(const Table& table);
+
 }  // namespace nmbcgen

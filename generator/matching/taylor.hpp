@@ -28,4 +28,14 @@ struct Dispersion {
 /// rigid motion is damped.
 std::vector<GiNaC::ex> taylor_coefficients(const Dispersion& dispersion, unsigned highest);
 
+/// All that the coefficients depend on.
+struct Moments {
+    std::vector<GiNaC::ex> symbol;   ///< coefficients of x^0 .. x^highest, x = i xi, in -omega^2
+    std::vector<GiNaC::ex> damping;  ///< likewise in -tau sigma
+    GiNaC::ex time_step = 0;         ///< as of Dispersion
+};
+
+/// The same from the moments through x^(highest + 1), highest >= 1.
+std::vector<GiNaC::ex> taylor_coefficients(const Moments& moments);
+
 }  // namespace nmbcgen
