@@ -64,13 +64,13 @@ for bad in "0:3,4:1" "0:3,pi:1" "0:3,0pi:1" "0:3,355/113:1"; do
     refuses --match "from 0 to below pi" -- --horizon 1 --G 1/2 --match "$bad"
 done
 refuses --match "'0:2'" "odd number of rows" -- --horizon 1 --G 1/2 --match 0:2
-refuses --match "'0:3'" "given once" -- --horizon 1 --G 1/2 --match 0:3,0:3
+refuses --match "'0:3,0:5'" "given once" -- --horizon 1 --G 1/2 --match 0:3,0:5
 refuses --match "needs 0:1 at least" -- --horizon 1 --G 1/2 --match 1:2
 refuses --match "makes the order 0" -- --horizon 1 --G 1/2 --match 0:1
 refuses --match "makes the order 100" -- --horizon 1 --G 1/2 --match 0:199,1:1
 refuses --match "value 1:2 twice" -- --horizon 1 --G 1/2 --match 0:1,1:2,1:2
-refuses --match "given twice: pi/3" -- --horizon 1 --G 1/2 --match 0:1,pi/3:1,2pi/6:1
-refuses --match "given twice: 1" -- --horizon 1 --G 1/2 --match 0:1,1.0:1,1:1
+refuses --match "given twice: pi/3" -- --horizon 1 --G 1/2 --match 0:1,pi/3:1,2pi/6:2
+refuses --match "given twice: 1" -- --horizon 1 --G 1/2 --match 0:1,1.0:1,1:2
 refuses --match "requires --G" -- --horizon 1 --match 0:3,1:1
 refuses --match "excludes" -- --horizon 1 --G 1/2 --match 0:3,1:1 --order 2
 refuses --match --horizon -- --G 1/2 --match 0:3,1:1
