@@ -2,7 +2,11 @@
 #include "generator/matching/matching.hpp"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <stdexcept>
+
+#include "generator/matching/moebius.hpp"
 
 namespace nmbcgen {
 
@@ -52,40 +56,62 @@ Series series_of(const std::vector<ex>& taylor, const ex& spacing, unsigned p, u
     return g;
 }
 
-/// Coefficients of P: the maximal minors, with alternating signs, of the Hankel system
-/// sum_j p_j g_{k-j} = 0, k = l+1 .. l+m. No division, so nothing can vanish unseen.
-Series denominator_by_minors(const Series& g, unsigned m, unsigned l) {
-    Series p(m + 1, ex(1));
-    if (m == 0) {
-        return p;
+/// The sum of expanded summands, in one go.
+ex sum(const GiNaC::exvector& summands) {
+    return GiNaC::dynallocate<GiNaC::add>(summands);
+}
+
+Series sums(const std::vector<GiNaC::exvector>& lists) {
+    Series result;
+    for (const GiNaC::exvector& summands : lists) {
+        result.push_back(sum(summands));
     }
-    for (unsigned left_out = 0; left_out <= m; ++left_out) {
-        GiNaC::matrix minor(m, m);
-        for (unsigned row = 0; row < m; ++row) {
-            for (unsigned column = 0; column < m; ++column) {
-                const unsigned j = column + (column >= left_out ? 1 : 0);
-                minor(row, column) = g[l + 1 + row - j];
+    return result;
+}
+
+/// Coefficients of P: the maximal minors, with alternating signs, of the Hankel system
+/// sum_j p_j g_{k-j} = 0, k = l+1 .. l+m. No division, so nothing can vanish unseen. All of them
+/// come from one Laplace expansion, row by row: the minors of the first r rows, one for every set
+/// of r columns, serve all those of r + 1 rows.
+Series denominator_by_minors(const Series& g, unsigned m, unsigned l) {
+    using Columns = std::vector<unsigned>;  // ascending
+    std::map<Columns, ex> minors{{{}, ex(1)}};
+    for (unsigned k = l + 1; k <= l + m; ++k) {
+        std::map<Columns, GiNaC::exvector> summands;
+        for (const auto& [columns, minor] : minors) {
+            for (unsigned j = 0; j <= m; ++j) {
+                const auto place = std::ranges::lower_bound(columns, j);
+                if (place != columns.end() && *place == j) {
+                    continue;
+                }
+                const bool odd = (columns.end() - place) % 2 == 1;
+                Columns wider(columns.begin(), place);
+                wider.push_back(j);
+                wider.insert(wider.end(), place, columns.end());
+                summands[wider].push_back(((odd ? -g[k - j] : g[k - j]) * minor).expand());
             }
         }
-        const ex determinant = minor.determinant(GiNaC::determinant_algo::laplace).expand();
-        p[left_out] = left_out % 2 == 0 ? determinant : -determinant;
+        minors.clear();
+        for (const auto& [columns, terms] : summands) {
+            minors.emplace(columns, sum(terms));
+        }
+    }
+    Series p;
+    for (unsigned left_out = 0; left_out <= m; ++left_out) {
+        Columns columns(m + 1);
+        std::iota(columns.begin(), columns.end(), 0U);
+        columns.erase(columns.begin() + left_out);
+        p.push_back(left_out % 2 == 0 ? minors.at(columns) : -minors.at(columns));
     }
     return p;
 }
 
-/// Adds weight * (z - 1)^a (z + 1)^b to the polynomial.
-void add_factors(std::vector<ex>& polynomial, const ex& weight, unsigned a, unsigned b) {
-    std::vector<numeric> product{1};
-    for (unsigned factor = 0; factor < a + b; ++factor) {
-        const numeric constant = factor < a ? -1 : 1;
-        product.emplace_back(0);
-        for (std::size_t j = product.size() - 1; j > 0; --j) {
-            product[j] = product[j] * constant + product[j - 1];
-        }
-        product[0] = product[0] * constant;
-    }
+/// Adds weight * (z - 1)^a (z + 1)^b to the polynomial, whose coefficients are lists of summands.
+void add_factors(std::vector<GiNaC::exvector>& polynomial, const ex& weight, unsigned a,
+                 unsigned b) {
+    const std::vector<numeric> product = moebius_factors<numeric>(a, b);
     for (std::size_t j = 0; j < product.size(); ++j) {
-        polynomial[j] += weight * product[j];
+        polynomial[j].push_back(weight * product[j]);
     }
 }
 
@@ -122,22 +148,19 @@ MatchingPolynomials match(const std::vector<ex>& taylor, const ex& spacing, unsi
     const Series g = series_of(taylor, spacing, power, l + m + 1);
     const Series p = denominator_by_minors(g, m, l);
 
-    MatchingPolynomials result{Series(order + 1, ex(0)), Series(order + 1, ex(0))};
+    std::vector<GiNaC::exvector> C(order + 1);
+    std::vector<GiNaC::exvector> B(order + 1);
     for (unsigned k = 0; k <= m; ++k) {
-        add_factors(result.C, p[k], power * k, order - power * k);
+        add_factors(C, p[k], power * k, order - power * k);
     }
     for (unsigned k = 0; k <= l; ++k) {
-        ex q = 0;
+        GiNaC::exvector q;
         for (unsigned j = 0; j <= std::min(k, m); ++j) {
-            q += p[j] * g[k - j];
+            q.push_back((p[j] * g[k - j]).expand());
         }
-        add_factors(result.B, q.expand(), power * k + 1, order - power * k - 1);
+        add_factors(B, sum(q), power * k + 1, order - power * k - 1);
     }
-    for (unsigned j = 0; j <= order; ++j) {
-        result.C[j] = result.C[j].expand();
-        result.B[j] = result.B[j].expand();
-    }
-    return result;
+    return {sums(C), sums(B)};
 }
 
 Degeneracy degeneracy(const MatchingPolynomials& matching) {

@@ -7,9 +7,9 @@
 
 namespace nmbcgen {
 
-/// Adds weight * (z - 1)^a (z + 1)^b to the polynomial in z, coefficients in ascending powers.
+/// The coefficients of (z - 1)^a (z + 1)^b in ascending powers, as numbers of type T.
 template <class T>
-void add_factors(std::vector<T>& polynomial, const T& weight, unsigned a, unsigned b) {
+std::vector<T> moebius_factors(unsigned a, unsigned b) {
     std::vector<T> product{T(1)};
     for (unsigned factor = 0; factor < a + b; ++factor) {
         const T constant = T(factor < a ? -1 : 1);
@@ -19,9 +19,7 @@ void add_factors(std::vector<T>& polynomial, const T& weight, unsigned a, unsign
         }
         product[0] = product[0] * constant;
     }
-    for (std::size_t j = 0; j < product.size(); ++j) {
-        polynomial[j] += weight * product[j];
-    }
+    return product;
 }
 
 }  // namespace nmbcgen

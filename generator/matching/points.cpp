@@ -60,6 +60,15 @@ struct Polynomials {
     std::vector<T> B;
 };
 
+/// Adds weight * (z - 1)^a (z + 1)^b to the polynomial.
+template <class T>
+void add_factors(std::vector<T>& polynomial, const T& weight, unsigned a, unsigned b) {
+    const std::vector<T> factors = moebius_factors<T>(a, b);
+    for (std::size_t j = 0; j < factors.size(); ++j) {
+        polynomial[j] += weight * factors[j];
+    }
+}
+
 /// C and B in z from p_1 .. p_m, q_0 .. q_l.
 template <class T>
 Polynomials<T> in_z(const std::vector<T>& unknowns, const Shape& shape) {
