@@ -14,7 +14,7 @@
 #include "generator/exact/rational_function.hpp"
 #include "generator/matching/local.hpp"
 #include "generator/matching/moebius.hpp"
-#include "generator/matching/rows.hpp"
+#include "generator/matching/solve.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -96,19 +96,6 @@ void normalise(Polynomials<T>& polynomials) {
     }
 }
 
-[[noreturn]] void throw_singular() {
-    throw NotMatched(
-        "its equations are singular: several conditions, or none, meet them. Use other points, "
-        "another order, stride or G.");
-}
-
-const auto nonzero = [](const auto& candidate, const auto& best) {
-    return best == 0 && !(candidate == 0);
-};
-const auto larger = [](const Real& candidate, const Real& best) {
-    return abs(candidate) > abs(best) && abs(candidate) > negligible;
-};
-
 Rows<Rational> rows_at_zero(const Table& table, const Shape& shape) {
     const unsigned multiplicity = rows_at_zero(table.specification);
     Rows<Rational> rows;
@@ -137,17 +124,6 @@ std::optional<Rows<Quadratic>> exact_rows(const Table& table, const Shape& shape
     return rows;
 }
 
-std::vector<Quadratic> solve_exactly(Rows<Quadratic> rows) {
-    if (reduce(rows, nonzero).size() < rows.size()) {
-        throw_singular();
-    }
-    std::vector<Quadratic> unknowns;
-    for (const auto& row : rows) {
-        unknowns.push_back(row.back());
-    }
-    return unknowns;
-}
-
 Rows<Real> rows_at_points(const Table& table, const Shape& shape,
                           const std::vector<IncidentWave>& waves) {
     Rows<Real> rows;
@@ -170,68 +146,6 @@ Rows<Real> rows_at_points(const Table& table, const Shape& shape,
         }
     }
     return rows;
-}
-
-/// The unknowns to all digits, and rounded so that the rows at xi = 0 hold exactly.
-struct Solution {
-    std::vector<Real> full;
-    std::vector<Rational> rounded;
-};
-
-constexpr unsigned digits = 40;
-
-Rational rounded(const Real& value) {
-    const Integer scale = pow(Integer(10), digits);
-    return {Integer(round(value * Real(scale))), scale};
-}
-
-/// Those of the unknowns that the rows at xi = 0 leave free are rounded; the others follow.
-Solution solve(Rows<Rational> at_zero, const Rows<Real>& at_points) {
-    const std::size_t count = at_points.front().size() - 1;
-    const std::vector<std::size_t> bound = reduce(at_zero, nonzero);
-    if (bound.size() < at_zero.size()) {
-        throw_singular();
-    }
-    std::vector<std::size_t> free;
-    for (std::size_t k = 0; k < count; ++k) {
-        if (std::ranges::find(bound, k) == bound.end()) {
-            free.push_back(k);
-        }
-    }
-    Rows<Real> rows;
-    for (const auto& point_row : at_points) {
-        std::vector<Real> row = point_row;
-        for (std::size_t i = 0; i < bound.size(); ++i) {
-            const Real factor = row[bound[i]];
-            for (std::size_t k = 0; k <= count; ++k) {
-                row[k] -= factor * Real(at_zero[i][k]);
-            }
-        }
-        auto& reduced = rows.emplace_back();
-        for (const std::size_t k : free) {
-            reduced.push_back(row[k]);
-        }
-        reduced.push_back(row.back());
-    }
-    if (reduce(rows, larger).size() < free.size()) {
-        throw_singular();
-    }
-    Solution solution{std::vector<Real>(count), std::vector<Rational>(count)};
-    for (std::size_t i = 0; i < free.size(); ++i) {
-        solution.full[free[i]] = rows[i].back();
-        solution.rounded[free[i]] = rounded(rows[i].back());
-    }
-    for (std::size_t i = 0; i < bound.size(); ++i) {
-        Rational value = at_zero[i].back();
-        Real full = Real(value);
-        for (const std::size_t k : free) {
-            value -= at_zero[i][k] * solution.rounded[k];
-            full -= Real(at_zero[i][k]) * solution.full[k];
-        }
-        solution.rounded[bound[i]] = value;
-        solution.full[bound[i]] = full;
-    }
-    return solution;
 }
 
 /// As degeneracy() of matching.hpp, of what is known to many digits; C(1) = 2^N.
@@ -308,15 +222,20 @@ void match_at_points(Table& table) {
     }
     const Solution solution =
         solve(rows_at_zero(table, shape), rows_at_points(table, shape, waves));
+    if (solution.full.empty()) {
+        throw NotMatched(
+            "its equations are singular: several conditions, or none, meet them. Use other "
+            "points, another order, stride or G.");
+    }
     Polynomials<Real> full = in_z(solution.full, shape);
     require_regular(full);
     normalise(full);
 
     Polynomials<Rational> found = in_z(solution.rounded, shape);
-    table.digits = digits;
+    table.digits = kept_digits;
     if (shape.power == 2) {
         if (auto rows = exact_rows(table, shape, waves)) {
-            Polynomials<Quadratic> exact = in_z(solve_exactly(std::move(*rows)), shape);
+            Polynomials<Quadratic> exact = in_z(solve(std::move(*rows)), shape);
             normalise(exact);
             if (is_rational(exact.C) && is_rational(exact.B)) {
                 found = {rational_parts(exact.C), rational_parts(exact.B)};

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Linear equations over any field, and those of matching points, of which some are exact.
+#pragma once
+
+#include <vector>
+
+#include "generator/exact/quadratic.hpp"
+#include "generator/exact/real.hpp"
+#include "generator/table/exact.hpp"
+
+namespace nmbcgen {
+
+/// Each row: the coefficients of the unknowns, then the right-hand side.
+template <class T>
+using Rows = std::vector<std::vector<T>>;
+
+/// The unknowns to all digits, and rounded so that the exact rows hold exactly.
+struct Solution {
+    std::vector<Real> full;
+    std::vector<Rational> rounded;
+};
+
+inline constexpr unsigned kept_digits = 40;
+
+/// Unknowns that the exact rows leave free are rounded to kept_digits behind the point; the others
+/// follow from them. As many rows as unknowns in all. Empty where they are singular.
+Solution solve(Rows<Rational> exact, const Rows<Real>& others);
+
+/// Likewise where all rows are exact.
+std::vector<Quadratic> solve(Rows<Quadratic> rows);
+
+}  // namespace nmbcgen
