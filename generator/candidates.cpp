@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "generator/exact/rational.hpp"
+#include "generator/families/family.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/band_reflection.hpp"
 #include "generator/stability/discrete.hpp"
@@ -22,7 +23,9 @@ namespace {
 constexpr unsigned highest_order = 4;
 constexpr double smallest_cfl = 0.25;  // below, more damping is the better bargain
 
-const std::vector<Rational>& damping_ladder() {
+/// No damping but 0 in a family without stabilisation, which it is of.
+const std::vector<Rational>& damping_ladder(const std::string& family) {
+    static const std::vector<Rational> undamped{0};
     static const std::vector<Rational> ladder{0,
                                               Rational(1, 100),
                                               Rational(1, 50),
@@ -31,7 +34,7 @@ const std::vector<Rational>& damping_ladder() {
                                               Rational(1, 5),
                                               Rational(3, 10),
                                               Rational(1, 2)};
-    return ladder;
+    return has_stabilisation(make_model(family, 1)) ? ladder : undamped;
 }
 
 /// Whatever its cfl is; 0 where there is no such condition, and where it is matched in longer
@@ -56,7 +59,7 @@ Certified certified(const Specification& what) {
 
 /// Certified with a time step worth having.
 Certified least_damped(Specification what) {
-    for (const Rational& damping : damping_ladder()) {
+    for (const Rational& damping : damping_ladder(what.family)) {
         what.damping = damping;
         Certified found = certified(what);
         if (found.cfl >= smallest_cfl) {
@@ -79,7 +82,7 @@ std::vector<Certified> matched_in_steps(Specification what, double top,
         return what.time_step > 0 ? certified(what) : Certified{};
     };
     std::vector<Certified> found;
-    for (const Rational& damping : damping_ladder()) {
+    for (const Rational& damping : damping_ladder(what.family)) {
         what.damping = damping;
         if (matched(ladder.back()).cfl > 0) {
             break;
@@ -106,8 +109,9 @@ Candidate in_steps(const Certified& certified, const Question& question, double 
     candidate.what = certified.what;
     candidate.certified_cfl = certified.cfl;
     if (!certified.half_space) {
-        candidate.lost = fmt::format("not certified with cfl {} or more and any tau up to {}",
-                                     smallest_cfl, to_string(damping_ladder().back()));
+        candidate.lost =
+            fmt::format("not certified with cfl {} or more and any tau up to {}", smallest_cfl,
+                        to_string(damping_ladder(question.family).back()));
         return candidate;
     }
     const HalfSpace& half_space = *certified.half_space;
@@ -172,7 +176,12 @@ std::vector<Certified> all_certified(const Question& question, const Progress& p
     const unsigned most = question.order.value_or(highest_order);
     for (unsigned order = least; order <= most; ++order) {
         for (unsigned stride = 1; stride <= question.horizon + 2; ++stride) {
-            all.push_back({question.family, question.horizon, order, stride, question.G});
+            all.push_back({.family = question.family,
+                           .horizon = question.horizon,
+                           .order = order,
+                           .stride = stride,
+                           .stabilisation = question.G,
+                           .weights = question.weights});
         }
     }
     std::vector<Certified> found;

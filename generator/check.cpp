@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
 #include <set>
 #include <sstream>
 
 #include "generator/emit/emit.hpp"
-#include "generator/exact/rational.hpp"
 #include "generator/pipeline.hpp"
 
 namespace nmbcgen {
@@ -65,61 +63,17 @@ const Format* format_of(const std::string& ending) {
     return format == formats().end() ? nullptr : &*format;
 }
 
-/// _at6o5x2_atpi1o3x1
-std::vector<MatchingPoint> points_of(const std::string& text) {
-    static const std::regex pattern(R"(_at(pi)?(\d+)o(\d+)x([1-9]\d?))");
-    std::vector<MatchingPoint> points;
-    for (std::sregex_iterator match(text.begin(), text.end(), pattern);
-         match != std::sregex_iterator(); ++match) {
-        points.push_back(
-            {.wave_number = parse_rational((*match)[2].str() + "/" + (*match)[3].str()),
-             .of_pi = (*match)[1].matched,
-             .multiplicity = unsigned(std::stoul((*match)[4]))});
-    }
-    return points;
-}
-
-/// The table a file of this name holds, where it is the name of one. More than two digits of
-/// order or horizon are no table that anybody could have made.
-std::optional<Specification> specification_of(const std::string& file_name) {
-    static const std::regex pattern(
-        R"((\w+?)_n([1-9]\d?)_order([1-9]\d?)(?:_s([1-9]\d?))?(?:_tau(\d+)o(\d+))?)"
-        R"((?:_dt(\d+)o(\d+))?((?:_at(?:pi)?\d+o\d+x\d+)*)(?:_G(\d+)o(\d+))?(\.[a-z]+))");
-    std::smatch match;
-    if (!std::regex_match(file_name, match, pattern) || format_of(match[12].str()) == nullptr) {
-        return std::nullopt;
-    }
-    Specification what{.family = match[1],
-                       .horizon = unsigned(std::stoul(match[2])),
-                       .order = unsigned(std::stoul(match[3])),
-                       .stride = match[4].matched ? unsigned(std::stoul(match[4])) : 1,
-                       .stabilisation = {},
-                       .damping = 0,
-                       .time_step = 0,
-                       .points = points_of(match[9])};
-    if (match[5].matched) {
-        what.damping = parse_rational(match[5].str() + "/" + match[6].str());
-    }
-    if (match[7].matched) {
-        what.time_step = parse_rational(match[7].str() + "/" + match[8].str());
-    }
-    if (match[10].matched) {
-        what.stabilisation = parse_rational(match[10].str() + "/" + match[11].str());
-    }
-    return what;
-}
-
 /// A table outside the set, which a user wrote: stale where it is not what its name asks for.
 /// It may have been written with --uncertified.
 std::string compare_own_table(const std::filesystem::path& file, const MakeTable& certified) {
     const std::string name = file.filename().string();
     std::string left_over = "left over: " + name + " (no table has this name: delete it)\n";
     try {
-        const auto what = specification_of(name);
-        if (!what || table_name(*what) + file.extension().string() != name) {
-            return left_over;  // a number not in lowest terms is not a name that we write
-        }
+        const auto what = specification_named(file.stem().string());
         const Format* const format = format_of(file.extension().string());
+        if (!what || format == nullptr) {
+            return left_over;
+        }
         const std::string found = read_file(file).value_or("");
         if (found == format->emit(derive(*what))) {
             return "";

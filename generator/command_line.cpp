@@ -2,6 +2,7 @@
 #include "generator/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -35,6 +36,7 @@ struct SpecificationOptions {
     CLI::Option* order;
     CLI::Option* match;
     CLI::Option* horizon;
+    CLI::Option* weights;
     CLI::Option* stride;
     CLI::Option* damping;
     CLI::Option* time_step;
@@ -42,8 +44,19 @@ struct SpecificationOptions {
     CLI::Option* G;
 };
 
-SpecificationOptions add_specification(CLI::App& app, Request& request,
-                                       std::optional<Matching>& matching) {
+/// What becomes part of the request when all is read.
+struct Pending {
+    std::optional<Matching> matching;
+    std::optional<WeightChoice> weights;
+};
+
+CLI::Option* add_weights(CLI::App& app, std::optional<WeightChoice>& weights) {
+    return add_parsed(app, "--weights", weights, parse_weights,
+                      "influence function: w_1,w_2,.. of bonds of 1, 2, .. dX, exact numbers, or " +
+                          influence_names() + " (default constant)");
+}
+
+SpecificationOptions add_specification(CLI::App& app, Request& request, Pending& pending) {
     Specification& what = request.specification;
     const SpecificationOptions options{
         .family = add_parsed(app, "--family", what.family, parse_family,
@@ -51,12 +64,13 @@ SpecificationOptions add_specification(CLI::App& app, Request& request,
         .order =
             add_parsed(app, "--order", what.order, parse_count, "order N of the condition, >= 1"),
         .match =
-            add_parsed(app, "--match", matching, parse_matching,
+            add_parsed(app, "--match", pending.matching, parse_matching,
                        "with --G, in place of --order: XI:ROWS,.. matches the residual and its "
                        "derivatives, ROWS in all, at the wave numbers XI in 1/dX, such as "
                        "0:5,1.2:2 or 0:3,pi/3:1"),
         .horizon = add_parsed(app, "--horizon", what.horizon, parse_count,
                               "horizon n in units of dX, >= 1"),
+        .weights = add_weights(app, pending.weights),
         .stride = add_parsed(app, "--stride", what.stride, parse_count,
                              "node offsets of the condition are 0, s, 2s, .. Ns (default 1)"),
         .damping = add_parsed(app, "--damping", what.damping, parse_rational,
@@ -85,10 +99,10 @@ void require_condition(const SpecificationOptions& options, const std::string& o
 }
 
 /// nmbcgen reflect, with the same options for the condition.
-CLI::App* add_reflect(CLI::App& app, Request& request, std::optional<Matching>& matching) {
+CLI::App* add_reflect(CLI::App& app, Request& request, Pending& pending) {
     auto* const reflect = app.add_subcommand(
         "reflect", "print the true reflection over the band as CSV (docs/reflection.md)");
-    const SpecificationOptions options = add_specification(*reflect, request, matching);
+    const SpecificationOptions options = add_specification(*reflect, request, pending);
     options.G->required();
     reflect->parse_complete_callback([options] { require_condition(options, ""); });
     add_parsed(*reflect, "--samples", request.samples, parse_samples,
@@ -97,7 +111,7 @@ CLI::App* add_reflect(CLI::App& app, Request& request, std::optional<Matching>& 
 }
 
 /// nmbcgen dispersion.
-CLI::App* add_dispersion(CLI::App& app, Curves& curves) {
+CLI::App* add_dispersion(CLI::App& app, Curves& curves, Pending& pending) {
     auto* const dispersion = app.add_subcommand(
         "dispersion", "print dispersion relations over the band as CSV (docs/dispersion.md)");
     add_parsed(*dispersion, "--family", curves.family, parse_family,
@@ -105,6 +119,7 @@ CLI::App* add_dispersion(CLI::App& app, Curves& curves) {
     add_parsed(*dispersion, "--horizon", curves.horizons, parse_counts,
                "horizons n in units of dX, with commas between, such as 1,2,3")
         ->required();
+    add_weights(*dispersion, pending.weights);
     add_parsed(*dispersion, "--G", curves.G, parse_rationals,
                "values of the stabilisation G, exact numbers with commas between, such as 0,1/2,1")
         ->required();
@@ -117,6 +132,10 @@ CLI::App* add_dispersion(CLI::App& app, Curves& curves) {
 }
 
 void require_limit_of(const Curves& curves) {
+    const bool constant = std::ranges::all_of(curves.weights, &std::vector<Rational>::empty);
+    if (!constant) {
+        throw CLI::ValidationError("--limit", "it is stated for constant influence only");
+    }
     try {
         require_limit(find_family(curves.family));
     } catch (const std::invalid_argument& error) {
@@ -124,8 +143,37 @@ void require_limit_of(const Curves& curves) {
     }
 }
 
+std::vector<Rational> settled_weights(const WeightChoice& choice, unsigned horizon) {
+    try {
+        return weights_at(choice, horizon);
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError("--weights", error.what());
+    }
+}
+
+/// What could not be told before everything was read.
+void settle(Request& request, const Pending& pending) {
+    if (pending.matching) {
+        request.specification.order = pending.matching->order;
+        request.specification.points = pending.matching->points;
+    }
+    if (pending.weights && request.action == Action::dispersion) {
+        for (const unsigned horizon : request.curves.horizons) {
+            request.curves.weights.push_back(settled_weights(*pending.weights, horizon));
+        }
+    } else if (pending.weights && request.action == Action::recommend) {
+        request.question.weights = settled_weights(*pending.weights, request.question.horizon);
+    } else if (pending.weights) {
+        request.specification.weights =
+            settled_weights(*pending.weights, request.specification.horizon);
+    }
+    if (request.curves.limit) {
+        require_limit_of(request.curves);
+    }
+}
+
 /// nmbcgen recommend.
-CLI::App* add_recommend(CLI::App& app, Question& question) {
+CLI::App* add_recommend(CLI::App& app, Question& question, Pending& pending) {
     auto* const recommend = app.add_subcommand(
         "recommend", "say which boundary to use at a horizon and a G, and why not another one");
     add_parsed(*recommend, "--family", question.family, parse_family,
@@ -133,6 +181,7 @@ CLI::App* add_recommend(CLI::App& app, Question& question) {
     add_parsed(*recommend, "--horizon", question.horizon, parse_count,
                "horizon n in units of dX, >= 1")
         ->required();
+    add_weights(*recommend, pending.weights);
     add_parsed(*recommend, "--G", question.G, parse_rational,
                "stabilisation G of the model, an exact number such as 1/2 or 0.3")
         ->required();
@@ -176,8 +225,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         "it as a table.\nExample: nmbcgen --order 3 --horizon 2",
         "nmbcgen");
     app.set_version_flag("--version", "nmbcgen " NMBC_VERSION);
-    std::optional<Matching> matching;
-    const SpecificationOptions single = add_specification(app, request, matching);
+    Pending pending;
+    const SpecificationOptions single = add_specification(app, request, pending);
     auto* const format = add_parsed(app, "--format", request.format, parse_format,
                                     format_names() + " (default header; docs/formats.md)");
     auto* const to_stdout =
@@ -200,18 +249,19 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         "--check", check,
         "compare the committed set in the folder with a fresh one; exit code 1 if it is stale");
     for (CLI::Option* whole_set : {all_flag, check_flag}) {
-        for (CLI::Option* other : {single.family, single.order, single.match, single.horizon,
-                                   single.stride, single.damping, single.time_step, single.cfl,
-                                   single.G, format, to_stdout, require_stable, uncertified}) {
+        for (CLI::Option* other :
+             {single.family, single.order, single.match, single.horizon, single.weights,
+              single.stride, single.damping, single.time_step, single.cfl, single.G, format,
+              to_stdout, require_stable, uncertified}) {
             whole_set->excludes(other);
         }
     }
     all_flag->excludes(check_flag);
     to_stdout->excludes(folder);
     require_stable->needs(single.G)->excludes(uncertified);
-    auto* const reflect = add_reflect(app, request, matching);
-    auto* const recommend = add_recommend(app, request.question);
-    auto* const dispersion = add_dispersion(app, request.curves);
+    auto* const reflect = add_reflect(app, request, pending);
+    auto* const recommend = add_recommend(app, request.question, pending);
+    auto* const dispersion = add_dispersion(app, request.curves, pending);
     auto* const closed_forms = add_closed_forms(app, request);
     app.footer(
         "Exit codes: 0 done; 1 the committed set is stale; 2 wrong arguments; 3 there is no such "
@@ -224,32 +274,26 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         if (!all && !check && app.get_subcommands().empty()) {
             require_condition(single, " (or --all, or --check)");
         }
-        if (request.curves.limit) {
-            require_limit_of(request.curves);
+        request.certified = !uncertified_given;
+        if (all) {
+            request.action = Action::all_tables;
+        } else if (check) {
+            request.action = Action::check;
+        } else if (reflect->parsed()) {
+            request.action = Action::reflect;
+        } else if (recommend->parsed()) {
+            request.action = Action::recommend;
+        } else if (dispersion->parsed()) {
+            request.action = Action::dispersion;
+        } else if (closed_forms->parsed()) {
+            request.action = Action::closed_forms;
         }
+        settle(request, pending);
     } catch (const CLI::Success& help) {
         return app.exit(help, std::cout, std::cerr);
     } catch (const CLI::ParseError& error) {
         std::cerr << "nmbcgen: " << error.what() << "\nSee nmbcgen --help.\n";
         return 2;
-    }
-    request.certified = !uncertified_given;
-    if (matching) {
-        request.specification.order = matching->order;
-        request.specification.points = matching->points;
-    }
-    if (all) {
-        request.action = Action::all_tables;
-    } else if (check) {
-        request.action = Action::check;
-    } else if (reflect->parsed()) {
-        request.action = Action::reflect;
-    } else if (recommend->parsed()) {
-        request.action = Action::recommend;
-    } else if (dispersion->parsed()) {
-        request.action = Action::dispersion;
-    } else if (closed_forms->parsed()) {
-        request.action = Action::closed_forms;
     }
     return request;
 }

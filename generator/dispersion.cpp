@@ -76,13 +76,16 @@ std::string row(const std::string& curve, const Wave& wave) {
 
 }  // namespace
 
-std::string dispersion_rows(const Curves& curves, unsigned horizon, const Rational& G) {
+std::string dispersion_rows(const Curves& curves, std::size_t which, const Rational& G) {
+    const unsigned horizon = curves.horizons.at(which);
+    const std::vector<Rational> weights =
+        curves.weights.empty() ? std::vector<Rational>() : curves.weights.at(which);
     const auto xi = [&](unsigned i) { return Real(pi() * i / curves.samples); };
     const std::string curve = fmt::format("{},{}", horizon, nearest_double(G));
 
     // No omega but that at pi is 0: at G = 0 the zeros of (26) have (n+1) sin(n xi) = n sin((n+1)
     // xi), which no other rational multiple of pi solves.
-    const Symbol symbol = symbol_at(make_model(curves.family, horizon).symbol, G);
+    const Symbol symbol = symbol_at(make_model(curves.family, horizon, 0, weights).symbol, G);
     std::string csv;
     for (unsigned i = 1; i < curves.samples; ++i) {
         csv += row("lattice," + curve, wave(xi(i), squared_frequency(symbol.rounded, xi(i))));

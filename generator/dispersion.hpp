@@ -2,6 +2,7 @@
 /// nmbcgen dispersion: the dispersion relations of lattice models, and of their continuum limits.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,8 @@ namespace nmbcgen {
 struct Curves {
     std::string family = "nopd1d";
     std::vector<unsigned> horizons;
+    std::vector<std::vector<Rational>>
+        weights{};  ///< as in Specification, of each; empty: constant
     std::vector<Rational> G;
     unsigned samples = 200;
     bool limit = false;  ///< the family's continuum limit, too
@@ -23,12 +26,12 @@ struct Curves {
 inline constexpr std::string_view dispersion_columns =
     "model,horizon,G,xi,omega,phase_velocity,group_velocity\n";
 
-/// CSV, a row for each xi = pi i/samples, i = 1 .. samples: xi [1/dX], omega [c/dX], and the phase
-/// and group velocities [c], first of the model 'lattice', then, with limit, of 'limit', the
-/// family's continuum limit (Family::limit). The values at the exact xi are computed to 120 digits,
-/// of which cancellation leaves 25 even at a million samples, and rounded once. Where omega
-/// vanishes at xi = pi, the group velocity is the limit from below.
-std::string dispersion_rows(const Curves& curves, unsigned horizon, const Rational& G);
+/// Of one of the horizons, at one G. CSV, a row for each xi = pi i/samples, i = 1 .. samples: xi
+/// [1/dX], omega [c/dX], and the phase and group velocities [c], first of the model 'lattice',
+/// then, with limit, of 'limit', the family's continuum limit (Family::limit). The values at the
+/// exact xi are computed to 120 digits, of which cancellation leaves 25 even at a million samples,
+/// and rounded once. Where omega vanishes at xi = pi, the group velocity is the limit from below.
+std::string dispersion_rows(const Curves& curves, std::size_t which, const Rational& G);
 
 /// Throws std::invalid_argument, with a message for people, where the family states no limit.
 void require_limit(const Family& family);

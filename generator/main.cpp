@@ -125,9 +125,9 @@ void show_progress(std::size_t done_so_far, std::size_t all) {
 /// Curve by curve: all of them may be more than fits into memory.
 void print_curves(const Curves& curves) {
     print(std::string(dispersion_columns));
-    for (const unsigned horizon : curves.horizons) {
+    for (std::size_t which = 0; which < curves.horizons.size(); ++which) {
         for (const Rational& G : curves.G) {
-            print(dispersion_rows(curves, horizon, G));
+            print(dispersion_rows(curves, which, G));
         }
     }
 }
@@ -180,6 +180,9 @@ int main(int argc, char** argv) {
     } catch (const nmbcgen::NoSuchBoundary& reason) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::no_such_boundary;
+    } catch (const nmbcgen::NoSuchModel& reason) {
+        std::cerr << "nmbcgen: " << reason.what() << "\n";
+        return nmbcgen::bad_input;
     } catch (const nmbcgen::NoClosedForms& reason) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::bad_input;

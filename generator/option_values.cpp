@@ -67,10 +67,9 @@ MatchingPoint parse_rows(const std::string& text) {
     return point;
 }
 
-/// What `parse` makes of each item of a list with commas.
-template <class Value>
-std::vector<Value> parse_list(const std::string& text, Value (*parse)(const std::string&)) {
-    std::vector<Value> values;
+/// The items of a list with commas.
+std::vector<std::string> items_of(const std::string& text) {
+    std::vector<std::string> items;
     std::size_t begin = 0;
     std::size_t comma = 0;
     do {
@@ -80,14 +79,24 @@ std::vector<Value> parse_list(const std::string& text, Value (*parse)(const std:
             throw std::invalid_argument("'" + text.substr(0, 60) +
                                         "' has an empty item; values go with one comma between");
         }
+        items.push_back(item);
+        begin = comma + 1;
+    } while (comma != std::string::npos);
+    return items;
+}
+
+/// What `parse` makes of each item of a list with commas; nothing twice.
+template <class Value>
+std::vector<Value> parse_list(const std::string& text, Value (*parse)(const std::string&)) {
+    std::vector<Value> values;
+    for (const std::string& item : items_of(text)) {
         const Value value = parse(item);
         if (std::ranges::find(values, value) != values.end()) {
             throw std::invalid_argument("'" + text.substr(0, 60) + "' has the value " + item +
                                         " twice");
         }
         values.push_back(value);
-        begin = comma + 1;
-    } while (comma != std::string::npos);
+    }
     return values;
 }
 
@@ -132,6 +141,42 @@ std::string format_names() {
 
 const Format* parse_format(const std::string& text) {
     return named(formats(), text);
+}
+
+std::string influence_names() {
+    return names_of(influences());
+}
+
+WeightChoice parse_weights(const std::string& text) {
+    const auto named = std::ranges::find(influences(), text, &Influence::name);
+    if (named != influences().end()) {
+        return {.named = &*named, .values = {}};
+    }
+    WeightChoice choice;
+    for (const std::string& item : items_of(text)) {
+        try {
+            choice.values.push_back(parse_rational(item));
+        } catch (const std::invalid_argument& error) {
+            throw std::invalid_argument(std::string(error.what()) +
+                                        "; allowed, too: " + influence_names());
+        }
+        if (choice.values.back() == 0) {
+            throw std::invalid_argument("'" + text.substr(0, 60) +
+                                        "': every bond needs a positive weight");
+        }
+    }
+    return choice;
+}
+
+std::vector<Rational> weights_at(const WeightChoice& choice, unsigned horizon) {
+    if (choice.named != nullptr) {
+        return normalised(weights_of(*choice.named, horizon));
+    }
+    if (choice.values.size() != horizon) {
+        throw std::invalid_argument(fmt::format("{} weights, where horizon {} needs {}",
+                                                choice.values.size(), horizon, horizon));
+    }
+    return normalised(choice.values);
 }
 
 std::string closed_format_names() {

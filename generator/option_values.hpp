@@ -8,6 +8,7 @@
 
 #include "generator/emit/closed_forms.hpp"
 #include "generator/emit/emit.hpp"
+#include "generator/families/influence.hpp"
 #include "generator/recommend.hpp"
 #include "generator/table/table.hpp"
 
@@ -21,6 +22,7 @@ unsigned parse_samples(const std::string& text);  ///< 1 to a million
 /// The names that are allowed, with commas between.
 std::string family_names();
 std::string format_names();
+std::string influence_names();
 
 std::string parse_family(const std::string& text);
 const Format* parse_format(const std::string& text);
@@ -38,6 +40,17 @@ struct Matching {
     std::vector<MatchingPoint> points;
 };
 Matching parse_matching(const std::string& text);
+
+/// An influence function by its name, or w_1,w_2,.. themselves.
+struct WeightChoice {
+    const Influence* named = nullptr;
+    std::vector<Rational> values;
+};
+WeightChoice parse_weights(const std::string& text);
+
+/// normalised(): as Specification has them. Throws std::invalid_argument where there are not as
+/// many as the horizon needs.
+std::vector<Rational> weights_at(const WeightChoice& choice, unsigned horizon);
 
 unsigned parse_recommended_order(const std::string& text);  ///< 1 to 8; higher ones take minutes
 double parse_recommended_cfl(const std::string& text);      ///< 0.01 at least, below 1

@@ -72,15 +72,15 @@ void require_sense(const Specification& specification) {
 
 Table derive(const Specification& specification) {
     require_sense(specification);
-    Table table{
-        .specification = specification,
-        .model = make_model(specification.family, specification.horizon, specification.damping),
-        .taylor = {},
-        .c = {},
-        .b = {},
-        .source = {},
-        .proved = {},
-        .certificate = std::nullopt};
+    Table table{.specification = specification,
+                .model = make_model(specification.family, specification.horizon,
+                                    specification.damping, specification.weights),
+                .taylor = {},
+                .c = {},
+                .b = {},
+                .source = {},
+                .proved = {},
+                .certificate = std::nullopt};
     table.source = table.model.source +
                    "; Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)";
     if (specification.stabilisation) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "generator/table/table.hpp"
 
@@ -20,6 +21,7 @@ struct Band {
 struct Question {
     std::string family = "nopd1d";
     unsigned horizon = 1;
+    std::vector<Rational> weights{};  ///< as in Specification
     Rational G = 0;
     std::optional<unsigned> order;  ///< exactly this one; none: 1 to 4
     /// Of the mean reflected energy; none: 1e-6, or the next power of ten that an undamped

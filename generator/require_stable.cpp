@@ -91,8 +91,10 @@ void require_stable(const Table& table) {
     message += "\nG where it is stable:";
     std::vector<Table> open;
     for (const unsigned stride : std::set{1U, what.horizon, what.stride}) {
-        open.push_back(derive({what.family, what.horizon, what.order, stride, std::nullopt,
-                               what.damping, what.time_step}));
+        Specification other = what;
+        other.stride = stride;
+        other.stabilisation.reset();
+        open.push_back(derive(other));
     }
     certify_all(open);
     for (const Table& other : open) {

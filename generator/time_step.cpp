@@ -14,10 +14,12 @@ namespace {
 
 /// With a condition that every lattice has.
 HalfSpace lattice_of(const Specification& specification) {
-    Specification first;
-    first.family = specification.family;
-    first.horizon = specification.horizon;
-    first.damping = specification.damping;
+    Specification first = specification;
+    first.order = 1;
+    first.stride = 1;
+    first.time_step = 0;
+    first.stabilisation.reset();
+    first.points.clear();
     return make_half_space(derive(first), specification.stabilisation.value());
 }
 

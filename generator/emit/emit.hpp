@@ -3,6 +3,7 @@
 /// for a table at a fixed G, the rounded coefficients. Same table, same bytes.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -16,9 +17,13 @@ inline constexpr int schema = 3;
 /// Of the headers: nmbc::table_schema in runtime/nmbc/table.hpp.
 inline constexpr int header_schema = 4;
 
-/// FAMILY_nH_orderN[_sS][_tauPoQ][_dtPoQ][_at[pi]PoQxM ..][_GPoQ], the name of the table and of its
-/// files.
+/// FAMILY_nH[_w_PoQ_PoQ ..]_orderN[_sS][_tauPoQ][_dtPoQ][_at[pi]PoQxM ..][_GPoQ], the name of the
+/// table and of its files.
 std::string table_name(const Specification& specification);
+
+/// The other way; nothing where it is no such name. Throws std::invalid_argument for a number that
+/// parse_rational() refuses.
+std::optional<Specification> specification_named(const std::string& name);
 
 /// The wave number as on the command line: 6/5, pi, 2pi/3.
 std::string to_string(const MatchingPoint& point);

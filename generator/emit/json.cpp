@@ -72,6 +72,13 @@ Json closed_array(const std::vector<AlgebraicNumber>& numbers) {
     return array;
 }
 
+/// "weights", where the influence is not constant.
+void add_weights(Json& object, const Table& table) {
+    for (const Rational& weight : table.specification.weights) {
+        object["weights"].push_back(to_string(weight));
+    }
+}
+
 /// "match", and where there are closed forms "closed_c" and "closed_b", only of a table that has
 /// matching points besides xi = 0.
 void add_points(Json& object, const Table& table) {
@@ -115,6 +122,7 @@ Json table_object(const Table& table) {
         {"max_cfl_contractive", steps_array(certificate.max_cfl_contractive)},
         {"max_cfl_explicit", steps_array(certificate.max_cfl_explicit)},
         {"certificate", table.certificate ? Json(certificate_statement(table)) : Json(nullptr)}};
+    add_weights(object, table);
     add_points(object, table);
     return object;
 }

@@ -7,8 +7,13 @@
 namespace nmbcgen {
 
 std::string table_name(const Specification& specification) {
-    std::string name = fmt::format("{}_n{}_order{}", specification.family, specification.horizon,
-                                   specification.order);
+    std::string name = fmt::format("{}_n{}", specification.family, specification.horizon);
+    for (std::size_t m = 0; m < specification.weights.size(); ++m) {
+        name +=
+            fmt::format("{}_{}o{}", m == 0 ? "_w" : "", numerator(specification.weights[m]).str(),
+                        denominator(specification.weights[m]).str());
+    }
+    name += fmt::format("_order{}", specification.order);
     if (specification.stride != 1) {
         name += fmt::format("_s{}", specification.stride);
     }
@@ -55,6 +60,9 @@ std::string regenerating_command(const Specification& specification) {
                                       : "--match " + matching_text(specification);
     std::string command = fmt::format("nmbcgen --family {} {} --horizon {}", specification.family,
                                       condition, specification.horizon);
+    for (std::size_t m = 0; m < specification.weights.size(); ++m) {
+        command += (m == 0 ? " --weights " : ",") + to_string(specification.weights[m]);
+    }
     if (specification.stride != 1) {
         command += fmt::format(" --stride {}", specification.stride);
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
@@ -13,6 +14,8 @@ namespace nmbcgen {
 std::span<const Family> families() {
     static constexpr std::array list{
         Family{"nopd1d", nopd1d, nopd1d_moments, nopd1d_limit},
+        Family{"bond1d", bond1d},
+        Family{"chain1d", chain1d},
     };
     return list;
 }
@@ -21,14 +24,14 @@ const Family& find_family(std::string_view name) {
     const auto known = families();
     const auto found = std::ranges::find(known, name, &Family::name);
     if (found == known.end()) {
-        throw std::invalid_argument("there is no family '" + std::string(name) + "'");
+        throw NoSuchModel("there is no family '" + std::string(name) + "'");
     }
     return *found;
 }
 
 void damp(Model& model, const Rational& damping) {
     if (damping < 0) {
-        throw std::invalid_argument("damping has to be 0 or more, not " + to_string(damping));
+        throw NoSuchModel("damping has to be 0 or more, not " + to_string(damping));
     }
     if (damping == 0) {
         return;
@@ -41,8 +44,8 @@ void damp(Model& model, const Rational& damping) {
         }
     }
     if (at_unit_weight.empty()) {
-        throw std::invalid_argument("damping " + to_string(damping) +
-                                    ": this model has no stabilisation to be damped by");
+        throw NoSuchModel("damping " + to_string(damping) +
+                          ": this model has no stabilisation to be damped by");
     }
     for (const Polynomial& coefficient : symbol_of(at_unit_weight)) {
         model.damping.push_back(damping * evaluate(coefficient, 0));
@@ -51,8 +54,26 @@ void damp(Model& model, const Rational& damping) {
     model.source += "; damping: not in the paper";
 }
 
-Model make_model(std::string_view family, unsigned horizon, const Rational& damping) {
-    Model model = find_family(family).describe(horizon);
+Model make_model(std::string_view family, unsigned horizon, const Rational& damping,
+                 std::span<const Rational> weights) {
+    const std::vector<Rational> constant_influence(horizon, Rational(1));
+    if (weights.empty()) {
+        weights = constant_influence;
+    }
+    if (weights.size() != horizon ||
+        std::ranges::any_of(weights, [](const Rational& weight) { return weight <= 0; })) {
+        throw NoSuchModel(fmt::format(
+            "horizon {} has bonds of {} lengths: as many weights are needed, all positive", horizon,
+            horizon));
+    }
+    Model model = find_family(family).describe(horizon, weights);
+    if (std::ranges::count(weights, weights[0]) != std::ptrdiff_t(horizon)) {
+        std::string list;
+        for (const Rational& weight : weights) {
+            list += (list.empty() ? "" : ", ") + to_string(weight);
+        }
+        model.description += ", influence " + list;
+    }
     model.symbol = symbol_of(model.energy);
     damp(model, damping);
     return model;

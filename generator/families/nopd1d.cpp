@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// One-dimensional non-ordinary peridynamics (NOPD), correspondence material, constant influence
-/// function, stabilised after Silling (Nicely 2018, sections 2 and 3).
+/// One-dimensional non-ordinary peridynamics (NOPD), correspondence material, stabilised after
+/// Silling (Nicely 2018, sections 2 and 3, where the influence function is constant).
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
 
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/family.hpp"
@@ -62,21 +65,28 @@ ClosedForms nopd1d_moments(unsigned count) {
     return moments;
 }
 
-Model nopd1d(unsigned horizon) {
+Model nopd1d(unsigned horizon, std::span<const Rational> weights) {
     const int n = int(horizon);
-    const Rational shape = Rational(Integer(n) * (n + 1) * (2 * n + 1), Integer(3));  // A_n of (16)
+    const auto weight_of = [&](int bond) { return weights[std::size_t(std::abs(bond) - 1)]; };
+    Rational shape = 0;      // A_n of (16), n(n+1)(2n+1)/3 at constant influence
+    Rational influence = 0;  // of all bonds, 2n at constant influence
+    for (int j = 1; j <= n; ++j) {
+        shape += 2 * j * j * weight_of(j);
+        influence += 2 * weight_of(j);
+    }
 
-    // Nodal strain (16): eps_I = sum_j j (u_{I+j} - u_I) / A_n; the u_I terms cancel.
+    // Nodal strain (16): eps_I = sum_j w_j j (u_{I+j} - u_I) / A_n; the u_I terms cancel.
     std::vector<Rational> strain;
     for (int j = -n; j <= n; ++j) {
-        strain.push_back(j / shape);
+        strain.push_back(j == 0 ? Rational(0) : Rational(j * weight_of(j) / shape));
     }
     std::vector<EnergySquare> energy{{EnergyPart::strain, constant(1), strain}};
 
     // Stabilisation state (34): z_IJ = u_{I+j} - u_I - j eps_I on every bond. Its factor
-    // G C_BB / (2n) of (38) is G/n^4 in the project's units, with C_BB = 2E/(h_1 delta^3) (10).
-    // Printed, (41) mixes 1/dX^2 with G/dX^3; the dimensionless G here is the printed G over dX.
-    const Rational weight = Rational(Integer(1), pow(Integer(n), 4));
+    // G C_BB w_j / (sum of the w_j), in (38) G C_BB/(2n), is G (2/n^3) w_j / (sum of the w_j) in
+    // the project's units, with C_BB = 2E/(h_1 delta^3) (10): G/n^4 at constant influence. Printed,
+    // (41) mixes 1/dX^2 with G/dX^3; the dimensionless G here is the printed G over dX.
+    const Rational bond_constant(Integer(2), pow(Integer(n), 3));
     for (int bond = -n; bond <= n; ++bond) {
         if (bond == 0) {
             continue;
@@ -85,16 +95,18 @@ Model nopd1d(unsigned horizon) {
         for (int j = -n; j <= n; ++j) {
             state.push_back(int(j == bond) - int(j == 0) - bond * strain[std::size_t(j + n)]);
         }
+        const Rational weight = bond_constant * weight_of(bond) / influence;
         energy.push_back({EnergyPart::stabilisation, Polynomial(std::vector<Rational>{0, weight}),
                           std::move(state)});
     }
-    return {.description = fmt::format("1D non-ordinary peridynamics, constant influence, "
-                                       "horizon {} dX, stabilisation G",
-                                       horizon),
-            .source = "Nicely 2018: strain (16), stabilisation (34), symbol (41)",
-            .energy = std::move(energy),
-            .symbol = {},
-            .damping = {}};
+    const bool constant_influence = std::ranges::count(weights, weights[0]) == n;
+    return {
+        .description = fmt::format("1D non-ordinary peridynamics, {}horizon {} dX, stabilisation G",
+                                   constant_influence ? "constant influence, " : "", horizon),
+        .source = "Nicely 2018: strain (16), stabilisation (34), symbol (41)",
+        .energy = std::move(energy),
+        .symbol = {},
+        .damping = {}};
 }
 
 SquaredFrequency nopd1d_limit(unsigned horizon, const Real& G, const Real& xi) {

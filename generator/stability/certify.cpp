@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/stability/certify.hpp"
 
+#include <limits>
 #include <utility>
 
 #include "generator/exact/algebraic_number.hpp"
@@ -62,14 +63,37 @@ Certificate certify_open(const Table& table) {
     return certificate;
 }
 
+/// Of a table at one G where G is not fixed: the certificate at every G >= 0.
+void widen(Certificate& certificate) {
+    for (Window& window : certificate.reflection) {
+        window.high.reset();
+    }
+    for (auto* const windows : {&certificate.modal, &certificate.contractive}) {
+        for (StabilityWindow& window : *windows) {
+            window.high.reset();
+        }
+    }
+    for (auto* const steps :
+         {&certificate.max_cfl, &certificate.max_cfl_contractive, &certificate.max_cfl_explicit}) {
+        for (StableStep& step : *steps) {
+            step.high = std::numeric_limits<double>::infinity();
+        }
+    }
+}
+
 }  // namespace
 
 Certificate certify(const Table& table) {
     const Specification& what = table.specification;
+    const bool same_at_every_G = !has_stabilisation(table.model);
+    const bool open = !what.stabilisation && !same_at_every_G;
     Certificate certificate =
-        what.stabilisation ? certify_at(table, *what.stabilisation) : certify_open(table);
+        open ? certify_open(table) : certify_at(table, what.stabilisation.value_or(0));
     if (what.time_step != 0) {
         cut_to_own_step(table, certificate);
+    }
+    if (!what.stabilisation && same_at_every_G) {
+        widen(certificate);
     }
     return certificate;
 }

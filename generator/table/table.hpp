@@ -3,6 +3,7 @@
 /// Units throughout: dX = 1 and c = sqrt(E/rho) = 1; omega and b_j are in c/dX.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,7 @@ struct Specification {
     Rational damping = 0;                   ///< tau >= 0 [c/dX]
     Rational time_step = 0;  ///< dt [dX/c] of leapfrog it is matched in; 0: continuous time
     std::vector<MatchingPoint> points{};  ///< ascending, at a fixed G only
+    std::vector<Rational> weights{};  ///< of the influence, w_1 = 1, w_2 .. w_n; empty: constant
 };
 
 /// The rows k = 0, 1, .. of (49) that hold at xi = 0: what the matching points leave of 2N + 1.
@@ -71,6 +73,13 @@ struct Model {
     std::vector<Polynomial> symbol;
     std::vector<Rational> damping{};  ///< of tau sigma [c/dX], m = 0 .. reach; empty where tau = 0
 };
+
+/// Whether G changes the model at all.
+inline bool has_stabilisation(const Model& model) {
+    return std::ranges::any_of(model.energy, [](const EnergySquare& square) {
+        return square.part == EnergyPart::stabilisation;
+    });
+}
 
 /// A matching boundary condition with everything it was derived from.
 struct Table {

@@ -76,6 +76,29 @@ refuses --match "excludes" -- --horizon 1 --G 1/2 --match 0:3,1:1 --order 2
 refuses --match --horizon -- --G 1/2 --match 0:3,1:1
 refuses --match --order -- reflect --horizon 1 --G 1/2
 
+for bad in cone 1,x nan,1 1,-1 "constant,1"; do
+    refuses --weights "constant, conical, inverse, cubic" -- --order 1 --horizon 2 --weights "$bad"
+done
+refuses --weights "3 weights, where horizon 2 needs 2" -- --order 1 --horizon 2 --weights 1,2,3
+refuses --weights "positive" -- --order 1 --horizon 2 --weights 1,0
+refuses --weights "empty item" -- --order 1 --horizon 2 --weights 1,,2
+refuses --weights "excludes" -- --all --weights conical
+refuses --weights "3 weights, where horizon 2" -- dispersion --horizon 3,2 --G 1 --weights 1,2,3
+refuses --limit "constant influence" -- dispersion --horizon 2 --G 1 --weights conical --limit
+refuses --limit "no continuum limit" -- dispersion --family bond1d --horizon 2 --G 1 --limit
+# What the family does not have.
+for request in "--family chain1d --horizon 2" "--family bond1d --horizon 2 --damping 1/10" \
+    "--family bond1d --horizon 2 --damping 1/10 --time-step 1/2 --G 1"; do
+    # shellcheck disable=SC2086  # words are meant
+    try --order 2 $request
+    expect_exit 2
+    expect_stderr_lines 1
+    expect_nothing_written
+done
+try closed-forms --order 2 --family bond1d
+expect_exit 2
+expect_stderr "family 'bond1d'"
+
 refuses --family "'nopd7d'" "allowed: nopd1d" -- --order 1 --horizon 1 --family nopd7d
 refuses --family "''" "allowed: nopd1d" -- --order 1 --horizon 1 --family ""
 refuses --format "'xml'" "allowed: header, json, python, c, csv, latex" -- --order 1 --horizon 1 --format xml

@@ -20,6 +20,7 @@ requests=(
     "--order 2 --horizon 2 --stride 4 --damping 1/20"
     "--order 3 --horizon 2 --stride 2 --G 3/2"
     "--order 2 --horizon 1 --damping 1/50 --G 0.1 --uncertified"
+    "--order 2 --horizon 2 --weights cubic --stride 2"
     "--match 0:3,pi/3:1 --horizon 1 --G 1/2"
     "--match 0:3,3/10:2 --horizon 2 --stride 2 --G 1"
 )

@@ -41,6 +41,14 @@ writes out/nopd1d_n1_order2.hpp --order 2 --horizon 1 --time-step 0 --out out
 writes out/nopd1d_n1_order2_dt3o5_G1o2.hpp --order 2 --horizon 1 --cfl 3/5 --G 1/2 --out out
 # At G = 1, omega_max^2 = 8: dt = 0.3 sqrt(2) = 0.4242..
 writes out/nopd1d_n1_order3_dt53o125_G1o1.hpp --order 3 --horizon 1 --cfl 0.6 --G 1 --out out
+writes out/chain1d_n1_order2.hpp --family chain1d --order 2 --horizon 1 --out out
+writes out/nopd1d_n2_w_1o1_1o2_order1.hpp --order 1 --horizon 2 --weights conical --out out
+cp out/nopd1d_n2_w_1o1_1o2_order1.hpp "$scratch/weights"
+for weights in 1,0.5 2/3,1/3 inverse; do
+    writes out/nopd1d_n2_w_1o1_1o2_order1.hpp --order 1 --horizon 2 --weights "$weights" --out out
+    expect_same out/nopd1d_n2_w_1o1_1o2_order1.hpp "$scratch/weights"
+done
+writes out/nopd1d_n2_order1.hpp --order 1 --horizon 2 --weights 3,3 --out out
 writes out/nopd1d_n1_order4_at6o5x2_G1o2.hpp --match 0:5,1.2:2 --horizon 1 --G 1/2 --out out
 writes out/nopd1d_n1_order3_at1o5x1_atpi1o3x1_G1o2.hpp --match pi/3:1,0.2:1,0:3 --horizon 1 --G 0.5 \
     --out out
@@ -70,6 +78,7 @@ done
 # The banner's command makes the file again.
 for request in "--order 2 --horizon 2 --stride 2 --G 3/4" \
     "--match 0:3,1/5:1,pi/3:1 --horizon 1 --G 1/2" \
+    "--order 1 --horizon 3 --weights 1,2/3,1/3 --stride 2 --G 1" \
     "--order 2 --horizon 2 --stride 2 --damping 1/10 --time-step 3/4 --G 3/4 --uncertified"; do
     # shellcheck disable=SC2086
     "$program" $request --stdout >"$scratch/first"
@@ -105,7 +114,7 @@ expect "name and version" grep -qxE 'nmbcgen [0-9]+\.[0-9]+\.[0-9]+' "$scratch/s
 try --help
 expect_exit 0
 expect_no_stderr
-for option in --family --order --horizon --stride --damping --time-step --cfl --match --G --format --stdout --out --all --check; do
+for option in --family --order --horizon --weights --stride --damping --time-step --cfl --match --G --format --stdout --out --all --check; do
     expect "$option in the help" grep -qF -- "$option" "$scratch/stdout"
 done
 expect_nothing_written
