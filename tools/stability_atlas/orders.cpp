@@ -135,7 +135,7 @@ double measure(const Certified& one, double time_step, double half_width) {
 
 /// Energies below the floor are no more than roundings.
 std::string energy(double part, double floor) {
-    return part < floor ? fmt::format("< {:.1e}", floor) : fmt::format("{:.1e}", part);
+    return part < floor ? fmt::format("< {:.0e}", floor) : fmt::format("{:.2e}", part);
 }
 
 /// Of the prediction: of R, some units of the last place, squared.
@@ -195,11 +195,12 @@ std::string orders(const OrdersQuestion& asked) {
     if (question.time_step == 0) {
         question.time_step = Rational(question.horizon, 2);
     }
-    Specification undamped = specification(question, 1, 1, 0);
-    const HalfSpace lattice = stepped(make_half_space(nmbcgen::derive(undamped), question.G),
-                                      nearest_double(question.time_step));
-    undamped.time_step = question.time_step;
-    nmbcgen::require_leapfrog(undamped);
+    Specification leapfrog = specification(question, 1, 1, question.damping.value_or(Rational(0)));
+    leapfrog.time_step = question.time_step;
+    nmbcgen::require_leapfrog(leapfrog);
+    const nmbcgen::Table undamped = nmbcgen::derive(specification(question, 1, 1, 0));
+    const HalfSpace lattice =
+        stepped(make_half_space(undamped, question.G), nearest_double(question.time_step));
 
     std::string text = heading(question, lattice);
     std::string reasons;

@@ -17,6 +17,7 @@ namespace {
 using nmbcgen::add_parsed;
 using nmbcgen::Rational;
 
+constexpr int most_time_step = 100;
 constexpr double least_half_width = 2;  // below, the grid does not resolve the pulse
 constexpr double most_half_width = 20;  // above, its tails reach an end when it is measured
 
@@ -59,6 +60,15 @@ auto rational_up_to(int most) {
     };
 }
 
+Rational parse_time_step(const std::string& text) {
+    const Rational value = nmbcgen::parse_rational(text);
+    if (value < Rational(1, 100) || value > most_time_step) {
+        throw std::invalid_argument(
+            fmt::format("'{}' is not an exact number from 1/100 to {}", text, most_time_step));
+    }
+    return value;
+}
+
 }  // namespace
 
 CLI::App* add_orders(CLI::App& app, OrdersQuestion& question) {
@@ -75,7 +85,7 @@ CLI::App* add_orders(CLI::App& app, OrdersQuestion& question) {
         ->check(CLI::Range(1, 8));
     add_parsed(*orders, "--half-width", question.half_widths, parse_half_widths,
                "w of u = exp(-(x/w)^2) in dX, 2 to 20 (default 3,6,12)");
-    add_parsed(*orders, "--time-step", question.time_step, rational_up_to(1000),
+    add_parsed(*orders, "--time-step", question.time_step, parse_time_step,
                "dt of leapfrog in dX/c, which orders above 1 are matched in (default n/2)");
     orders
         ->add_option("--stride", question.stride, "this stride only (default: the least certified)")
