@@ -190,8 +190,7 @@ std::string not_yet_there(const OrdersQuestion& question, const HalfSpace& latti
 
 }  // namespace
 
-std::string orders(const OrdersQuestion& asked) {
-    OrdersQuestion question = asked;
+std::string orders(OrdersQuestion question) {
     if (question.time_step == 0) {
         question.time_step = Rational(question.horizon, 2);
     }

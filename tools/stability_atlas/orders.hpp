@@ -23,6 +23,6 @@ struct OrdersQuestion {
 /// A Markdown table: a row for each order, for each half-width the part of the pulse's energy that
 /// is left in a run, and as the modal analysis predicts it.
 /// Throws nmbcgen::NoSuchBoundary where leapfrog itself is unstable in such steps.
-std::string orders(const OrdersQuestion& question);
+std::string orders(OrdersQuestion question);
 
 }  // namespace stability_atlas

@@ -61,7 +61,7 @@ auto rational_up_to(int most) {
 }
 
 Rational parse_time_step(const std::string& text) {
-    const Rational value = nmbcgen::parse_rational(text);
+    Rational value = nmbcgen::parse_rational(text);
     if (value < Rational(1, 100) || value > most_time_step) {
         throw std::invalid_argument(
             fmt::format("'{}' is not an exact number from 1/100 to {}", text, most_time_step));
