@@ -23,40 +23,6 @@ namespace {
 constexpr unsigned highest_order = 4;
 constexpr double smallest_cfl = 0.25;  // below, more damping is the better bargain
 
-/// No damping but 0 in a family without stabilisation, which it is of.
-const std::vector<Rational>& damping_ladder(const std::string& family) {
-    static const std::vector<Rational> undamped{0};
-    static const std::vector<Rational> ladder{0,
-                                              Rational(1, 100),
-                                              Rational(1, 50),
-                                              Rational(1, 20),
-                                              Rational(1, 10),
-                                              Rational(1, 5),
-                                              Rational(3, 10),
-                                              Rational(1, 2)};
-    return has_stabilisation(make_model(family, 1)) ? ladder : undamped;
-}
-
-/// Whatever its cfl is; 0 where there is no such condition, and where it is matched in longer
-/// steps.
-Certified certified(const Specification& what) {
-    try {
-        HalfSpace half_space = make_half_space(derive(what), what.stabilisation.value());
-        const double own = nearest_double(what.time_step);
-        const double own_cfl = cfl_of(half_space, own);
-        const bool stable = own_cfl < 1 &&
-                            stability_grade(stepped(half_space, own)) != Grade::none &&
-                            stability_grade(half_space) != Grade::none;
-        double cfl = stable ? largest_cfl(half_space, GhostLevel::midpoint) : 0;
-        if (own_cfl > cfl) {
-            cfl = 0;
-        }
-        return {what, cfl, std::move(half_space)};
-    } catch (const NoSuchBoundary&) {
-        return {what, 0, std::nullopt};
-    }
-}
-
 /// Certified with a time step worth having.
 Certified least_damped(Specification what) {
     for (const Rational& damping : damping_ladder(what.family)) {
@@ -169,6 +135,37 @@ bool is_matched_alike(const Candidate& better, const Candidate& candidate) {
 }
 
 }  // namespace
+
+const std::vector<Rational>& damping_ladder(const std::string& family) {
+    static const std::vector<Rational> undamped{0};
+    static const std::vector<Rational> ladder{0,
+                                              Rational(1, 100),
+                                              Rational(1, 50),
+                                              Rational(1, 20),
+                                              Rational(1, 10),
+                                              Rational(1, 5),
+                                              Rational(3, 10),
+                                              Rational(1, 2)};
+    return has_stabilisation(make_model(family, 1)) ? ladder : undamped;
+}
+
+Certified certified(const Specification& what) {
+    try {
+        HalfSpace half_space = make_half_space(derive(what), what.stabilisation.value());
+        const double own = nearest_double(what.time_step);
+        const double own_cfl = cfl_of(half_space, own);
+        const bool stable = own_cfl < 1 &&
+                            stability_grade(stepped(half_space, own)) != Grade::none &&
+                            stability_grade(half_space) != Grade::none;
+        double cfl = stable ? largest_cfl(half_space, GhostLevel::midpoint) : 0;
+        if (own_cfl > cfl) {
+            cfl = 0;
+        }
+        return {what, cfl, std::move(half_space)};
+    } catch (const NoSuchBoundary&) {
+        return {what, 0, std::nullopt};
+    }
+}
 
 std::vector<Certified> all_certified(const Question& question, const Progress& progress) {
     std::vector<Specification> all;

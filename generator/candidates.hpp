@@ -20,6 +20,13 @@ struct Certified {
     std::optional<HalfSpace> half_space;  ///< where it is certified
 };
 
+/// The values of tau that are tried, ascending from 0; 0 alone for a family without stabilisation.
+const std::vector<Rational>& damping_ladder(const std::string& family);
+
+/// The largest cfl of one condition with its G and tau, whatever it is; 0 where it is unstable, and
+/// where it is matched in longer steps. Without a half space where there is no such condition.
+Certified certified(const Specification& what);
+
 /// Orders 1 to 4, or the one asked for, with strides 1 to n + 2; those above order 1 also matched
 /// in time steps, of the two largest cfl of a ladder in which they are certified, or of the
 /// question's.

@@ -9,27 +9,10 @@
 
 #include "generator/exact/rational.hpp"
 #include "generator/option_values.hpp"
+#include "generator/parsed_option.hpp"
 
 namespace nmbcgen {
 namespace {
-
-/// A CLI11 callback that stores what `parse` makes of the text, and lets its
-/// std::invalid_argument become a command-line error that names the option.
-template <class Target, class Parse>
-CLI::Option* add_parsed(CLI::App& app, const std::string& name, Target& target, Parse parse,
-                        const std::string& description) {
-    const auto store = [&target, parse, name](const CLI::results_t& texts) {
-        try {
-            target = parse(texts.back());
-        } catch (const std::invalid_argument& error) {
-            throw CLI::ValidationError(name, error.what());
-        }
-        return true;
-    };
-    return app.add_option(name, store, description)
-        ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
-        ->expected(1);
-}
 
 struct SpecificationOptions {
     CLI::Option* family;

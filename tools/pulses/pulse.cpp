@@ -2,7 +2,6 @@
 #include "tools/pulses/pulse.hpp"
 
 #include <cmath>
-#include <nmbc/chain.hpp>
 #include <nmbc/coefficients.hpp>
 #include <nmbc/energy.hpp>
 #include <numbers>
@@ -11,11 +10,13 @@
 namespace pulses {
 namespace {
 
-std::size_t steps_to_end(double time_step) {
-    return static_cast<std::size_t>(std::ceil(end_time / time_step));
+std::size_t steps_in(double duration, double time_step) {
+    return static_cast<std::size_t>(std::ceil(duration / time_step));
 }
 
-double energy_left(nmbc::Chain& chain, double half_width) {
+}  // namespace
+
+double energy_left(nmbc::Chain& chain, double half_width, double duration) {
     std::vector<double> u(chain.nodes());
     const double middle = (static_cast<double>(chain.nodes()) - 1) / 2;
     for (std::size_t node = 0; node < u.size(); ++node) {
@@ -27,13 +28,11 @@ double energy_left(nmbc::Chain& chain, double half_width) {
     const std::size_t first = (chain.parameters().nodes - counted_nodes) / 2;
     const auto energy = [&] { return nmbc::energies(chain, first, first + counted_nodes).total(); };
     const double start = energy();
-    for (std::size_t steps = steps_to_end(chain.parameters().time_step); steps > 0; --steps) {
+    for (std::size_t steps = steps_in(duration, chain.parameters().time_step); steps > 0; --steps) {
         chain.step();
     }
     return energy() / start;
 }
-
-}  // namespace
 
 double left_between_ends(const nmbc::MatchingTable& table, double G, double time_step,
                          double half_width) {
@@ -47,7 +46,8 @@ double left_in_long_chain(const nmbc::Lattice& lattice, double time_step, double
     // end and back to the counted nodes it takes longer than the run; twelve half-widths out, the
     // pulse is less than roundings, exp(-144).
     const auto tail = static_cast<std::size_t>(std::ceil(12 * half_width));
-    const std::size_t nodes = counted_nodes + lattice.reach() * steps_to_end(time_step) + 2 * tail;
+    const std::size_t nodes =
+        counted_nodes + lattice.reach() * steps_in(end_time, time_step) + 2 * tail;
     nmbc::Chain chain(lattice, nmbc::FixedEnd{}, nmbc::FixedEnd{},
                       {.nodes = nodes + nodes % 2, .time_step = time_step});
     return energy_left(chain, half_width);

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// stability_atlas: where which boundary condition is stable. tools/atlas draws what it writes.
+/// stability_atlas: where which boundary condition is stable, which tools/atlas draws, and what a
+/// higher order is worth.
 #include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "generator/files.hpp"
+#include "generator/pipeline.hpp"
 #include "tools/nmbcrun/progress.hpp"
 #include "tools/number_between.hpp"
 #include "tools/stability_atlas/atlas.hpp"
 #include "tools/stability_atlas/choices.hpp"
 #include "tools/stability_atlas/csv.hpp"
+#include "tools/stability_atlas/orders.hpp"
+#include "tools/stability_atlas/orders_command.hpp"
 
 namespace {
 
 // The project's exit codes; the others are not for this program.
-enum ExitCode { done = 0, bad_input = 2, file_failed = 5 };
+enum ExitCode { done = 0, bad_input = 2, no_boundary = 3, file_failed = 5 };
 
 struct Arguments {
     std::vector<unsigned> horizons{1, 2, 3, 4};
@@ -21,6 +25,7 @@ struct Arguments {
     std::string folder = "results/atlas";
     std::vector<unsigned> choice_horizons{1, 2, 3, 4, 5};
     std::vector<double> values{0, 0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4, 6};
+    stability_atlas::OrdersQuestion orders;
 };
 
 void write_atlas(const Arguments& arguments) {
@@ -60,7 +65,10 @@ int main(int argc, char** argv) {
     choices->add_option("--G", arguments.values, "values of G, decimal numbers (default 0 to 6)")
         ->check(tools::number_between(0, 1e6))
         ->delimiter(',');
-    app.footer("Exit codes: 0 done; 2 wrong arguments; 5 a file could not be written.");
+    auto* const orders = stability_atlas::add_orders(app, arguments.orders);
+    app.footer(
+        "Exit codes: 0 done; 2 wrong arguments; 3 leapfrog is unstable in such steps; 5 a file "
+        "could not be written.");
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
@@ -72,9 +80,14 @@ int main(int argc, char** argv) {
     try {
         if (atlas->parsed()) {
             write_atlas(arguments);
+        } else if (orders->parsed()) {
+            nmbcgen::print(stability_atlas::orders(arguments.orders));
         } else {
             nmbcgen::print(stability_atlas::choices(arguments.choice_horizons, arguments.values));
         }
+    } catch (const nmbcgen::NoSuchBoundary& reason) {
+        std::cerr << "stability_atlas: " << reason.what() << "\n";
+        return no_boundary;
     } catch (const nmbcgen::FileError& error) {
         std::cerr << "stability_atlas: " << error.what() << "\n";
         return file_failed;
