@@ -20,6 +20,10 @@ struct Certified {
     std::optional<HalfSpace> half_space;  ///< where it is certified
 };
 
+/// The largest certified cfl of a condition for steps of time_step [dX/c], or for any where that is
+/// 0; 0 where it is not certified, also where these steps are longer.
+double certified_cfl(const HalfSpace& half_space, double time_step);
+
 /// Orders 1 to 4, or the one asked for, with strides 1 to n + 2; those above order 1 also matched
 /// in time steps, of the two largest cfl of a ladder in which they are certified, or of the
 /// question's.
