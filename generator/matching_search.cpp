@@ -35,29 +35,26 @@ class Search {
         : lattice_(lattice),
           band_(band),
           units_(std::round(std::pow(10.0, std::ceil(2 - std::log10(band.high - band.low))))),
+          highest_(std::int64_t(std::numbers::pi * units_)),
           time_step_(nearest_double(lattice.specification.time_step)) {}
 
-    std::vector<MatchingPoint> best(unsigned count) {
+    /// fewer: the best ones of one point less, or empty.
+    GridPoints best(unsigned count, GridPoints fewer) {
+        met_.clear();
+        const double above = std::min(2 * band_.high - band_.low, std::numbers::pi);
         descend(chebyshev_nodes(count, band_.low, band_.high), false);
         descend(chebyshev_nodes(count, 0, band_.low), false);
-        const GridPoints* certified = best_met(true);
-        if (certified != nullptr) {
-            descend(*certified, true);
-            return points_at(*best_met(true));
+        descend(chebyshev_nodes(count, band_.high, above), false);
+        if (fewer.size() + 1 == count) {
+            fewer.insert(fewer.begin(), 1);
+            descend(std::move(fewer), false);
         }
-        const GridPoints* any = best_met(false);
-        return any == nullptr ? std::vector<MatchingPoint>() : points_at(*any);
-    }
-
-  private:
-    GridPoints chebyshev_nodes(unsigned count, double low, double high) const {
-        GridPoints nodes;
-        for (unsigned i = count; i-- > 0;) {
-            const double cosine = std::cos(std::numbers::pi * (i + 0.5) / count);
-            const double xi = (low + high) / 2 + (high - low) / 2 * cosine;
-            nodes.push_back(std::max<std::int64_t>(1, std::llround(xi * units_)));
+        const GridPoints certified = best_met(true);
+        if (certified.empty()) {
+            return best_met(false);
         }
-        return nodes;
+        descend(certified, true);
+        return best_met(true);
     }
 
     std::vector<MatchingPoint> points_at(const GridPoints& grid) const {
@@ -73,9 +70,18 @@ class Search {
         return points;
     }
 
-    bool on_grid(std::int64_t xi) const {
-        return xi >= 1 && double(xi) < std::numbers::pi * units_ - 1;
+  private:
+    GridPoints chebyshev_nodes(unsigned count, double low, double high) const {
+        GridPoints nodes;
+        for (unsigned i = count; i-- > 0;) {
+            const double cosine = std::cos(std::numbers::pi * (i + 0.5) / count);
+            const double xi = (low + high) / 2 + (high - low) / 2 * cosine;
+            nodes.push_back(std::clamp<std::int64_t>(std::llround(xi * units_), 1, highest_));
+        }
+        return nodes;
     }
+
+    bool on_grid(std::int64_t xi) const { return xi >= 1 && xi <= highest_; }
 
     /// Whether a step that is worth having is stable, in a small part of a certificate's time.
     bool may_be_certified(const HalfSpace& half_space) const {
@@ -141,12 +147,13 @@ class Search {
         }
     }
 
-    const GridPoints* best_met(bool certified_only) {
-        const GridPoints* best = nullptr;
+    /// Empty where there is none.
+    GridPoints best_met(bool certified_only) const {
+        GridPoints best;
         double least = infinite;
         for (const auto& [grid, trial] : met_) {
             if (trial.reflected < least && (trial.certified || !certified_only)) {
-                best = &grid;
+                best = grid;
                 least = trial.reflected;
             }
         }
@@ -155,15 +162,23 @@ class Search {
 
     const Table& lattice_;
     Band band_;
-    double units_;  ///< of the grid in 1/dX, a power of ten
+    double units_;          ///< of the grid in 1/dX, a power of ten
+    std::int64_t highest_;  ///< below pi
     double time_step_;
-    std::map<GridPoints, Trial> met_;
+    std::map<GridPoints, Trial> met_{};  ///< with the number of points that is sought
 };
 
 }  // namespace
 
-std::vector<MatchingPoint> best_points(const Table& lattice, unsigned count, const Band& band) {
-    return Search(lattice, band).best(count);
+std::vector<std::vector<MatchingPoint>> best_points(const Table& lattice, const Band& band) {
+    Search search(lattice, band);
+    std::vector<std::vector<MatchingPoint>> found;
+    GridPoints best;
+    for (unsigned count = 1; count <= lattice.specification.order; ++count) {
+        best = search.best(count, best);
+        found.push_back(search.points_at(best));
+    }
+    return found;
 }
 
 }  // namespace nmbcgen

@@ -150,55 +150,55 @@ std::string standard_text(const std::vector<Contender>& all) {
 }  // namespace
 
 std::vector<Contender> contenders(const Aim& aim, const Progress& progress) {
-    Table lattice = any_standard(aim);
+    const Table lattice = any_standard(aim);
     const unsigned first = aim.stride.value_or(1);
     const unsigned last = aim.stride.value_or(std::max(2 * aim.what.horizon, 4U));
-    std::vector<Contender> all;
-    for (unsigned stride = first; stride <= last; ++stride) {
-        all.resize(all.size() + aim.what.order + 1, {.what = standard(aim, stride)});
-    }
+    const std::size_t strides = last - first + 1;
     std::mutex told;
     std::size_t done = 0;
+    std::size_t jobs = strides;
     const auto tell = [&] {
         const std::lock_guard lock(told);
-        progress(done++, 2 * all.size());
+        progress(done++, jobs);
     };
 
-    const unsigned counts = aim.what.order + 1;
-    on_all_cores(all.size(), [&](std::size_t i) {
+    std::vector<std::vector<std::vector<MatchingPoint>>> points(strides);
+    on_all_cores(strides, [&](std::size_t i) {
         tell();
-        const auto count = unsigned(i % counts);
-        if (count > 0) {
-            Table table = lattice;
-            table.specification = aim.what;
-            table.specification.stride = all[i].what.stride;
-            all[i].what = table.specification;
-            all[i].what.points = best_points(table, count, aim.band);
-        }
+        Table table = lattice;
+        table.specification = aim.what;
+        table.specification.stride = first + unsigned(i);
+        points[i] = best_points(table, aim.band);
     });
-    // Where no points do: what is without them stands there already.
-    std::vector<Contender> found;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (i % counts == 0 || !all[i].what.points.empty()) {
-            found.push_back(all[i]);
+    std::vector<Contender> all;
+    for (std::size_t i = 0; i < strides; ++i) {
+        all.push_back({.what = standard(aim, first + unsigned(i))});
+        for (const std::vector<MatchingPoint>& some : points[i]) {
+            if (!some.empty()) {
+                Specification what = aim.what;
+                what.stride = first + unsigned(i);
+                what.points = some;
+                all.push_back({.what = std::move(what)});
+            }
         }
     }
     std::vector<std::optional<HalfSpace>> half_spaces;  // the algebra system knows no threads
-    for (Contender& contender : found) {
+    for (Contender& contender : all) {
         half_spaces.push_back(examine(contender, aim));
     }
-    on_all_cores(found.size(), [&](std::size_t i) {
+    jobs += all.size();
+    const double own_step = nearest_double(aim.what.time_step);
+    on_all_cores(all.size(), [&](std::size_t i) {
         tell();
         if (half_spaces[i]) {
-            const double own = nearest_double(aim.what.time_step);
-            found[i].certified_cfl = certified_cfl(*half_spaces[i], own);
-            if (found[i].certified_cfl == 0) {
-                found[i].verdict = modal_verdict(*half_spaces[i]);
+            all[i].certified_cfl = certified_cfl(*half_spaces[i], own_step);
+            if (all[i].certified_cfl == 0) {
+                all[i].verdict = modal_verdict(*half_spaces[i]);
             }
         }
     });
-    progress(2 * all.size(), 2 * all.size());
-    return found;
+    progress(jobs, jobs);
+    return all;
 }
 
 const Contender* best_of(const std::vector<Contender>& all) {
@@ -218,15 +218,14 @@ std::string optimisation(const Aim& aim, const Progress& progress) {
     const std::vector<Contender> all = contenders(aim, progress);
     const Contender* best = best_of(all);
     const std::string table = table_of(all, best, aim);
-    const std::string request =
-        fmt::format("order {} at horizon {}, G = {}{}", aim.what.order, aim.what.horizon,
-                    to_string(*aim.what.stabilisation),
+    const std::string lattice =
+        fmt::format("horizon {}, G = {}{}", aim.what.horizon, to_string(*aim.what.stabilisation),
                     aim.what.damping == 0 ? "" : ", tau = " + to_string(aim.what.damping));
     if (best == nullptr) {
         throw NotStable(fmt::format(
-            "nothing is certified of {}, standard or matched in the band. Try another stride, "
-            "less order, or more damping.\n{}",
-            request, table));
+            "nothing of order {} is certified at {}, neither the standard condition nor one with "
+            "matching points. Try another order, more damping or shorter steps.\n{}",
+            aim.what.order, lattice, table));
     }
     const bool damped = aim.what.damping != 0;
     const Rational& time_step = aim.what.time_step;
@@ -235,14 +234,14 @@ std::string optimisation(const Aim& aim, const Progress& progress) {
                        : fmt::format("these steps, of cfl {:.2f}",
                                      nearest_double(time_step) * maximum_frequency(best->what) / 2);
     return fmt::format(
-        "{}, stride {}, {}\n"
+        "NMBC{}, stride {}, {}, at {}\n"
         "  reflected  {:.1e} of the energy, mean over the band, {:.1e} at most\n"
         "  standard   {}\n"
         "  certified  stable with both ends alike{}, in {}\n\n{}\n"
         "  command    {}\n",
-        request, best->what.stride,
+        aim.what.order, best->what.stride,
         best->what.points.empty() ? "the standard one" : "matched at " + matching_text(best->what),
-        best->mean, best->largest, standard_text(all),
+        lattice, best->mean, best->largest, standard_text(all),
         damped ? fmt::format(", in chains of {} interior nodes and more", least_damped_nodes) : "",
         steps, table, regenerating_command(best->what));
 }
