@@ -117,7 +117,8 @@ class Search {
         if (known == met_.end()) {
             known = met_.emplace(grid, tried(grid)).first;
         }
-        return certified_only && !known->second.certified ? infinite : known->second.reflected;
+        const Trial& trial = known->second;
+        return trial.certified || !certified_only ? trial.reflected : infinite;
     }
 
     void descend(GridPoints here, bool certified_only) {

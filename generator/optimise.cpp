@@ -183,6 +183,7 @@ std::vector<Contender> contenders(const Aim& aim, const Progress& progress) {
         }
     }
     std::vector<std::optional<HalfSpace>> half_spaces;  // the algebra system knows no threads
+    half_spaces.reserve(all.size());
     for (Contender& contender : all) {
         half_spaces.push_back(examine(contender, aim));
     }

@@ -56,6 +56,7 @@ double reflected_energy(const HalfSpace& half_space, double xi) {
 std::vector<double> reflected_energies(const HalfSpace& half_space, double low, double high) {
     constexpr int samples = 64;
     std::vector<double> energies;
+    energies.reserve(samples);
     for (int i = 0; i < samples; ++i) {
         energies.push_back(reflected_energy(half_space, low + (high - low) * (i + 0.5) / samples));
     }
