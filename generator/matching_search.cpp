@@ -117,8 +117,10 @@ class Search {
         if (known == met_.end()) {
             known = met_.emplace(grid, tried(grid)).first;
         }
-        const Trial& trial = known->second;
-        return trial.certified || !certified_only ? trial.reflected : infinite;
+        if (certified_only && !known->second.certified) {
+            return infinite;
+        }
+        return known->second.reflected;
     }
 
     void descend(GridPoints here, bool certified_only) {
