@@ -152,19 +152,20 @@ const std::vector<Rational>& damping_ladder(const std::string& family) {
 Certified certified(const Specification& what) {
     try {
         HalfSpace half_space = make_half_space(derive(what), what.stabilisation.value());
-        const double own = nearest_double(what.time_step);
-        const double own_cfl = cfl_of(half_space, own);
-        const bool stable = own_cfl < 1 &&
-                            stability_grade(stepped(half_space, own)) != Grade::none &&
-                            stability_grade(half_space) != Grade::none;
-        double cfl = stable ? largest_cfl(half_space, GhostLevel::midpoint) : 0;
-        if (own_cfl > cfl) {
-            cfl = 0;
-        }
+        const double cfl = certified_cfl(half_space, nearest_double(what.time_step));
         return {what, cfl, std::move(half_space)};
     } catch (const NoSuchBoundary&) {
         return {what, 0, std::nullopt};
     }
+}
+
+double certified_cfl(const HalfSpace& half_space, double time_step) {
+    const double own_cfl = cfl_of(half_space, time_step);
+    const bool stable = own_cfl < 1 &&
+                        stability_grade(stepped(half_space, time_step)) != Grade::none &&
+                        stability_grade(half_space) != Grade::none;
+    const double cfl = stable ? largest_cfl(half_space, GhostLevel::midpoint) : 0;
+    return own_cfl > cfl ? 0 : cfl;
 }
 
 std::vector<Certified> all_certified(const Question& question, const Progress& progress) {

@@ -27,6 +27,10 @@ const std::vector<Rational>& damping_ladder(const std::string& family);
 /// where it is matched in longer steps. Without a half space where there is no such condition.
 Certified certified(const Specification& what);
 
+/// The largest certified cfl of a condition for steps of time_step [dX/c], or for any where that is
+/// 0; 0 where it is not certified, also where these steps are longer.
+double certified_cfl(const HalfSpace& half_space, double time_step);
+
 /// Orders 1 to 4, or the one asked for, with strides 1 to n + 2; those above order 1 also matched
 /// in time steps, of the two largest cfl of a ladder in which they are certified, or of the
 /// question's.

@@ -181,6 +181,29 @@ CLI::App* add_recommend(CLI::App& app, Question& question, Pending& pending) {
     return recommend;
 }
 
+/// nmbcgen optimise, with the same options for the condition but --match.
+CLI::App* add_optimise(CLI::App& app, Request& request, Pending& pending) {
+    auto* const optimise =
+        app.add_subcommand("optimise",
+                           "find the matching points that reflect least over a band (docs/"
+                           "matching-points.md)");
+    const SpecificationOptions options = add_specification(*optimise, request, pending);
+    for (CLI::Option* other : {options.match, options.order, options.stride}) {
+        optimise->remove_option(other);
+    }
+    add_parsed(*optimise, "--order", request.specification.order, parse_recommended_order,
+               "order N of the condition, 1 to 8")
+        ->required();
+    add_parsed(*optimise, "--stride", request.aim.stride, parse_count,
+               "this stride only (default: 1 to 2n, or to 4)");
+    add_parsed(*optimise, "--band", request.aim.band, parse_wide_band,
+               "wave numbers LO..HI in 1/dX over which the reflected energy is averaged")
+        ->required();
+    options.horizon->required();
+    options.G->required();
+    return optimise;
+}
+
 /// nmbcgen closed-forms.
 CLI::App* add_closed_forms(CLI::App& app, Request& request) {
     auto* const closed_forms = app.add_subcommand(
@@ -244,6 +267,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     require_stable->needs(single.G)->excludes(uncertified);
     auto* const reflect = add_reflect(app, request, pending);
     auto* const recommend = add_recommend(app, request.question, pending);
+    auto* const optimise = add_optimise(app, request, pending);
     auto* const dispersion = add_dispersion(app, request.curves, pending);
     auto* const closed_forms = add_closed_forms(app, request);
     app.footer(
@@ -266,6 +290,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
             request.action = Action::reflect;
         } else if (recommend->parsed()) {
             request.action = Action::recommend;
+        } else if (optimise->parsed()) {
+            request.action = Action::optimise;
         } else if (dispersion->parsed()) {
             request.action = Action::dispersion;
         } else if (closed_forms->parsed()) {

@@ -8,12 +8,22 @@
 #include "generator/dispersion.hpp"
 #include "generator/emit/closed_forms.hpp"
 #include "generator/emit/emit.hpp"
+#include "generator/optimise.hpp"
 #include "generator/recommend.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
 
-enum class Action { one_table, all_tables, check, reflect, recommend, dispersion, closed_forms };
+enum class Action {
+    one_table,
+    all_tables,
+    check,
+    reflect,
+    recommend,
+    optimise,
+    dispersion,
+    closed_forms
+};
 
 struct Request {
     Action action = Action::one_table;
@@ -25,6 +35,7 @@ struct Request {
     bool require_stable = false;  ///< nothing is written unless the certificate covers G
     unsigned samples = 200;       ///< wave numbers of Action::reflect
     Question question;            ///< of Action::recommend
+    Aim aim;                      ///< of Action::optimise, its condition but for the stride apart
     Curves curves;                ///< of Action::dispersion
     const ClosedFormat* closed_format = &closed_formats().front();  ///< of Action::closed_forms
     std::optional<std::filesystem::path> cache;                     ///< folder of kept certificates

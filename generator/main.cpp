@@ -138,6 +138,7 @@ Request settled(Request request) {
         request.specification.time_step = time_step_at(*request.cfl, request.specification);
     }
     require_leapfrog(request.specification);
+    request.aim.what = request.specification;
     return request;
 }
 
@@ -152,6 +153,9 @@ int run(const Request& request) {
             return done;
         case Action::recommend:
             print(recommendation(request.question, show_progress));
+            return done;
+        case Action::optimise:
+            print(optimisation(request.aim, show_progress));
             return done;
         case Action::dispersion:
             print_curves(request.curves);

@@ -10,6 +10,7 @@
 
 #include "generator/exact/rational.hpp"
 #include "generator/families/family.hpp"
+#include "generator/matching_search.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -298,6 +299,15 @@ Band parse_band(const std::string& text) {
         throw std::invalid_argument(
             "'" + text.substr(0, 60) +
             "' is not a band of wave numbers LO..HI in 1/dX, 0 < LO < HI < pi, such as 0.05..0.3");
+    }
+    return band;
+}
+
+Band parse_wide_band(const std::string& text) {
+    const Band band = parse_band(text);
+    if (band.high - band.low < narrowest_band) {
+        throw std::invalid_argument(
+            fmt::format("'{}' is narrower than {:g}/dX", text.substr(0, 60), narrowest_band));
     }
     return band;
 }

@@ -64,5 +64,6 @@ std::vector<Rational> parse_rationals(const std::string& text);
 
 /// LO..HI, 0 < LO < HI < pi.
 Band parse_band(const std::string& text);
+Band parse_wide_band(const std::string& text);  ///< of narrowest_band (matching_search.hpp) or more
 
 }  // namespace nmbcgen

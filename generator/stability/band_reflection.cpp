@@ -53,13 +53,19 @@ double reflected_energy(const HalfSpace& half_space, double xi) {
     return std::accumulate(flux.begin(), flux.end(), 0.0);
 }
 
-double mean_reflected_energy(const HalfSpace& half_space, double low, double high) {
+std::vector<double> reflected_energies(const HalfSpace& half_space, double low, double high) {
     constexpr int samples = 64;
-    double sum = 0;
+    std::vector<double> energies;
+    energies.reserve(samples);
     for (int i = 0; i < samples; ++i) {
-        sum += reflected_energy(half_space, low + (high - low) * (i + 0.5) / samples);
+        energies.push_back(reflected_energy(half_space, low + (high - low) * (i + 0.5) / samples));
     }
-    return sum / samples;
+    return energies;
+}
+
+double mean_reflected_energy(const HalfSpace& half_space, double low, double high) {
+    const std::vector<double> energies = reflected_energies(half_space, low, high);
+    return std::accumulate(energies.begin(), energies.end(), 0.0) / double(energies.size());
 }
 
 double loss_per_wavelength(const HalfSpace& half_space, double wavelength) {

@@ -23,7 +23,10 @@ ReflectedWave reflected_wave(const HalfSpace& half_space, double xi);
 /// any wave number.
 double reflected_energy(const HalfSpace& half_space, double xi);
 
-/// Its mean over wave numbers low .. high, 0 < low < high <= pi.
+/// At the middles of 64 equal parts of low .. high, 0 < low < high <= pi.
+std::vector<double> reflected_energies(const HalfSpace& half_space, double low, double high);
+
+/// Their mean.
 double mean_reflected_energy(const HalfSpace& half_space, double low, double high);
 
 /// The part of its energy that a wave of so many dX loses in a damped lattice on its way over one
