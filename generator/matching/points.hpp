@@ -21,7 +21,7 @@ namespace nmbcgen {
 /// Fills in c and b of a table at a fixed G that has its model and its Taylor coefficients.
 /// Where all points lie in one quadratic field, closed_c and closed_b are exact, too; c and b are
 /// exact where that field is the rational numbers. Otherwise c and b meet the rows at xi = 0
-/// exactly, and the others to about 40 digits.
+/// exactly, and the others to 40 digits or 80.
 /// Throws NotMatched (local.hpp).
 void match_at_points(Table& table);
 

@@ -153,8 +153,8 @@ std::string prove(const Table& table) {
     const std::string at_points =
         what.points.empty()
             ? std::string()
-            : fmt::format(", in {} rows at xi = 0, and below 1e-30 at the matching points{}",
-                          rows_at_zero(what),
+            : fmt::format(", in {} row{} at xi = 0, and below 1e-30 at the matching points{}",
+                          rows_at_zero(what), rows_at_zero(what) == 1 ? "" : "s",
                           table.digits > 0
                               ? fmt::format(" (c and b are rounded to {} digits)", table.digits)
                               : std::string());

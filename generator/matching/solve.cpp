@@ -53,8 +53,8 @@ const auto larger = [](const Real& candidate, const Real& best) {
     return abs(candidate) > abs(best) && abs(candidate) > negligible;
 };
 
-Rational rounded(const Real& value) {
-    const Integer scale = pow(Integer(10), kept_digits);
+Rational rounded(const Real& value, unsigned digits) {
+    const Integer scale = pow(Integer(10), digits);
     return {Integer(round(value * Real(scale))), scale};
 }
 
@@ -78,7 +78,7 @@ std::vector<Real> in_free(std::vector<Real> row, const Rows<Rational>& echelon,
 
 }  // namespace
 
-Solution solve(Rows<Rational> exact, const Rows<Real>& others) {
+Solution solve(Rows<Rational> exact, const Rows<Real>& others, unsigned digits) {
     const std::size_t count = others.front().size() - 1;
     const std::vector<std::size_t> bound = reduce(exact, nonzero);
     std::vector<std::size_t> free;
@@ -97,7 +97,7 @@ Solution solve(Rows<Rational> exact, const Rows<Real>& others) {
     Solution solution{std::vector<Real>(count), std::vector<Rational>(count)};
     for (std::size_t i = 0; i < free.size(); ++i) {
         solution.full[free[i]] = rows[i].back();
-        solution.rounded[free[i]] = rounded(rows[i].back());
+        solution.rounded[free[i]] = rounded(rows[i].back(), digits);
     }
     for (std::size_t i = 0; i < bound.size(); ++i) {
         Rational value = exact[i].back();

@@ -20,11 +20,9 @@ struct Solution {
     std::vector<Rational> rounded;
 };
 
-inline constexpr unsigned kept_digits = 40;
-
-/// Unknowns that the exact rows leave free are rounded to kept_digits behind the point; the others
-/// follow from them. As many rows as unknowns in all. Empty where they are singular.
-Solution solve(Rows<Rational> exact, const Rows<Real>& others);
+/// Unknowns that the exact rows leave free are rounded to so many digits behind the point; the
+/// others follow from them. As many rows as unknowns in all. Empty where they are singular.
+Solution solve(Rows<Rational> exact, const Rows<Real>& others, unsigned digits);
 
 /// Likewise where all rows are exact.
 std::vector<Quadratic> solve(Rows<Quadratic> rows);
