@@ -16,8 +16,10 @@ Json inputs(Table table) {
     return {{"code", NMBC_CERTIFYING_CODE}, {"table", emit_json(table)}};
 }
 
+/// Cut where a name is longer than a file's may be: what is kept says of which table it is.
 std::filesystem::path file_of(const std::filesystem::path& folder, const Table& table) {
-    return folder / (table_name(table.specification) + ".json");
+    constexpr std::size_t longest = 200;
+    return folder / (table_name(table.specification).substr(0, longest) + ".json");
 }
 
 }  // namespace

@@ -20,9 +20,9 @@ struct NoClosedForms : std::runtime_error {
 /// NoClosedForms, and std::logic_error where the proof fails (a defect of the generator).
 FamilyClosedForms closed_forms(const Family& family, unsigned order);
 
-/// Proves from the data alone, whatever they were made by, that these are a_1, a_3, .. a_{2N+1} of
-/// the family's models at every horizon n. Returns a sentence that says how; throws
-/// std::logic_error naming what fails.
+/// Proves from the data and the degrees that family.hpp states of the models, that these are a_1,
+/// a_3, .. a_{2N+1} of the family's models at every horizon n. Returns a sentence that says how;
+/// throws std::logic_error naming what fails.
 ///
 /// At a horizon n they are, where a_1 = 1 and the coefficients of x^2 .. x^(2N+2), x = i xi, in
 /// (sum a_k x^k)^2 + omega^2 vanish. Those of G^g x^(2k), times n^(pole g), are polynomials in n of

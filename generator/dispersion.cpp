@@ -27,25 +27,9 @@ Symbol symbol_at(const std::vector<Polynomial>& symbol, const Rational& G) {
     Symbol at;
     for (const Polynomial& coefficient : symbol) {
         at.exact.push_back(evaluate(coefficient, G));
-        at.rounded.push_back(Real(at.exact.back()));
+        at.rounded.emplace_back(at.exact.back());
     }
     return at;
-}
-
-SquaredFrequency squared_frequency(const std::vector<Real>& symbol, const Real& xi) {
-    const Real cosine = cos(xi);
-    const Real sine = sin(xi);
-    Real cosine_m = 1;  // of m xi
-    Real sine_m = 0;
-    SquaredFrequency sum{.value = symbol[0], .slope = 0};
-    for (std::size_t m = 1; m < symbol.size(); ++m) {
-        const Real turned = cosine_m * cosine - sine_m * sine;
-        sine_m = sine_m * cosine + cosine_m * sine;
-        cosine_m = turned;
-        sum.value += 2 * symbol[m] * cosine_m;
-        sum.slope -= 2 * symbol[m] * m * sine_m;
-    }
-    return sum;
 }
 
 Wave wave(const Real& xi, const SquaredFrequency& square) {
@@ -53,8 +37,32 @@ Wave wave(const Real& xi, const SquaredFrequency& square) {
     return {.xi = xi, .omega = omega, .group_velocity = square.slope / (2 * omega)};
 }
 
+/// Where omega vanishes it is |v (xi - xi_0)|, v^2 half the second derivative of omega^2.
+Wave wave_from_zero(const Real& xi, const Real& half_curvature) {
+    return {.xi = xi, .omega = 0, .group_velocity = -sqrt(half_curvature)};
+}
+
+Wave lattice_wave(const std::vector<Real>& symbol, const Real& xi) {
+    static const Real zero("1e-60");  // half of the digits; omega^2 has a double zero
+    const Real cosine = cos(xi);
+    const Real sine = sin(xi);
+    Real cosine_m = 1;  // of m xi
+    Real sine_m = 0;
+    SquaredFrequency sum{.value = symbol[0], .slope = 0};
+    Real half_curvature = 0;
+    for (std::size_t m = 1; m < symbol.size(); ++m) {
+        const Real turned = cosine_m * cosine - sine_m * sine;
+        sine_m = sine_m * cosine + cosine_m * sine;
+        cosine_m = turned;
+        sum.value += 2 * symbol[m] * cosine_m;
+        sum.slope -= 2 * symbol[m] * m * sine_m;
+        half_curvature -= symbol[m] * m * m * cosine_m;
+    }
+    return sum.value < zero ? wave_from_zero(xi, half_curvature) : wave(xi, sum);
+}
+
 /// At xi = pi, where cos(m xi) = (-1)^m: exactly, since omega may vanish there. omega^2 is even
-/// about pi, so its slope is 0, unless it is (v (pi - xi))^2 with v^2 half the second derivative.
+/// about pi, so its slope is 0 otherwise.
 Wave wave_at_pi(const std::vector<Rational>& symbol) {
     Rational square = symbol[0];
     Rational half_curvature = 0;
@@ -63,9 +71,8 @@ Wave wave_at_pi(const std::vector<Rational>& symbol) {
         square += 2 * term;
         half_curvature -= Rational(m * m) * term;
     }
-    return {.xi = pi(),
-            .omega = sqrt(Real(square)),
-            .group_velocity = square == 0 ? Real(-sqrt(Real(half_curvature))) : Real(0)};
+    return square == 0 ? wave_from_zero(pi(), Real(half_curvature))
+                       : Wave{.xi = pi(), .omega = sqrt(Real(square)), .group_velocity = Real(0)};
 }
 
 std::string row(const std::string& curve, const Wave& wave) {
@@ -83,12 +90,10 @@ std::string dispersion_rows(const Curves& curves, std::size_t which, const Ratio
     const auto xi = [&](unsigned i) { return Real(pi() * i / curves.samples); };
     const std::string curve = fmt::format("{},{}", horizon, nearest_double(G));
 
-    // No omega but that at pi is 0: at G = 0 the zeros of (26) have (n+1) sin(n xi) = n sin((n+1)
-    // xi), which no other rational multiple of pi solves.
     const Symbol symbol = symbol_at(make_model(curves.family, horizon, 0, weights).symbol, G);
     std::string csv;
     for (unsigned i = 1; i < curves.samples; ++i) {
-        csv += row("lattice," + curve, wave(xi(i), squared_frequency(symbol.rounded, xi(i))));
+        csv += row("lattice," + curve, lattice_wave(symbol.rounded, xi(i)));
     }
     csv += row("lattice," + curve, wave_at_pi(symbol.exact));
     if (curves.limit) {
@@ -99,6 +104,13 @@ std::string dispersion_rows(const Curves& curves, std::size_t which, const Ratio
         }
     }
     return csv;
+}
+
+void require_models(const Curves& curves) {
+    for (std::size_t which = 0; which < curves.horizons.size(); ++which) {
+        make_model(curves.family, curves.horizons[which], 0,
+                   curves.weights.empty() ? std::vector<Rational>() : curves.weights.at(which));
+    }
 }
 
 void require_limit(const Family& family) {

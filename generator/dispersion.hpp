@@ -30,8 +30,11 @@ inline constexpr std::string_view dispersion_columns =
 /// [1/dX], omega [c/dX], and the phase and group velocities [c], first of the model 'lattice',
 /// then, with limit, of 'limit', the family's continuum limit (Family::limit). The values at the
 /// exact xi are computed to 120 digits, of which cancellation leaves 25 even at a million samples,
-/// and rounded once. Where omega vanishes at xi = pi, the group velocity is the limit from below.
+/// and rounded once. Where omega vanishes, the group velocity is the limit from below.
 std::string dispersion_rows(const Curves& curves, std::size_t which, const Rational& G);
+
+/// Throws NoSuchModel where the family lacks one of the horizons.
+void require_models(const Curves& curves);
 
 /// Throws std::invalid_argument, with a message for people, where the family states no limit.
 void require_limit(const Family& family);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// nmbcgen: exact mathematics to text. The stages are in pipeline.hpp.
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -78,7 +79,23 @@ void write_and_name(const std::vector<TextFile>& files) {
     print(names);
 }
 
+/// File systems take 255 characters, a temporary file some more than its table.
+void require_short_name(const std::string& name) {
+    constexpr std::size_t longest = 200;
+    if (name.size() > longest) {
+        throw FileError(fmt::format(
+            "the name of the table has {} characters, of {} that a file may have: print it with "
+            "--stdout",
+            name.size(), longest));
+    }
+}
+
 int write_one(const Request& request) {
+    const std::string name =
+        table_name(request.specification) + std::string(request.format->ending);
+    if (!request.to_stdout) {
+        require_short_name(name);
+    }
     const Table table = request.certified
                             ? certified({request.specification}, request.cache).front()
                             : derive(request.specification);
@@ -89,8 +106,6 @@ int write_one(const Request& request) {
     if (request.to_stdout) {
         print(text);
     } else {
-        const std::string name =
-            table_name(request.specification) + std::string(request.format->ending);
         write_and_name({{request.folder / name, text}});
     }
     return done;
@@ -124,6 +139,7 @@ void show_progress(std::size_t done_so_far, std::size_t all) {
 
 /// Curve by curve: all of them may be more than fits into memory.
 void print_curves(const Curves& curves) {
+    require_models(curves);  // before anything is printed
     print(std::string(dispersion_columns));
     for (std::size_t which = 0; which < curves.horizons.size(); ++which) {
         for (const Rational& G : curves.G) {

@@ -99,8 +99,6 @@ class Search {
             match_at_points(table);
         } catch (const NotMatched&) {
             return {};
-        } catch (const std::logic_error&) {
-            return {};  // a coefficient is next to 0, and 40 digits do not do for its double
         }
         const HalfSpace half_space =
             make_half_space(table, table.specification.stabilisation.value());

@@ -65,6 +65,9 @@ Table any_standard(const Aim& aim) {
     return derive(standard(aim, last));
 }
 
+/// Less is not told apart: amplitudes come from doubles.
+constexpr double roundings = 1e-26;
+
 /// Derives and proves it, and says what it reflects; nothing where it does not exist.
 std::optional<HalfSpace> examine(Contender& contender, const Aim& aim) {
     try {
@@ -73,9 +76,9 @@ std::optional<HalfSpace> examine(Contender& contender, const Aim& aim) {
         const std::vector<double> energies = reflected_energies(
             stepped(half_space, nearest_double(aim.what.time_step)), aim.band.low, aim.band.high);
         contender.exists = true;
-        contender.mean =
-            std::accumulate(energies.begin(), energies.end(), 0.0) / double(energies.size());
-        contender.largest = *std::ranges::max_element(energies);
+        const double sum = std::accumulate(energies.begin(), energies.end(), 0.0);
+        contender.mean = std::max(sum / double(energies.size()), roundings);
+        contender.largest = std::max(*std::ranges::max_element(energies), roundings);
         return half_space;
     } catch (const NoSuchBoundary&) {
         return std::nullopt;
@@ -119,15 +122,18 @@ std::string table_of(const std::vector<Contender>& all, const Contender* best, c
     for (const Contender& contender : all) {
         width = std::max(width, points_text(contender).size());
     }
+    const bool at_roundings = std::ranges::any_of(
+        all, [](const Contender& one) { return one.exists && one.mean == roundings; });
     std::string text = fmt::format(
         "points: what is matched, as --match has it; -: the standard NMBC{}\n"
-        "mean, largest: reflected energy at 64 wave numbers xi = {:g} .. {:g}/dX, {}\n"
+        "mean, largest: reflected energy at 64 wave numbers between xi = {:g} and {:g}/dX, {}{}\n"
         "certified: the largest cfl\n\n"
         "stride  {:<{}} {:>9} {:>9} certified\n",
         aim.what.order, aim.band.low, aim.band.high,
         aim.what.time_step == 0 ? "in continuous time"
                                 : fmt::format("in steps of {} dX/c", to_string(aim.what.time_step)),
-        "points", width, "mean", "largest");
+        at_roundings ? fmt::format("; {:.1e}: that or less, roundings", roundings) : "", "points",
+        width, "mean", "largest");
     for (const Contender& contender : all) {
         text += row(contender, best, width);
     }

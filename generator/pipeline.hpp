@@ -11,7 +11,8 @@
 ///     |   or match_at_points, with other matching points than xi = 0        matching/points.hpp
 ///     | freeze         out of it, coefficient by coefficient                matching/freeze.hpp
 ///     | reduce         c_j, b_j as rational functions in normal form        exact/
-///     | prove          residual of (49) and all else, exactly               matching/proof.hpp
+///     | prove          residual of (49) and all else, exactly; at other     matching/proof.hpp
+///                      matching points to 1e-30
 ///   table
 ///     | certify        windows of G in which it is stable, time steps stability/certify.hpp
 ///   certified table

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <regex>
 
 #include "generator/emit/emit.hpp"
@@ -71,6 +72,11 @@ std::optional<Specification> specification_named(const std::string& name) {
     }
     if (table_name(what) != name) {
         return std::nullopt;  // a number that is not in lowest terms
+    }
+    const auto is_one = [](const Rational& weight) { return weight == Rational(1); };
+    if (!what.weights.empty() &&
+        (!is_one(what.weights.front()) || std::ranges::all_of(what.weights, is_one))) {
+        return std::nullopt;  // weights have w_1 = 1, and are said only where they differ
     }
     return what;
 }

@@ -88,9 +88,10 @@ Real wave_number(const MatchingPoint& point) {
 IncidentWave incident_wave(const Table& table, const MatchingPoint& point) {
     const Real xi = wave_number(point);
     const Real phase = sin(table.specification.stride * xi);
-    if (abs(phase) < negligible) {
+    if (abs(phase) < Real("1e-6")) {  // beyond, digits would be lost
         throw NotMatched(fmt::format(
-            "with stride {} a wave of xi = {} looks like one of xi = 0 or pi to the condition",
+            "with stride {} a wave of xi = {} looks like one of xi = 0 or pi to the condition, to "
+            "1e-6",
             table.specification.stride, xi.str(6)));
     }
     const Lattice<Real> lattice(table, cos(xi), 2);

@@ -147,13 +147,37 @@ Rows<Real> rows_at_points(const Table& table, const Shape& shape,
     return rows;
 }
 
+Real size_of(const Polynomials<Real>& matching) {
+    Real size = 0;
+    for (std::size_t j = 0; j < matching.C.size(); ++j) {
+        size = std::max({size, Real(abs(matching.C[j])), Real(abs(matching.B[j]))});
+    }
+    return size;
+}
+
+/// P and Q may share a zero at a matching point: g P - Q = 0 then says nothing of g there.
+void require_attained(const Polynomials<Real>& matching, const IncidentWave& wave,
+                      unsigned stride) {
+    Complex C_there = 0;
+    for (std::size_t j = 0; j < matching.C.size(); ++j) {
+        const Real phase = wave.xi * Real(j * std::size_t(stride));
+        C_there += Complex(matching.C[j]) * Complex(cos(phase), sin(phase));
+    }
+    if (abs(C_there) < sqrt(negligible) * size_of(matching)) {
+        throw NotMatched(fmt::format(
+            "the only condition that meets all equations has C = B = 0 at xi = {}, and does not "
+            "absorb that wave: without it, a lower order meets the others. Use other points, or "
+            "another G.",
+            wave.xi.str(6)));
+    }
+}
+
 /// As degeneracy() of matching.hpp, of what is known to many digits; C(1) = 2^N.
 void require_regular(const Polynomials<Real>& matching) {
-    Real size = 0;
+    const Real size = size_of(matching);
     Real C_at_minus_one = 0;
     Real B_at_minus_one = 0;
     for (std::size_t j = 0; j < matching.C.size(); ++j) {
-        size = std::max({size, Real(abs(matching.C[j])), Real(abs(matching.B[j]))});
         C_at_minus_one += j % 2 == 0 ? matching.C[j] : Real(-matching.C[j]);
         B_at_minus_one += j % 2 == 0 ? matching.B[j] : Real(-matching.B[j]);
     }
@@ -167,11 +191,15 @@ void require_regular(const Polynomials<Real>& matching) {
     }
 }
 
-/// Whether the doubles are those of the numbers that were rounded. A margin of 1e-25 leaves one
-/// in 1e9 numbers too near to the middle of two doubles to tell.
-bool same_doubles(const std::vector<RationalFunction>& rounded, const std::vector<Real>& full) {
-    const Rational margin(1, pow(Integer(10), 25));
+/// Whether the doubles are those of the numbers that were rounded, which are right to 45 digits:
+/// equations that are solved have pivots of 1e-60 at least, and entries of 105 digits.
+bool same_doubles(const std::vector<RationalFunction>& rounded, const std::vector<Real>& full,
+                  const Real& size) {
+    const Rational margin(1, pow(Integer(10), 31));
     for (std::size_t j = 0; j < full.size(); ++j) {
+        if (abs(full[j]) < sqrt(negligible) * size) {
+            continue;  // zero but for roundings
+        }
         const Rational value = evaluate(rounded[j], 0);
         const Rational error = margin * abs(value);
         if (abs(Real(value) - full[j]) > Real(error) ||
@@ -244,12 +272,16 @@ void match_at_points(Table& table) {
         const Solution solution = solve(at_zero, at_points, digits);
         if (solution.full.empty()) {
             throw NotMatched(
-                "its equations are singular: several conditions, or none, meet them. Use other "
-                "points, another order, stride or G.");
+                "its equations are singular, or next to it: several conditions, or none, meet "
+                "them. Use other points, another order, stride or G.");
         }
         Polynomials<Real> full = in_z(solution.full, shape);
         require_regular(full);
+        for (const IncidentWave& wave : waves) {
+            require_attained(full, wave, table.specification.stride);
+        }
         normalise(full);
+        const Real size = size_of(full);
         if (digits == 40U && match_exactly(table, shape, waves)) {
             return;
         }
@@ -257,7 +289,7 @@ void match_at_points(Table& table) {
         table.digits = digits;
         table.c = over(rounded.C, rounded.C.front());
         table.b = over(rounded.B, rounded.C.front());
-        if (same_doubles(table.c, full.C) && same_doubles(table.b, full.B)) {
+        if (same_doubles(table.c, full.C, size) && same_doubles(table.b, full.B, size)) {
             return;
         }
     }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -14,7 +15,7 @@
 namespace nmbcgen {
 namespace {
 
-const Real tolerance("1e-30");  // c and b have 34 right digits
+const Real tolerance("1e-30");  // c and b are rounded to 1e-31 of themselves
 
 void require(bool holds, const MatchingPoint& point, const char* statement) {
     if (!holds) {
@@ -94,14 +95,24 @@ void prove_residual(const Table& table, const MatchingPoint& point) {
             size[r] += abs(Complex(c) * from_c[r]) + abs(Complex(b) * power[r]);
         }
     }
+    Complex C_there = 0;
+    Real size_of_C = 0;
+    for (std::size_t j = 0; j < table.c.size(); ++j) {
+        const Real c(evaluate(table.c[j], 0));
+        C_there += Complex(c) *
+                   power_of_z(xi, Real(j * std::size_t(table.specification.stride)), 1).front();
+        size_of_C += abs(c);
+    }
+    require(abs(C_there) > tolerance * size_of_C, point, "C(z) is not zero");
     for (std::size_t r = 0; r < point.multiplicity; ++r) {
         require(abs(residual[r]) < tolerance * size[r], point, "the residual vanishes");
     }
 }
 
-/// Whether the closed form lies within 1e-30 of the rounded coefficient.
+/// Whether the closed form lies within 1e-30 of the rounded coefficient, relative to it.
 bool agree(AlgebraicNumber closed, const Rational& value) {
-    const Rational margin(1, pow(Integer(10), 30));
+    const Rational least(1, pow(Integer(10), 30));
+    const Rational margin = least * std::max(least, Rational(abs(value)));
     refine(closed, margin);
     return closed.low - margin <= value && value <= closed.high + margin;
 }

@@ -58,6 +58,7 @@ TEST_CASE("weights in name and command, and names read again") {
     CHECK(regenerating_command(*read) == regenerating_command(what));
     for (const char* none :
          {"nopd1d_n3_w_2o3_order2_", "nopd1d_n3_w_order2", "nopd1d_n3_w_2o4_order2",
+          "nopd1d_n2_w_2o1_1o1_order2", "nopd1d_n2_w_1o1_1o1_order2",
           "nopd1d_n3_order2_at1o2x0_G1o1", "nopd1d_order2", "nopd1d_n3_order2_G1", ""}) {
         CHECK_FALSE(specification_named(none).has_value());
     }

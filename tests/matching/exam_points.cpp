@@ -170,6 +170,45 @@ TEST_CASE("what does not exist says why") {
     CHECK_THROWS_AS(derive(what), std::invalid_argument);
 }
 
+TEST_CASE("a condition that has C = B = 0 at its point is none") {
+    // n = 1, G = 1: NMBC1 meets (49) to 5 rows, so that it times z^2 + 1 meets them and pi/2.
+    Specification what{.horizon = 1,
+                       .order = 3,
+                       .stabilisation = Rational(1),
+                       .points = {part_of_pi(Rational(1, 2), 1)}};
+    CHECK(contains(objection(what), "C = B = 0"));
+    what.points = {point(Rational(1, 2), 1)};
+    CHECK(contains(objection(what), "C = B = 0"));
+    // With stride 2, pi/3 and 2 pi/3 are the same z, but not the same frequency.
+    what = chain(3, {part_of_pi(Rational(1, 3), 1), part_of_pi(Rational(2, 3), 1)});
+    what.stride = 2;
+    CHECK(contains(objection(what), "C = B = 0"));
+}
+
+TEST_CASE("next to xi = 0, and a coefficient that is zero, and many rows") {
+    Specification what = chain(2, {point(Rational(Integer(1), pow(Integer(10), 28)), 1)});
+    CHECK(contains(objection(what), "to 1e-6"));
+    what = chain(2, {point(Rational(1, 100000), 1)});
+    const Table standard = derive(chain(2, {}));
+    // O(xi^2) away, and a few roundings.
+    CHECK(std::abs(c(derive(what), 1) - c(standard, 1)) < 1e-9);
+    // n = 1, G = 9/2: omega^2/tan^2(xi/2) = (3/4 + 9/4) 3 = 9 at pi/3, a square.
+    what = {.horizon = 1,
+            .order = 2,
+            .stabilisation = Rational(9, 2),
+            .points = {part_of_pi(Rational(1, 3), 1)}};
+    const Table zero = derive(what);
+    CHECK(zero.digits == 0);
+    CHECK(evaluate(zero.c[1], 0) == 0);
+    // Thirty rows at one point: small differences of large numbers.
+    what = {.horizon = 2,
+            .order = 31,
+            .stride = 2,
+            .stabilisation = Rational(1),
+            .points = {point(Rational(1, 5), 30)}};
+    CHECK(derive(what).digits == 80);
+}
+
 TEST_CASE("the proof sees the 29th digit, a wrong closed form, and a wave that goes out") {
     const Table table = derive(chain(2, {part_of_pi(Rational(1, 3), 1)}));
     Table wrong = table;
@@ -182,6 +221,19 @@ TEST_CASE("the proof sees the 29th digit, a wrong closed form, and a wave that g
     wrong = table;
     wrong.closed_c[1] = to_algebraic_number(Rational(2));
     CHECK_THROWS_AS(prove(wrong), std::logic_error);
+    // C = B = 0 at pi/3 absorbs nothing: NMBC1, matched at 2 pi/3 where b = 1, times 1 - z + z^2.
+    wrong = derive(chain(3, {part_of_pi(Rational(1, 3), 1), part_of_pi(Rational(2, 3), 1)}));
+    wrong.closed_c.clear();
+    wrong.closed_b.clear();
+    const auto set = [](std::vector<RationalFunction>& list, const std::vector<int>& values) {
+        for (std::size_t j = 0; j < values.size(); ++j) {
+            list[j] = reduce(constant(values[j]), constant(1));
+        }
+    };
+    set(wrong.c, {1, 0, 0, 1});
+    set(wrong.b, {-1, 2, -2, 1});
+    wrong.specification.points[0].multiplicity = 2;  // rows at xi = 0 are too many for it
+    CHECK_THROWS_WITH_AS(prove(wrong), doctest::Contains("C(z) is not zero"), std::logic_error);
     // What absorbs waves at pi/3 does not at 2 pi/3.
     wrong = table;
     wrong.specification.points = {part_of_pi(Rational(2, 3), 1)};

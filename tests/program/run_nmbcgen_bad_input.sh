@@ -95,6 +95,9 @@ for request in "--family chain1d --horizon 2" "--family bond1d --horizon 2 --dam
     expect_stderr_lines 1
     expect_nothing_written
 done
+try dispersion --horizon 1,2 --G 1 --family chain1d
+expect_exit 2
+expect_no_stdout
 try closed-forms --order 2 --family bond1d
 expect_exit 2
 expect_stderr "family 'bond1d'"

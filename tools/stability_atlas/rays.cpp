@@ -38,21 +38,30 @@ double kept(const HalfSpace& h, double xi, double time) {
     return step_loss < 1 ? std::exp(std::log1p(-step_loss) * time / h.time_step) : 0;
 }
 
-/// Of a wave that has this far to go to the end.
-double left_of(const HalfSpace& h, double xi, double distance, double length, double time) {
+constexpr double lost = 1e-45;  // far below what a run of doubles can show
+
+/// Of a wave that has this far to go to the end, and is this part of the one at the start. Each
+/// reflection may make several: without an end to it they would be without number.
+double left_of(const HalfSpace& h, double xi, double distance, double length, double time,
+               double part) {
     const double arrival = distance / speed(h, xi);
+    if (part < lost) {
+        return 0;
+    }
     if (!(arrival < time)) {
         return kept(h, xi, time);
     }
     const nmbcgen::ReflectedWave wave = nmbcgen::reflected_wave(h, xi);
+    const double arriving = kept(h, xi, arrival);
     double sum = 0;
     for (std::size_t o = 0; o < wave.energy_flux.size(); ++o) {
         if (wave.energy_flux[o] > 0) {
             const double outgoing = std::abs(std::arg(wave.reflection.outgoing[o].k));
-            sum += wave.energy_flux[o] * left_of(h, outgoing, length, length, time - arrival);
+            sum += wave.energy_flux[o] * left_of(h, outgoing, length, length, time - arrival,
+                                                 part * arriving * wave.energy_flux[o]);
         }
     }
-    return kept(h, xi, arrival) * sum;
+    return arriving * sum;
 }
 
 }  // namespace
@@ -63,7 +72,7 @@ std::vector<Ray> trace(const HalfSpace& half_space, const Course& course, int sa
         const double xi = std::numbers::pi * (i + 0.5) / samples;
         const double distance = course.length / 2;
         const bool there = distance < speed(half_space, xi) * course.duration;
-        const double left = left_of(half_space, xi, distance, course.length, course.duration);
+        const double left = left_of(half_space, xi, distance, course.length, course.duration, 1);
         rays.push_back({xi, left, there ? 0 : left});
     }
     return rays;
