@@ -244,3 +244,17 @@ TEST_CASE("a family may state no limit") {
                          "the family short states no continuum limit", std::invalid_argument);
     CHECK_THROWS_AS(nmbcgen::find_family("short"), std::invalid_argument);
 }
+
+TEST_CASE("omega may vanish inside the band") {
+    // n = 2, weights 1, 1/2, G = 0: S = sin xi + sin 2 xi is 0 at 2 pi/3, where A = 6 and
+    // |d omega/d xi| = 2 |cos xi + 2 cos 2 xi|/6 = 1/2; below it omega falls.
+    nmbcgen::Curves curves;
+    curves.horizons = {2};
+    curves.weights = {{Rational(1), Rational(1, 2)}};
+    curves.samples = 3;
+    std::istringstream csv(nmbcgen::dispersion_rows(curves, 0, 0));
+    std::string line;
+    std::getline(csv, line);
+    std::getline(csv, line);
+    CHECK(line == "lattice,2,0,2.0943951023931957,0,0,-0.5");
+}

@@ -61,7 +61,7 @@ recommended nopd1d_n1_order2_tau1o20_dt1o2_at433o1000x1_at143o200x1_G1o2.hpp
 try optimise --order 1 --horizon 2 --G 1 --band 0.3..0.8 --cfl 1/2
 expect_exit 0
 expect_stdout_line \
-    "mean, largest: reflected energy at 64 wave numbers xi = 0.3 .. 0.8/dX, in steps of 1131/1000 dX/c"
+    "mean, largest: reflected energy at 64 wave numbers between xi = 0.3 and 0.8/dX, in steps of 1131/1000 dX/c"
 recommended nopd1d_n2_order1_dt1131o1000_at143o250x1_G1o1.hpp
 
 # A standard condition does not exist there, others do.
