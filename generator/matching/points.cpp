@@ -45,6 +45,7 @@ void append_rows(Rows<T>& rows, const Local<T>& at, const Shape& shape, std::siz
     }
     for (std::size_t r = 0; r < at.g.size(); r += step) {
         std::vector<T> row;
+        row.reserve(columns.size() + 1);
         for (const Jet<T>& column : columns) {
             row.push_back(column[r]);
         }
@@ -213,6 +214,7 @@ bool same_doubles(const std::vector<RationalFunction>& rounded, const std::vecto
 std::vector<RationalFunction> over(const std::vector<Rational>& numerators,
                                    const Rational& denominator) {
     std::vector<RationalFunction> result;
+    result.reserve(numerators.size());
     for (const Rational& numerator : numerators) {
         result.push_back(reduce(constant(numerator), constant(denominator)));
     }
@@ -221,6 +223,7 @@ std::vector<RationalFunction> over(const std::vector<Rational>& numerators,
 
 std::vector<AlgebraicNumber> algebraic(const std::vector<Quadratic>& numbers) {
     std::vector<AlgebraicNumber> result;
+    result.reserve(numbers.size());
     for (const Quadratic& number : numbers) {
         result.push_back(to_algebraic_number(number));
     }
@@ -229,6 +232,7 @@ std::vector<AlgebraicNumber> algebraic(const std::vector<Quadratic>& numbers) {
 
 std::vector<Rational> rational_parts(const std::vector<Quadratic>& numbers) {
     std::vector<Rational> parts;
+    parts.reserve(numbers.size());
     for (const Quadratic& number : numbers) {
         parts.push_back(number.rational);
     }

@@ -48,6 +48,7 @@ Jet<Complex> laurent_sum(const std::vector<Rational>& symbol, const Real& xi, st
 
 std::vector<Rational> values(const std::vector<Polynomial>& coefficients) {
     std::vector<Rational> result;
+    result.reserve(coefficients.size());
     for (const Polynomial& coefficient : coefficients) {
         result.push_back(evaluate(coefficient, 0));
     }
@@ -72,8 +73,8 @@ Jet<Complex> incoming(const Table& table, const MatchingPoint& point) {
     if ((root.imag() > 0) != forwards) {
         root = -root;
     }
-    const Jet<Complex> s = quotient(sum(square_root(discriminant, root), tau_sigma, Complex(-1)),
-                                    sum(a, a, Complex(1)));
+    Jet<Complex> s = quotient(sum(square_root(discriminant, root), tau_sigma, Complex(-1)),
+                              sum(a, a, Complex(1)));
     const Complex left = a[0] * s[0] * s[0] + tau_sigma[0] * s[0] + omega_squared[0];
     require(abs(left) < negligible, point, "s solves its equation");
     return s;

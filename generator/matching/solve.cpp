@@ -69,6 +69,7 @@ std::vector<Real> in_free(std::vector<Real> row, const Rows<Rational>& echelon,
         }
     }
     std::vector<Real> result;
+    result.reserve(free.size() + 1);
     for (const std::size_t k : free) {
         result.push_back(row[k]);
     }
@@ -88,6 +89,7 @@ Solution solve(Rows<Rational> exact, const Rows<Real>& others, unsigned digits) 
         }
     }
     Rows<Real> rows;
+    rows.reserve(others.size());
     for (const std::vector<Real>& row : others) {
         rows.push_back(in_free(row, exact, bound, free));
     }
@@ -117,6 +119,7 @@ std::vector<Quadratic> solve(Rows<Quadratic> rows) {
         return {};
     }
     std::vector<Quadratic> unknowns;
+    unknowns.reserve(rows.size());
     for (const std::vector<Quadratic>& row : rows) {
         unknowns.push_back(row.back());
     }
