@@ -18,8 +18,9 @@ Json inputs(Table table) {
 
 /// Cut where a name is longer than a file's may be: what is kept says of which table it is.
 std::filesystem::path file_of(const std::filesystem::path& folder, const Table& table) {
-    constexpr std::size_t longest = 200;
-    return folder / (table_name(table.specification).substr(0, longest) + ".json");
+    const std::string ending = ".json";
+    return folder /
+           (table_name(table.specification).substr(0, longest_name - ending.size()) + ending);
 }
 
 }  // namespace

@@ -11,6 +11,12 @@
 namespace nmbcgen {
 namespace {
 
+Model model_of(const Curves& curves, std::size_t which) {
+    const std::vector<Rational> constant_influence;
+    return make_model(curves.family, curves.horizons.at(which), 0,
+                      curves.weights.empty() ? constant_influence : curves.weights.at(which));
+}
+
 struct Wave {
     Real xi;
     Real omega;
@@ -85,12 +91,10 @@ std::string row(const std::string& curve, const Wave& wave) {
 
 std::string dispersion_rows(const Curves& curves, std::size_t which, const Rational& G) {
     const unsigned horizon = curves.horizons.at(which);
-    const std::vector<Rational> weights =
-        curves.weights.empty() ? std::vector<Rational>() : curves.weights.at(which);
     const auto xi = [&](unsigned i) { return Real(pi() * i / curves.samples); };
     const std::string curve = fmt::format("{},{}", horizon, nearest_double(G));
 
-    const Symbol symbol = symbol_at(make_model(curves.family, horizon, 0, weights).symbol, G);
+    const Symbol symbol = symbol_at(model_of(curves, which).symbol, G);
     std::string csv;
     for (unsigned i = 1; i < curves.samples; ++i) {
         csv += row("lattice," + curve, lattice_wave(symbol.rounded, xi(i)));
@@ -108,8 +112,7 @@ std::string dispersion_rows(const Curves& curves, std::size_t which, const Ratio
 
 void require_models(const Curves& curves) {
     for (std::size_t which = 0; which < curves.horizons.size(); ++which) {
-        make_model(curves.family, curves.horizons[which], 0,
-                   curves.weights.empty() ? std::vector<Rational>() : curves.weights.at(which));
+        model_of(curves, which);
     }
 }
 

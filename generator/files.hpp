@@ -2,6 +2,7 @@
 /// Files of nmbcgen: all or nothing.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -14,6 +15,9 @@ namespace nmbcgen {
 struct FileError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+/// Characters of a file's name: file systems take 255, a temporary file some more than its own.
+inline constexpr std::size_t longest_name = 200;
 
 struct TextFile {
     std::filesystem::path path;

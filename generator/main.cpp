@@ -79,14 +79,12 @@ void write_and_name(const std::vector<TextFile>& files) {
     print(names);
 }
 
-/// File systems take 255 characters, a temporary file some more than its table.
 void require_short_name(const std::string& name) {
-    constexpr std::size_t longest = 200;
-    if (name.size() > longest) {
+    if (name.size() > longest_name) {
         throw FileError(fmt::format(
             "the name of the table has {} characters, of {} that a file may have: print it with "
             "--stdout",
-            name.size(), longest));
+            name.size(), longest_name));
     }
 }
 

@@ -7,7 +7,6 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <stdexcept>
 
 #include "generator/exact/rational.hpp"
 #include "generator/matching/local.hpp"

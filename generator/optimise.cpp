@@ -4,17 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <functional>
-#include <future>
 #include <mutex>
 #include <numeric>
-#include <thread>
 
 #include "generator/candidates.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/matching_search.hpp"
+#include "generator/on_all_cores.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/require_stable.hpp"
 #include "generator/stability/band_reflection.hpp"
@@ -22,24 +19,6 @@
 
 namespace nmbcgen {
 namespace {
-
-/// work(0) .. work(count - 1), on all cores.
-void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
-    std::atomic<std::size_t> taken = 0;
-    const auto take = [&] {
-        for (std::size_t i = taken++; i < count; i = taken++) {
-            work(i);
-        }
-    };
-    std::vector<std::future<void>> workers;
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-    for (std::size_t i = 0; i < std::min(cores, count); ++i) {
-        workers.push_back(std::async(std::launch::async, take));
-    }
-    for (std::future<void>& worker : workers) {
-        worker.get();  // throws what the worker threw
-    }
-}
 
 /// The standard condition of order 1 is the same in time steps: it is made without.
 Specification standard(const Aim& aim, unsigned stride) {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "generator/comma_list.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/families/family.hpp"
 #include "generator/matching_search.hpp"
@@ -66,39 +67,6 @@ MatchingPoint parse_rows(const std::string& text) {
     point.multiplicity =
         parse_whole_number(text.substr(std::min(colon + 1, text.size())), 2 * highest_count + 1);
     return point;
-}
-
-/// The items of a list with commas.
-std::vector<std::string> items_of(const std::string& text) {
-    std::vector<std::string> items;
-    std::size_t begin = 0;
-    std::size_t comma = 0;
-    do {
-        comma = text.find(',', begin);
-        const std::string item = text.substr(begin, comma - begin);
-        if (item.empty()) {
-            throw std::invalid_argument("'" + text.substr(0, 60) +
-                                        "' has an empty item; values go with one comma between");
-        }
-        items.push_back(item);
-        begin = comma + 1;
-    } while (comma != std::string::npos);
-    return items;
-}
-
-/// What `parse` makes of each item of a list with commas; nothing twice.
-template <class Value>
-std::vector<Value> parse_list(const std::string& text, Value (*parse)(const std::string&)) {
-    std::vector<Value> values;
-    for (const std::string& item : items_of(text)) {
-        const Value value = parse(item);
-        if (std::ranges::find(values, value) != values.end()) {
-            throw std::invalid_argument("'" + text.substr(0, 60) + "' has the value " + item +
-                                        " twice");
-        }
-        values.push_back(value);
-    }
-    return values;
 }
 
 /// The names of a list, with commas between.

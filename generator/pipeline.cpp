@@ -3,11 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <atomic>
-#include <future>
-#include <thread>
-
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/family.hpp"
 #include "generator/matching/freeze.hpp"
@@ -18,6 +13,7 @@
 #include "generator/matching/real.hpp"
 #include "generator/matching/reason.hpp"
 #include "generator/matching/taylor.hpp"
+#include "generator/on_all_cores.hpp"
 #include "generator/stability/certify.hpp"
 
 namespace nmbcgen {
@@ -126,24 +122,13 @@ Table derive(const Specification& specification) {
 }
 
 void certify_all(std::vector<Table>& tables) {
-    std::atomic<std::size_t> taken = 0;
-    const auto work = [&tables, &taken] {
+    on_all_cores(tables.size(), [&tables](std::size_t i) {
         // The last tables of a set, of large horizons, take longest: nobody is to wait for them.
-        for (std::size_t i = taken++; i < tables.size(); i = taken++) {
-            Table& table = tables[tables.size() - 1 - i];
-            if (!table.certificate) {
-                table.certificate = certify(table);
-            }
+        Table& table = tables[tables.size() - 1 - i];
+        if (!table.certificate) {
+            table.certificate = certify(table);
         }
-    };
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-    std::vector<std::future<void>> workers;
-    for (std::size_t i = 0; i < std::min(cores, tables.size()); ++i) {
-        workers.push_back(std::async(std::launch::async, work));
-    }
-    for (std::future<void>& worker : workers) {
-        worker.get();  // throws what the worker threw
-    }
+    });
 }
 
 std::vector<Specification> committed_set() {

@@ -5,34 +5,36 @@
 #include "generator/exact/rational.hpp"
 
 namespace nmbcgen {
+namespace {
+
+/// PoQ, which a C++ name may have in it.
+std::string p_over_q(const Rational& value) {
+    return numerator(value).str() + "o" + denominator(value).str();
+}
+
+}  // namespace
 
 std::string table_name(const Specification& specification) {
     std::string name = fmt::format("{}_n{}", specification.family, specification.horizon);
     for (std::size_t m = 0; m < specification.weights.size(); ++m) {
-        name +=
-            fmt::format("{}_{}o{}", m == 0 ? "_w" : "", numerator(specification.weights[m]).str(),
-                        denominator(specification.weights[m]).str());
+        name += fmt::format("{}_{}", m == 0 ? "_w" : "", p_over_q(specification.weights[m]));
     }
     name += fmt::format("_order{}", specification.order);
     if (specification.stride != 1) {
         name += fmt::format("_s{}", specification.stride);
     }
     if (specification.damping != 0) {
-        name += fmt::format("_tau{}o{}", numerator(specification.damping).str(),
-                            denominator(specification.damping).str());
+        name += fmt::format("_tau{}", p_over_q(specification.damping));
     }
     if (specification.time_step != 0) {
-        name += fmt::format("_dt{}o{}", numerator(specification.time_step).str(),
-                            denominator(specification.time_step).str());
+        name += fmt::format("_dt{}", p_over_q(specification.time_step));
     }
     for (const MatchingPoint& point : specification.points) {
-        name += fmt::format("_at{}{}o{}x{}", point.of_pi ? "pi" : "",
-                            numerator(point.wave_number).str(),
-                            denominator(point.wave_number).str(), point.multiplicity);
+        name += fmt::format("_at{}{}x{}", point.of_pi ? "pi" : "", p_over_q(point.wave_number),
+                            point.multiplicity);
     }
     if (specification.stabilisation) {
-        name += fmt::format("_G{}o{}", numerator(*specification.stabilisation).str(),
-                            denominator(*specification.stabilisation).str());
+        name += fmt::format("_G{}", p_over_q(*specification.stabilisation));
     }
     return name;
 }

@@ -69,36 +69,6 @@ void prove_damping(const Table& table) {
     }
 }
 
-}  // namespace
-
-void prove_taylor(const Table& table) {
-    const auto& a = table.taylor;  // a[k-1] is a_k
-    require(!a.empty() && a.front() == constant(1), "Taylor coefficients: a_1 = c = 1");
-    const Rational half_step = table.specification.time_step / 2;
-    require(half_step >= 0, "time step >= 0");
-    std::vector<Polynomial> square(a.size() + 2);  // of s
-    for (std::size_t k = 0; k < square.size(); ++k) {
-        for (std::size_t i = 1; i < k && i <= a.size(); ++i) {
-            if (k - i <= a.size()) {
-                square[k] += a[i - 1] * a[k - i - 1];
-            }
-        }
-        // Coefficient of x^k in s^2 + tau sigma s (1 - s dt/2) + omega^2 (1 - s^2 dt^2/4).
-        Polynomial sum = square[k] + moment(table.model.symbol, k);
-        for (std::size_t i = 1; i <= k && i <= a.size(); ++i) {
-            sum += a[i - 1] * constant(moment(table.model.damping, k - i));
-        }
-        for (std::size_t i = 2; i <= k; ++i) {
-            const Polynomial whole = constant(moment(table.model.damping, k - i)) +
-                                     moment(table.model.symbol, k - i) * constant(half_step);
-            sum -= square[i] * whole * constant(half_step);
-        }
-        require(sum.is_zero(), fmt::format("Taylor coefficients at x^{}", k));
-    }
-}
-
-namespace {
-
 void prove_residual(const Table& table) {
     const std::size_t order = table.specification.order;
     require(table.c.size() == order + 1 && table.b.size() == order + 1 &&
@@ -139,6 +109,32 @@ void prove_normal_form(const std::vector<RationalFunction>& functions) {
 }
 
 }  // namespace
+
+void prove_taylor(const Table& table) {
+    const auto& a = table.taylor;  // a[k-1] is a_k
+    require(!a.empty() && a.front() == constant(1), "Taylor coefficients: a_1 = c = 1");
+    const Rational half_step = table.specification.time_step / 2;
+    require(half_step >= 0, "time step >= 0");
+    std::vector<Polynomial> square(a.size() + 2);  // of s
+    for (std::size_t k = 0; k < square.size(); ++k) {
+        for (std::size_t i = 1; i < k && i <= a.size(); ++i) {
+            if (k - i <= a.size()) {
+                square[k] += a[i - 1] * a[k - i - 1];
+            }
+        }
+        // Coefficient of x^k in s^2 + tau sigma s (1 - s dt/2) + omega^2 (1 - s^2 dt^2/4).
+        Polynomial sum = square[k] + moment(table.model.symbol, k);
+        for (std::size_t i = 1; i <= k && i <= a.size(); ++i) {
+            sum += a[i - 1] * constant(moment(table.model.damping, k - i));
+        }
+        for (std::size_t i = 2; i <= k; ++i) {
+            const Polynomial whole = constant(moment(table.model.damping, k - i)) +
+                                     moment(table.model.symbol, k - i) * constant(half_step);
+            sum -= square[i] * whole * constant(half_step);
+        }
+        require(sum.is_zero(), fmt::format("Taylor coefficients at x^{}", k));
+    }
+}
 
 std::string prove(const Table& table) {
     require(table.model.symbol == symbol_of(table.model.energy), "symbol follows from the energy");

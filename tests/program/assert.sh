@@ -58,6 +58,31 @@ expect_nothing_written() {
 
 files_in() { find "$1" -type f | wc -l; }
 
+# try_document DOCUMENT SOURCE_FOLDER: runs the indented commands of a document as they stand there,
+# in a working folder that looks like the source's, with build/bin/PROGRAM. $program is bash after.
+try_document() {
+    mkdir -p build/bin docs/images
+    ln -s "$program" "build/bin/$(basename "$program")"
+    ln -s "$2/tools" tools
+    sed -n 's/^    //p' "$1" >commands
+    program=$(command -v bash)
+    try -e commands
+    expect_exit 0
+    expect_no_stderr
+}
+
+# expect_picture FILE SOURCE_FOLDER: the SVG is the committed one, byte by byte where gnuplot is the
+# one that drew that; others lay out a little differently.
+expect_picture() {
+    expect_file "$1"
+    expect "a whole picture" grep -q '</svg>' "$1"
+    local made_by
+    made_by=$(grep -o 'Produced by GNUPLOT [^<]*' "$2/$1")
+    if grep -qF "$made_by" "$1"; then
+        expect_same "$1" "$2/$1"
+    fi
+}
+
 # No temporary file was left below a folder.
 expect_no_leftovers() {
     expect "no temporary file left" test -z "$(find "$1" -name '*.new-*')"

@@ -6,25 +6,11 @@ source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
 source=$2
 document=$source/docs/dispersion.md
 
-mkdir -p build/bin docs/images
-ln -s "$program" build/bin/nmbcgen
-ln -s "$source/tools" tools
-sed -n 's/^    //p' "$document" >commands
+try_document "$document" "$source"
 expect "three commands" test "$(grep -cE '^(build/bin/nmbcgen|gnuplot|awk) ' commands)" -eq 3
-program=$(command -v bash)
-try -e commands
-expect_exit 0
-expect_no_stderr
 expect "the table of the document" diff <(grep -E '^\| [0-9]' "$document") "$scratch/stdout"
 
-# Byte by byte where gnuplot is the one that drew it; others lay out a little differently.
-picture=docs/images/dispersion.svg
-expect_file $picture
-expect "a whole picture" grep -q '</svg>' $picture
-made_by=$(grep -o 'Produced by GNUPLOT [^<]*' "$source/$picture")
-if grep -qF "$made_by" $picture; then
-    expect_same $picture "$source/$picture"
-fi
+expect_picture docs/images/dispersion.svg "$source"
 
 # Another choice of curves, without limits.
 build/bin/nmbcgen dispersion --horizon 4 --G 1/3,2 --samples 20 >other.csv

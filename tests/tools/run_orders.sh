@@ -9,15 +9,8 @@ source=$2
 document=$source/docs/orders.md
 
 # The commands of the document, as they stand there; eight seconds.
-mkdir -p build/bin docs/images
-ln -s "$stability_atlas" build/bin/stability_atlas
-ln -s "$source/tools" tools
-sed -n 's/^    //p' "$document" >commands
+try_document "$document" "$source"
 expect "four tables and a picture" test "$(grep -cE '^(build/bin/stability_atlas|gnuplot) ' commands)" -eq 5
-program=$(command -v bash)
-try -e commands
-expect_exit 0
-expect_no_stderr
 
 # printed FILE: what follows the command that writes FILE in the document, as long as FILE is.
 printed() { grep -A 1000 -F " > $1" "$document" | tail -n +3 | head -n "$(wc -l <"$1")"; }
@@ -25,14 +18,7 @@ for table in n1.md n2.md n2_least.md n3.md; do
     expect "$table as in the document" diff <(printed $table) $table
 done
 
-# Byte by byte where gnuplot is the one that drew it; others lay out a little differently.
-picture=docs/images/orders.svg
-expect_file $picture
-expect "a whole picture" grep -q '</svg>' $picture
-made_by=$(grep -o 'Produced by GNUPLOT [^<]*' "$source/$picture")
-if grep -qF "$made_by" $picture; then
-    expect_same $picture "$source/$picture"
-fi
+expect_picture docs/images/orders.svg "$source"
 
 # agree FILE COLUMN SHARE ROWS: in so many rows the run in this column of the Markdown is the
 # prediction next to it, to that share of it. What is less than the roundings, "<", is not compared.

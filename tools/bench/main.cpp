@@ -1,42 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// generator_bench: how long the generator takes to derive a condition. tools/bench/generator sets
 /// it beside algebra systems.
-#include <ginac/ginac.h>
-
 #include <CLI/CLI.hpp>
 #include <ctime>
 #include <functional>
 #include <iostream>
 
-#include "generator/matching/matching.hpp"
+#include "generator/matching/symbolic_system.hpp"
 #include "generator/pipeline.hpp"
 
 namespace {
 
-using nmbcgen::MatchingPolynomials;
-
 // The project's exit codes; the others are not for this program.
 enum ExitCode { done = 0, bad_input = 2, no_such_boundary = 3 };
-
-/// System (49) with symbols for a_1, a_3, .. and dX, and the numbers that its answer is checked at,
-/// the same as in solve_49.mac, .gp and .py.
-struct System {
-    explicit System(unsigned order) {
-        for (unsigned k = 0; k <= 2 * order; ++k) {
-            if (k % 2 == 0) {
-                taylor.emplace_back(0);
-                continue;
-            }
-            taylor.emplace_back(GiNaC::symbol("a" + std::to_string(k)));
-            numbers[taylor.back()] = GiNaC::numeric(long(k * k % 11) + 1, long(k) + 2);
-        }
-        numbers[dX] = GiNaC::numeric(3, 7);
-    }
-
-    std::vector<GiNaC::ex> taylor;
-    GiNaC::ex dX = GiNaC::symbol("dX");
-    GiNaC::exmap numbers;
-};
 
 /// Prints the processor time of one call, the mean of as many as take a fifth of a second.
 void time(const std::function<void()>& work) {
@@ -53,14 +29,10 @@ void time(const std::function<void()>& work) {
 }
 
 void solve(unsigned order) {
-    const System system(order);
-    MatchingPolynomials found;
-    time([&] { found = nmbcgen::match(system.taylor, system.dX, order); });
-    const GiNaC::ex first = found.C[0].subs(system.numbers);
-    for (const auto* list : {&found.C, &found.B}) {
-        for (const GiNaC::ex& coefficient : *list) {
-            std::cout << "value " << coefficient.subs(system.numbers) / first << "\n";
-        }
+    nmbcgen::SymbolicSystem system(order);
+    time([&system] { system.solve(); });
+    for (const nmbcgen::Rational& value : system.values()) {
+        std::cout << "value " << value << "\n";
     }
 }
 

@@ -3,11 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <stdexcept>
-#include <string_view>
 
+#include "generator/comma_list.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/parsed_option.hpp"
 
@@ -21,7 +20,7 @@ constexpr int most_time_step = 100;
 constexpr double least_half_width = 2;  // below, the grid does not resolve the pulse
 constexpr double most_half_width = 20;  // above, its tails reach an end when it is measured
 
-double parse_half_width(std::string_view text) {
+double parse_half_width(const std::string& text) {
     double value = 0;
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
@@ -35,17 +34,7 @@ double parse_half_width(std::string_view text) {
 }
 
 std::vector<double> parse_half_widths(const std::string& text) {
-    std::vector<double> values;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        const double value = parse_half_width(std::string_view(text).substr(begin, comma - begin));
-        if (std::ranges::find(values, value) != values.end()) {
-            throw std::invalid_argument(fmt::format("{:g} stands there twice", value));
-        }
-        values.push_back(value);
-        begin = comma + 1;
-    }
-    return values;
+    return nmbcgen::parse_list(text, parse_half_width);
 }
 
 /// An exact number from 0 to `most`.

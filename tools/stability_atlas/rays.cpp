@@ -44,10 +44,10 @@ constexpr double lost = 1e-45;  // far below what a run of doubles can show
 /// reflection may make several: without an end to it they would be without number.
 double left_of(const HalfSpace& h, double xi, double distance, double length, double time,
                double part) {
-    const double arrival = distance / speed(h, xi);
     if (part < lost) {
         return 0;
     }
+    const double arrival = distance / speed(h, xi);
     if (!(arrival < time)) {
         return kept(h, xi, time);
     }
