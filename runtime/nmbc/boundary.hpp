@@ -7,14 +7,13 @@
 #include <limits>
 #include <nmbc/certificate.hpp>
 #include <nmbc/coefficients.hpp>
+#include <nmbc/inwards.hpp>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace nmbc {
-
-enum class End { left, right };
 
 /// How far off, relatively, the step may be that a boundary is matched in: for a step written with
 /// seven digits. It adds two millionths of the error that steps make of one that is not matched.
@@ -24,7 +23,8 @@ inline constexpr double time_step_tolerance = 1e-6;
 /// leapfrog: u at levels k, v at k+1/2, u^{k+1} = u^k + dt v^{k+1/2}, ghost nodes included. For a
 /// damped table, v^{k+1/2} = v^{k-1/2} + dt (accelerations of u^k - decelerations of v^{k-1/2}),
 /// the old velocities of ghost nodes included (lattice.hpp).
-class MatchingBoundary {
+template <class Real>
+class BasicMatchingBoundary {
   public:
     /// ghost_layers: nodes outside each end that the interior stencil reaches (2n for NOPD).
     /// wave_speed [length/time], spacing [length] and time_step [time] in the user's units.
@@ -32,10 +32,10 @@ class MatchingBoundary {
     /// coefficients are not N+1 of each at a stride of 1 or more or are matched in another time
     /// step or with other ghosts, or where this time step makes the midpoint rule singular (b_0
     /// dt/2 = c_0).
-    MatchingBoundary(const BoundaryCoefficients& coefficients, std::size_t ghost_layers,
-                     double wave_speed, double spacing, double time_step,
-                     GhostRule rule = GhostRule::midpoint)
-        : ghost_layers_(ghost_layers), stride_(static_cast<std::ptrdiff_t>(coefficients.stride)) {
+    BasicMatchingBoundary(const BoundaryCoefficients& coefficients, std::size_t ghost_layers,
+                          double wave_speed, double spacing, double time_step,
+                          GhostRule rule = GhostRule::midpoint)
+        : ghost_layers_(ghost_layers), stride_(static_cast<std::size_t>(coefficients.stride)) {
         for (const double value : {wave_speed, spacing, time_step}) {
             if (!(value > 0) || !std::isfinite(value)) {
                 throw std::invalid_argument(
@@ -57,38 +57,36 @@ class MatchingBoundary {
         // Midpoint: u = u^k + (dt/2) v, and v moves to the left-hand side.
         for (std::size_t j = 0; j < coefficients.c.size(); ++j) {
             const double b = rate * coefficients.b[j];
-            weights_.push_back({b / own, (implicit_time * b - coefficients.c[j]) / own});
+            weights_.push_back({static_cast<Real>(b / own),
+                                static_cast<Real>((implicit_time * b - coefficients.c[j]) / own)});
         }
     }
 
     std::size_t ghost_layers() const { return ghost_layers_; }
 
     /// Nodes next to the end that the condition reads or writes, ghost layers included.
-    std::size_t reach() const {
-        return ghost_layers_ + (weights_.size() - 1) * static_cast<std::size_t>(stride_);
-    }
+    std::size_t reach() const { return ghost_layers_ + (weights_.size() - 1) * stride_; }
 
     /// Writes the ghost entries of v at one end, from the innermost layer outwards.
     /// u: displacements at level k; v: velocities at k+1/2, interior entries already new. Both
     /// hold all nodes, `ghost_layers` ghosts first and last.
     /// Throws std::invalid_argument where they differ in size or have fewer than reach() nodes.
-    void update(std::span<const double> u, std::span<double> v, End end) const {
+    void update(std::span<const Real> u, std::span<Real> v, End end) const {
         if (u.size() != v.size() || v.size() < reach()) {
             throw std::invalid_argument("u and v must have the same size, reach() nodes at least");
         }
-        const auto count = static_cast<std::ptrdiff_t>(v.size());
-        const auto layers = static_cast<std::ptrdiff_t>(ghost_layers_);
-        const std::ptrdiff_t inwards = end == End::left ? stride_ : -stride_;
-        const std::ptrdiff_t outwards = end == End::left ? -1 : 1;
-        std::ptrdiff_t ghost = end == End::left ? layers - 1 : count - layers;
-        for (std::size_t layer = 0; layer < ghost_layers_; ++layer, ghost += outwards) {
-            auto node = static_cast<std::size_t>(ghost);
-            double velocity = weights_[0].displacement * u[node];
+        update({u, end}, {v, end});
+    }
+
+    /// The same where the sizes are known to be right.
+    void update(Inwards<const Real> u, Inwards<Real> v) const {
+        for (std::size_t ghost = ghost_layers_; ghost-- > 0;) {
+            Real velocity = weights_[0].displacement * u[ghost];
             for (std::size_t j = 1; j < weights_.size(); ++j) {
-                node = static_cast<std::size_t>(ghost + static_cast<std::ptrdiff_t>(j) * inwards);
+                const std::size_t node = ghost + j * stride_;
                 velocity += weights_[j].displacement * u[node] + weights_[j].velocity * v[node];
             }
-            v[static_cast<std::size_t>(ghost)] = velocity;
+            v[ghost] = velocity;
         }
     }
 
@@ -110,12 +108,14 @@ class MatchingBoundary {
     }
 
     struct Weights {
-        double displacement;
-        double velocity;
+        Real displacement;
+        Real velocity;
     };
     std::vector<Weights> weights_;  // by j; the division of the midpoint rule is done
     std::size_t ghost_layers_;
-    std::ptrdiff_t stride_;
+    std::size_t stride_;
 };
+
+using MatchingBoundary = BasicMatchingBoundary<double>;
 
 }  // namespace nmbc

@@ -1,44 +1,138 @@
 // SPDX-License-Identifier: MIT
-/// What a chain can end in: a matching boundary, or an end that keeps the energy.
+/// The ends of the runtime: a matching boundary, and two that keep the energy.
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <nmbc/boundary.hpp>
-#include <span>
-#include <variant>
+#include <nmbc/end_condition.hpp>
+#include <string>
+#include <type_traits>
 
 namespace nmbc {
+
+namespace detail {
+
+template <class Real>
+class MatchingCondition final : public EndCondition<Real> {
+  public:
+    MatchingCondition(const BoundaryCoefficients& coefficients, std::size_t ghosts,
+                      const ChainParameters& p, GhostRule rule)
+        : boundary_(coefficients, ghosts, p.wave_speed(), p.spacing, p.time_step, rule) {}
+
+    std::size_t least_interior_nodes() const override {
+        return std::max<std::size_t>(boundary_.reach() - boundary_.ghost_layers(), 1);
+    }
+
+    void after_kick(Inwards<const Real> u, Inwards<Real> v, std::size_t /*step*/) override {
+        boundary_.update(u, v);
+    }
+
+  private:
+    BasicMatchingBoundary<Real> boundary_;
+};
+
+template <class Real>
+class FixedCondition final : public EndCondition<Real> {
+  public:
+    FixedCondition(std::size_t ghosts, std::size_t layer) : ghosts_(ghosts), layer_(layer) {}
+
+    std::size_t layer_nodes() const override { return layer_; }
+
+    void start(Inwards<Real> u, Inwards<Real> v) override {
+        hold(u);
+        hold(v);
+    }
+    void after_kick(Inwards<const Real> /*u*/, Inwards<Real> v, std::size_t /*step*/) override {
+        hold(v);
+    }
+
+  private:
+    void hold(Inwards<Real> field) const {
+        for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
+            field[ghost] = 0;
+        }
+    }
+
+    std::size_t ghosts_;
+    std::size_t layer_;
+};
+
+template <class Real>
+class FreeCondition final : public EndCondition<Real> {
+  public:
+    explicit FreeCondition(std::size_t ghosts) : ghosts_(ghosts) {}
+
+    std::size_t least_interior_nodes() const override { return ghosts_; }
+
+    void start(Inwards<Real> u, Inwards<Real> v) override {
+        mirror(u);
+        mirror(v);
+    }
+    void after_kick(Inwards<const Real> /*u*/, Inwards<Real> v, std::size_t /*step*/) override {
+        mirror(v);
+    }
+
+  private:
+    void mirror(Inwards<Real> field) const {
+        for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
+            field[ghost] = field[2 * ghosts_ - 1 - ghost];
+        }
+    }
+
+    std::size_t ghosts_;
+};
+
+}  // namespace detail
 
 /// (60) on every ghost layer.
 struct MatchingEnd {
     BoundaryCoefficients coefficients;
     GhostRule ghost_rule = GhostRule::midpoint;
+
+    /// What is certified is certified for its own lattice and, where that is damped, for long
+    /// chains. Throws NotCertified otherwise, and as MatchingBoundary does.
+    template <class Real>
+    std::unique_ptr<EndCondition<Real>> make(const Lattice& lattice, const ChainParameters& p,
+                                             std::type_identity<Real> /*precision*/) const {
+        const bool certified = !coefficients.symbol.empty();
+        if (certified &&
+            (coefficients.symbol != lattice.symbol || coefficients.damping != lattice.damping)) {
+            throw NotCertified(
+                "the boundary is certified for another lattice: horizon, G or tau are not those of "
+                "the chain; take the coefficients with allow_unstable to run it");
+        }
+        if (certified && p.nodes < static_cast<std::size_t>(coefficients.least_nodes)) {
+            throw NotCertified("a chain with this damped matching boundary is certified from " +
+                               std::to_string(coefficients.least_nodes) +
+                               " interior nodes on, and has " + std::to_string(p.nodes) +
+                               "; take the coefficients with allow_unstable to run it");
+        }
+        return std::make_unique<detail::MatchingCondition<Real>>(coefficients, lattice.reach(), p,
+                                                                 ghost_rule);
+    }
 };
 
-/// Every ghost node is held at u = 0.
-struct FixedEnd {};
+/// Every ghost node is held at u = 0, beyond a layer of nodes that the interior is extended by:
+/// with a layer so wide that nothing returns in time, the 'ideal' of Nicely 2018.
+struct FixedEnd {
+    std::size_t layer = 0;
+
+    template <class Real>
+    std::unique_ptr<EndCondition<Real>> make(const Lattice& lattice, const ChainParameters& /*p*/,
+                                             std::type_identity<Real> /*precision*/) const {
+        return std::make_unique<detail::FixedCondition<Real>>(lattice.reach(), layer);
+    }
+};
 
 /// The mirror image: j = 0 the outermost interior node, counted inwards, ghost node -1-j moves as
 /// node j does. The mirror is midway between the outermost interior node and the innermost ghost.
-struct FreeEnd {};
-
-using ChainEnd = std::variant<MatchingEnd, FixedEnd, FreeEnd>;
-
-/// Writes the ghost entries of a field, u or v, at a fixed or free end; `ghosts` entries first and
-/// last. A free end needs as many interior nodes.
-inline void impose(FixedEnd /*kind*/, std::span<double> field, std::size_t ghosts, End end) {
-    for (double& ghost : end == End::left ? field.first(ghosts) : field.last(ghosts)) {
-        ghost = 0;
+struct FreeEnd {
+    template <class Real>
+    std::unique_ptr<EndCondition<Real>> make(const Lattice& lattice, const ChainParameters& /*p*/,
+                                             std::type_identity<Real> /*precision*/) const {
+        return std::make_unique<detail::FreeCondition<Real>>(lattice.reach());
     }
-}
-
-inline void impose(FreeEnd /*kind*/, std::span<double> field, std::size_t ghosts, End end) {
-    const auto from_end = [&](std::size_t j) -> double& {
-        return end == End::left ? field[j] : field[field.size() - 1 - j];
-    };
-    for (std::size_t layer = 0; layer < ghosts; ++layer) {
-        from_end(layer) = from_end(2 * ghosts - 1 - layer);
-    }
-}
+};
 
 }  // namespace nmbc

@@ -30,7 +30,8 @@ struct Energies {
 
 namespace detail {
 
-inline double apply(std::span<const double> stencil, const double* first) {
+template <class Real>
+double apply(std::span<const double> stencil, const Real* first) {
     double sum = 0;
     for (std::size_t i = 0; i < stencil.size(); ++i) {
         sum += stencil[i] * first[i];
@@ -40,12 +41,13 @@ inline double apply(std::span<const double> stencil, const double* first) {
 
 }  // namespace detail
 
-/// The energies of the interior nodes first .. last-1 (counted from 0, ghosts left out): each
-/// node's own kinetic energy, strain energy and bond energies, as Nicely 2018 sums them. Counting
-/// also the squares of ghost nodes that an interior node takes part in would balance the power of
-/// the ghosts exactly, but lets the sum rise for a moment where a wave passes an end.
+/// The energies of the interior nodes first .. last-1 (counted from 0, ghosts and layers left out):
+/// each node's own kinetic energy, strain energy and bond energies, as Nicely 2018 sums them.
+/// Counting also the squares of ghost nodes that an interior node takes part in would balance the
+/// power of the ghosts exactly, but lets the sum rise for a moment where a wave passes an end.
 /// Throws std::invalid_argument unless first < last <= interior nodes.
-inline Energies energies(const Chain& chain, std::size_t first, std::size_t last) {
+template <class Real>
+Energies energies(const BasicChain<Real>& chain, std::size_t first, std::size_t last) {
     const ChainParameters& p = chain.parameters();
     if (first >= last || last > p.nodes) {
         throw std::invalid_argument("energies: the nodes must be a range within the interior");
@@ -53,12 +55,13 @@ inline Energies energies(const Chain& chain, std::size_t first, std::size_t last
     const auto u = chain.displacement();
     const auto v = chain.velocity();
     const double dt = p.time_step;
-    const std::size_t begin = first + chain.ghosts();
-    const std::size_t end = last + chain.ghosts();
+    const std::size_t begin = first + chain.first_interior();
+    const std::size_t end = last + chain.first_interior();
 
     Energies result;
     for (std::size_t node = begin; node < end; ++node) {
-        result.kinetic += p.spacing * p.density * v[node] * v[node] / 2;
+        const double velocity = v[node];
+        result.kinetic += p.spacing * p.density * velocity * velocity / 2;
     }
     result.staggered = result.kinetic;
     if (!chain.damped().empty()) {
@@ -83,7 +86,8 @@ inline Energies energies(const Chain& chain, std::size_t first, std::size_t last
 }
 
 /// The energies of the whole interior.
-inline Energies energies(const Chain& chain) {
+template <class Real>
+Energies energies(const BasicChain<Real>& chain) {
     return energies(chain, 0, chain.parameters().nodes);
 }
 

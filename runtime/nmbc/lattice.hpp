@@ -10,6 +10,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace nmbc {
@@ -148,30 +149,34 @@ inline double stable_time_step(const MatchingTable& table, double G, double wave
 /// Accelerations of the interior nodes, a_I = -(c/dX)^2 sum_m symbol[|m|] u_{I+m}.
 /// u: all nodes, `reach` ghosts first and last; a: the same length, ghost entries untouched.
 /// stiffness: (c/dX)^2 = E/(rho dX^2) [1/time^2].
-inline void accelerations(const Lattice& lattice, double stiffness, std::span<const double> u,
-                          std::span<double> a) {
+template <class Real = double>
+void accelerations(const Lattice& lattice, double stiffness,
+                   std::type_identity_t<std::span<const Real>> u,
+                   std::type_identity_t<std::span<Real>> a) {
     const std::size_t reach = lattice.reach();
     for (std::size_t node = reach; node + reach < u.size(); ++node) {
         double sum = lattice.symbol[0] * u[node];
         for (std::size_t m = 1; m <= reach; ++m) {
             sum += lattice.symbol[m] * (u[node + m] + u[node - m]);
         }
-        a[node] = -stiffness * sum;
+        a[node] = static_cast<Real>(-stiffness * sum);
     }
 }
 
 /// Decelerations of the interior nodes by the damping, d_I = (c/dX) sum_m damping[|m|] v_{I+m}.
 /// The lattice is damped. v: all nodes, `reach` ghosts first and last; d: the same length, ghost
 /// entries untouched. rate: c/dX [1/time].
-inline void decelerations(const Lattice& lattice, double rate, std::span<const double> v,
-                          std::span<double> d) {
+template <class Real = double>
+void decelerations(const Lattice& lattice, double rate,
+                   std::type_identity_t<std::span<const Real>> v,
+                   std::type_identity_t<std::span<Real>> d) {
     const std::size_t reach = lattice.damping.size() - 1;
     for (std::size_t node = reach; node + reach < v.size(); ++node) {
         double sum = lattice.damping[0] * v[node];
         for (std::size_t m = 1; m <= reach; ++m) {
             sum += lattice.damping[m] * (v[node + m] + v[node - m]);
         }
-        d[node] = rate * sum;
+        d[node] = static_cast<Real>(rate * sum);
     }
 }
 

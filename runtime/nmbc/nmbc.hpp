@@ -6,7 +6,9 @@
 #include <nmbc/certificate.hpp>
 #include <nmbc/chain.hpp>
 #include <nmbc/coefficients.hpp>
+#include <nmbc/end_condition.hpp>
 #include <nmbc/ends.hpp>
 #include <nmbc/energy.hpp>
+#include <nmbc/inwards.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/table.hpp>

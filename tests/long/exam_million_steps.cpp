@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nmbc/certificate.hpp>
 #include <nmbc/chain.hpp>
+#include <nmbc/ends.hpp>
 #include <nmbc/energy.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/tables/tables.hpp>
@@ -46,7 +47,7 @@ void check_million_steps(const MatchingTable& table, double G, std::size_t nodes
     CAPTURE(G);
     CAPTURE(nodes);
     const auto lattice = nmbc::make_lattice(table, G);
-    nmbc::Chain chain(lattice, nmbc::boundary_coefficients(table, G),
+    nmbc::Chain chain(lattice, nmbc::MatchingEnd{nmbc::boundary_coefficients(table, G)},
                       {.nodes = nodes, .time_step = time_step});
     randomise(chain);
     const auto run = [&chain](int steps) {

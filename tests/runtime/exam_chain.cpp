@@ -14,7 +14,8 @@ nmbc::Chain chain_of(int horizon, int order, double G, const nmbc::ChainParamete
     const auto* table = nmbc::find_table(nmbc::generated::tables, "nopd1d", horizon, order);
     REQUIRE(table != nullptr);
     return {nmbc::make_lattice(*table, G),
-            nmbc::boundary_coefficients(*table, G, nmbc::allow_unstable), parameters};
+            nmbc::MatchingEnd{nmbc::boundary_coefficients(*table, G, nmbc::allow_unstable)},
+            parameters};
 }
 
 /// Starts the chain from a Gaussian displacement in its middle, at rest.

@@ -103,15 +103,16 @@ TEST_CASE("a damped boundary is certified for long chains only") {
     const auto coefficients = nmbc::boundary_coefficients(damped_table, 0.5);
     CHECK(coefficients.least_nodes == 50);
     CHECK(nmbc::boundary_coefficients(nopd1d_n1_order1, 0.5).least_nodes == 0);
-    CHECK_THROWS_WITH_AS(nmbc::Chain(lattice, coefficients, {.nodes = 49, .time_step = 0.1}),
-                         doctest::Contains("from 50 interior nodes on, and has 49"),
-                         nmbc::NotCertified);
+    CHECK_THROWS_WITH_AS(
+        nmbc::Chain(lattice, nmbc::MatchingEnd{coefficients}, {.nodes = 49, .time_step = 0.1}),
+        doctest::Contains("from 50 interior nodes on, and has 49"), nmbc::NotCertified);
     CHECK_THROWS_AS(nmbc::Chain(lattice, free_end, nmbc::MatchingEnd{coefficients},
                                 {.nodes = 49, .time_step = 0.1}),
                     nmbc::NotCertified);
-    CHECK_NOTHROW(nmbc::Chain(lattice, coefficients, {.nodes = 50, .time_step = 0.1}));
+    CHECK_NOTHROW(
+        nmbc::Chain(lattice, nmbc::MatchingEnd{coefficients}, {.nodes = 50, .time_step = 0.1}));
     const auto any = nmbc::boundary_coefficients(damped_table, 0.5, nmbc::allow_unstable);
-    CHECK_NOTHROW(nmbc::Chain(lattice, any, {.nodes = 10, .time_step = 0.1}));
+    CHECK_NOTHROW(nmbc::Chain(lattice, nmbc::MatchingEnd{any}, {.nodes = 10, .time_step = 0.1}));
 }
 
 TEST_CASE("a plane wave decays as the discrete dispersion relation says") {
@@ -205,13 +206,13 @@ TEST_CASE("prescribed velocities do work on a damped chain; the rest of the ledg
 TEST_CASE("a damped chain is the same in any units") {
     const auto lattice = nmbc::make_lattice(damped_table, 0.3);
     const auto coefficients = nmbc::boundary_coefficients(damped_table, 0.3);
-    nmbc::Chain plain(lattice, coefficients, {.nodes = 60, .time_step = 0.4});
+    nmbc::Chain plain(lattice, nmbc::MatchingEnd{coefficients}, {.nodes = 60, .time_step = 0.4});
     const nmbc::ChainParameters units{.nodes = 60,
                                       .spacing = 0.07,
                                       .youngs_modulus = 210,
                                       .density = 7.8,
                                       .time_step = 0.4 * 0.07 / std::sqrt(210 / 7.8)};
-    nmbc::Chain other(lattice, coefficients, units);
+    nmbc::Chain other(lattice, nmbc::MatchingEnd{coefficients}, units);
     fill_randomly(plain);
     std::vector<double> rates(plain.velocity().begin(), plain.velocity().end());
     for (double& rate : rates) {
@@ -254,10 +255,11 @@ TEST_CASE("a damping of zeros changes no bit") {
     const auto& table = *nmbc::find_table(nmbc::generated::tables, "nopd1d", 2, 3);
     const auto coefficients = nmbc::boundary_coefficients(table, 1.85, nmbc::allow_unstable);
     const nmbc::ChainParameters parameters{.nodes = 60, .spacing = 0.3, .time_step = 0.02};
-    nmbc::Chain undamped(nmbc::make_lattice(table, 1.85), coefficients, parameters);
+    nmbc::Chain undamped(nmbc::make_lattice(table, 1.85), nmbc::MatchingEnd{coefficients},
+                         parameters);
     nmbc::Lattice lattice = nmbc::make_lattice(table, 1.85);
     lattice.damping.assign(lattice.symbol.size(), 0.0);
-    nmbc::Chain zeros(lattice, coefficients, parameters);
+    nmbc::Chain zeros(lattice, nmbc::MatchingEnd{coefficients}, parameters);
     fill_randomly(undamped);
     fill_randomly(zeros);
     for (int i = 0; i < 500; ++i) {

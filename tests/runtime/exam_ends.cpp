@@ -170,20 +170,6 @@ TEST_CASE("mirrored set-ups give mirrored results bit for bit") {
     }
 }
 
-TEST_CASE("like ends, the short way and the long one") {
-    const nmbc::ChainParameters parameters{
-        .nodes = 20, .time_step = 0.1, .ghost_rule = nmbc::GhostRule::explicit_rule};
-    const nmbc::MatchingEnd end{matching(2, 1).coefficients, parameters.ghost_rule};
-    nmbc::Chain short_way(nmbc::make_lattice(table_of(2, 1), G), end.coefficients, parameters);
-    auto long_way = chain_between(2, end, end, parameters);
-    const State state = random_state(long_way);
-    for (auto* chain : {&short_way, &long_way}) {
-        chain->start(state.u, state.v);
-        chain->step();
-    }
-    CHECK(std::ranges::equal(short_way.displacement(), long_way.displacement()));
-}
-
 TEST_CASE("chains too short for their ends, and wrong parameters") {
     CHECK_THROWS_AS(chain_between(2, fixed, free_end, {.nodes = 3, .time_step = 0.1}),
                     std::invalid_argument);

@@ -17,7 +17,7 @@ double energy_left(const nmbc::MatchingTable& table, double G) {
     REQUIRE(cfl > 0.2);
     const nmbc::Lattice lattice = nmbc::make_lattice(table, G);
     const double dt = 0.95 * 2 * cfl / nmbc::maximum_frequency(lattice);
-    nmbc::Chain chain(lattice, nmbc::boundary_coefficients(table, G),
+    nmbc::Chain chain(lattice, nmbc::MatchingEnd{nmbc::boundary_coefficients(table, G)},
                       {.nodes = 200, .time_step = dt});
     for (std::size_t i = 0; i < chain.nodes(); ++i) {
         const double x = (double(i) - 99.5) / 10;

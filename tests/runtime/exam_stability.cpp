@@ -14,8 +14,10 @@ nmbc::Chain random_chain(nmbc::GhostRule rule) {
     const auto& table = nmbc::generated::nopd1d_n1_order2;
     const auto lattice = nmbc::make_lattice(table, G);
     const double time_step = 0.6 * 2 / nmbc::maximum_frequency(lattice);
-    nmbc::Chain chain(lattice, nmbc::boundary_coefficients(table, G, nmbc::allow_unstable),
-                      {.nodes = 50, .time_step = time_step, .ghost_rule = rule});
+    nmbc::Chain chain(
+        lattice,
+        nmbc::MatchingEnd{nmbc::boundary_coefficients(table, G, nmbc::allow_unstable), rule},
+        {.nodes = 50, .time_step = time_step});
     std::mt19937_64 random(1);
     std::normal_distribution<double> normal;
     for (auto values : {chain.displacement(), chain.velocity()}) {

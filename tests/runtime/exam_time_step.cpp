@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nmbc/boundary.hpp>
 #include <nmbc/chain.hpp>
+#include <nmbc/ends.hpp>
 #include <nmbc/tables/tables.hpp>
 #include <stdexcept>
 #include <utility>
@@ -18,8 +19,10 @@ constexpr double G = 0.5;
 constexpr const nmbc::MatchingTable& matched = nmbc::generated::nopd1d_n1_order2_dt1o2;
 constexpr const nmbc::MatchingTable& continuous = nmbc::generated::nopd1d_n1_order2;
 
-nmbc::Chain chain_of(const nmbc::MatchingTable& table, const nmbc::ChainParameters& parameters) {
-    return {nmbc::make_lattice(table, G), nmbc::boundary_coefficients(table, G), parameters};
+nmbc::Chain chain_of(const nmbc::MatchingTable& table, const nmbc::ChainParameters& parameters,
+                     nmbc::GhostRule rule = nmbc::GhostRule::midpoint) {
+    return {nmbc::make_lattice(table, G),
+            nmbc::MatchingEnd{nmbc::boundary_coefficients(table, G), rule}, parameters};
 }
 
 /// The largest displacement left of a pulse of half-width 6 dX when it should be gone.
@@ -65,8 +68,7 @@ TEST_CASE("it takes its own time step only, in any units, and midpoint ghosts") 
         CHECK_NOTHROW(chain_of(continuous, {.nodes = 20, .time_step = other}));
     }
     CHECK_THROWS_WITH_AS(
-        chain_of(matched,
-                 {.nodes = 20, .time_step = 0.5, .ghost_rule = nmbc::GhostRule::explicit_rule}),
+        chain_of(matched, {.nodes = 20, .time_step = 0.5}, nmbc::GhostRule::explicit_rule),
         doctest::Contains("midpoint ghosts"), std::invalid_argument);
 }
 
@@ -84,15 +86,18 @@ TEST_CASE("its stable time step is its own, where that is certified") {
 TEST_CASE("a chain takes a certified boundary of its own lattice only") {
     const auto coefficients = nmbc::boundary_coefficients(continuous, G);
     const nmbc::ChainParameters parameters{.nodes = 20, .time_step = 0.4};
-    CHECK_NOTHROW(nmbc::Chain(nmbc::make_lattice(continuous, G), coefficients, parameters));
+    CHECK_NOTHROW(nmbc::Chain(nmbc::make_lattice(continuous, G), nmbc::MatchingEnd{coefficients},
+                              parameters));
     for (const auto& [table, other_G] :
          {std::pair(&continuous, 0.4), {&nmbc::generated::nopd1d_n2_order1, G}}) {
-        CHECK_THROWS_WITH_AS(
-            nmbc::Chain(nmbc::make_lattice(*table, other_G), coefficients, parameters),
-            doctest::Contains("certified for another lattice"), nmbc::NotCertified);
-        CHECK_NOTHROW(nmbc::Chain(nmbc::make_lattice(*table, other_G),
-                                  nmbc::boundary_coefficients(continuous, G, nmbc::allow_unstable),
-                                  parameters));
+        CHECK_THROWS_WITH_AS(nmbc::Chain(nmbc::make_lattice(*table, other_G),
+                                         nmbc::MatchingEnd{coefficients}, parameters),
+                             doctest::Contains("certified for another lattice"),
+                             nmbc::NotCertified);
+        CHECK_NOTHROW(nmbc::Chain(
+            nmbc::make_lattice(*table, other_G),
+            nmbc::MatchingEnd{nmbc::boundary_coefficients(continuous, G, nmbc::allow_unstable)},
+            parameters));
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nmbc/chain.hpp>
+#include <nmbc/ends.hpp>
 #include <nmbc/tables/nopd1d_n2_order3.hpp>
 
 #include "generator/pipeline.hpp"

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nmbc/chain.hpp>
+#include <nmbc/ends.hpp>
 #include <random>
 #include <span>
 #include <vector>
@@ -40,9 +41,11 @@ void randomise(nmbc::Chain& chain) {
 nmbc::Chain random_chain(const Boundary& boundary, std::size_t nodes, double time_step,
                          GhostRule rule) {
     const auto& table = committed_table(boundary);
-    nmbc::Chain chain(nmbc::make_lattice(table, boundary.G),
-                      nmbc::boundary_coefficients(table, boundary.G, nmbc::allow_unstable),
-                      {.nodes = nodes, .time_step = time_step, .ghost_rule = rule});
+    nmbc::Chain chain(
+        nmbc::make_lattice(table, boundary.G),
+        nmbc::MatchingEnd{nmbc::boundary_coefficients(table, boundary.G, nmbc::allow_unstable),
+                          rule},
+        {.nodes = nodes, .time_step = time_step});
     randomise(chain);
     return chain;
 }
@@ -208,7 +211,8 @@ TEST_CASE("a boundary with C(1) = 0 lets a constant grow like t^2") {
     constexpr std::size_t nodes = 21;
     const double time_step = 0.1 * 2 / nmbcgen::maximum_frequency(h);
     nmbc::Chain chain(nmbc::make_lattice(table, boundary.G),
-                      {nmbc::evaluate(table.c, boundary.G), nmbc::evaluate(table.b, boundary.G), 1},
+                      nmbc::MatchingEnd{{nmbc::evaluate(table.c, boundary.G),
+                                         nmbc::evaluate(table.b, boundary.G), 1}},
                       {.nodes = nodes, .time_step = time_step});
 
     constexpr double disturbance = 1e-3;  // of the outermost ghosts

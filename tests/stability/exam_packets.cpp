@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nmbc/ends.hpp>
 #include <nmbc/energy.hpp>
 #include <numbers>
 #include <vector>
@@ -112,7 +113,8 @@ double measure(const Boundary& boundary, const HalfSpace& h, double xi) {
     const double duration = 2 * reach / speeds.slowest;
     const auto& table = nmbcgen::test::committed_table(boundary);
     nmbc::Chain chain(
-        nmbc::make_lattice(table, boundary.G), nmbc::boundary_coefficients(table, boundary.G),
+        nmbc::make_lattice(table, boundary.G),
+        nmbc::MatchingEnd{nmbc::boundary_coefficients(table, boundary.G)},
         {.nodes = std::size_t(2 * reach + speeds.fastest * duration), .time_step = h.time_step});
     for (std::size_t i = 0; i <= std::size_t(2 * reach); ++i) {
         for (const Wave& wave : packet) {

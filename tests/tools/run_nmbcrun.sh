@@ -31,7 +31,7 @@ expect "no field unless asked for" test ! -e results/bar1d_field.csv
 try run "$scene" "${short[@]}" --quiet --set output.field=true
 expect_exit 0
 expect_stdout_line "field        results/bar1d_field.csv"
-try run "$scene" "${short[@]}" --quiet --set output.field=true --set domain.extension=30 \
+try run "$scene" "${short[@]}" --quiet --set output.field=true --set boundary.kind=extended --set boundary.layer=30 \
     --set output.name=longer
 expect_exit 0
 expect "a header line" grep -qx 'node,x,u,v' results/bar1d_field.csv

@@ -7,9 +7,9 @@
 #include <nmbc/coefficients.hpp>
 #include <system_error>
 
-#include "tools/nmbcrun/interrupt.hpp"
+#include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/run.hpp"
-#include "tools/nmbcrun/scene.hpp"
+#include "tools/nmbcrun/scene/scene.hpp"
 
 namespace {
 

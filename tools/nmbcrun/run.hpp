@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/scene.hpp"
+#include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nmbc/coefficients.hpp>
+#include <nmbc/ends.hpp>
 #include <nmbc/energy.hpp>
 #include <numbers>
 #include <vector>
@@ -36,7 +37,8 @@ double energy_left(nmbc::Chain& chain, double half_width, double duration) {
 
 double left_between_ends(const nmbc::MatchingTable& table, double G, double time_step,
                          double half_width) {
-    nmbc::Chain chain(nmbc::make_lattice(table, G), nmbc::boundary_coefficients(table, G),
+    nmbc::Chain chain(nmbc::make_lattice(table, G),
+                      nmbc::MatchingEnd{nmbc::boundary_coefficients(table, G)},
                       {.nodes = counted_nodes, .time_step = time_step});
     return energy_left(chain, half_width);
 }

@@ -6,7 +6,7 @@
 
 #include "generator/files.hpp"
 #include "generator/pipeline.hpp"
-#include "tools/nmbcrun/progress.hpp"
+#include "tools/nmbcrun/output/progress.hpp"
 #include "tools/number_between.hpp"
 #include "tools/stability_atlas/atlas.hpp"
 #include "tools/stability_atlas/choices.hpp"

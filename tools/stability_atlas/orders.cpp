@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <nmbc/chain.hpp>
+#include <nmbc/ends.hpp>
 #include <numeric>
 #include <string_view>
 
@@ -129,7 +130,8 @@ double measure(const Certified& one, double time_step, double half_width) {
     nmbc::Chain chain(
         make_lattice(nmbcgen::make_model(what.family, what.horizon, what.damping, what.weights),
                      what.stabilisation.value()),
-        make_coefficients(one.half_space.value(), nearest_double(what.time_step)),
+        nmbc::MatchingEnd{
+            make_coefficients(one.half_space.value(), nearest_double(what.time_step))},
         {.nodes = pulses::counted_nodes, .time_step = time_step});
     return pulses::energy_left(chain, half_width, course.duration);
 }

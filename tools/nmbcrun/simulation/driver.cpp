@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/driver.hpp"
+#include "tools/nmbcrun/simulation/driver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace nmbcrun {
 
-Driver::Driver(const Scene& scene, std::size_t ghosts, double time_step)
+Driver::Driver(const Scene& scene, std::size_t first_interior, double time_step)
     : drive_(scene.drive), time_step_(time_step) {
     const double reach = drive_.half_width * scene.horizon * scene.spacing;
     // Positions are rounded; a billionth of a spacing decides nothing on purpose.
@@ -17,7 +17,7 @@ Driver::Driver(const Scene& scene, std::size_t ghosts, double time_step)
     for (std::size_t node = 0; node < scene.nodes; ++node) {
         const double X = double(node + 1) * scene.spacing;
         if (std::abs(X - drive_.centre) <= reach + slack) {
-            driven_.push_back(node + scene.extension + ghosts);
+            driven_.push_back(node + first_interior);
         }
     }
     if (driven_.empty()) {

@@ -5,7 +5,7 @@
 #include <nmbc/lattice.hpp>
 #include <string>
 
-#include "tools/nmbcrun/scene.hpp"
+#include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
 

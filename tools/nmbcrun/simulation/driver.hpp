@@ -6,16 +6,16 @@
 #include <span>
 #include <vector>
 
-#include "tools/nmbcrun/scene.hpp"
+#include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
 
 /// The drive's velocities for one step: u reaches its prescribed value at the new time.
 class Driver {
   public:
-    /// ghosts: ghost layers at each end of the chain; time_step [time].
+    /// first_interior: entry of the first interior node; time_step [time].
     /// Throws SceneError where no node is driven.
-    Driver(const Scene& scene, std::size_t ghosts, double time_step);
+    Driver(const Scene& scene, std::size_t first_interior, double time_step);
 
     /// Whether the nodes are driven in the step that ends at this time.
     bool drives(double time) const { return time <= drive_.duration + time_step_ / 2; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/exact_table.hpp"
+#include "tools/nmbcrun/simulation/exact_table.hpp"
 
 #include <nmbc/coefficients.hpp>
 #include <string>

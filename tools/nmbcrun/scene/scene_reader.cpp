@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/scene_reader.hpp"
+#include "tools/nmbcrun/scene/scene_reader.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include <nmbc/table.hpp>
 
-#include "tools/nmbcrun/scene.hpp"
+#include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/progress.hpp"
+#include "tools/nmbcrun/output/progress.hpp"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>

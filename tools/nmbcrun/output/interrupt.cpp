@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/interrupt.hpp"
+#include "tools/nmbcrun/output/interrupt.hpp"
 
 #include <csignal>
 #include <initializer_list>

@@ -6,6 +6,7 @@
 #include <nmbc/boundary.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,18 +21,29 @@ struct Drive {
     double half_width = 2;  ///< in horizons
 };
 
-enum class BoundaryKind { nmbc, fixed, free };
+enum class BoundaryKind {
+    nmbc,      ///< (60) on all ghost layers
+    fixed,     ///< ghosts held at u = 0
+    free,      ///< ghosts the mirror image
+    extended,  ///< more of the same lattice, fixed at its far end
+};
 
-/// One end of the chain; all but the kind count for an nmbc only.
+/// One end of the chain.
 struct Boundary {
     BoundaryKind kind = BoundaryKind::nmbc;
+    // Of an nmbc:
     int order = 1;
     int stride = 1;
     nmbc::GhostRule ghosts = nmbc::GhostRule::midpoint;
     std::string matched_step = "0";  ///< dt its table is matched in [dX/c], "p/q"; "0": none
+    // Of those that put a layer outside of the interior:
+    std::size_t layer = 0;  ///< nodes of it
 
     friend bool operator==(const Boundary&, const Boundary&) = default;
 };
+
+/// As a scene spells it, such as "fixed".
+std::string_view name_of(BoundaryKind kind);
 
 /// The end in words, such as "NMBC1, stride 1, midpoint ghosts" or "fixed".
 std::string heading_of(const Boundary& boundary);
@@ -47,7 +59,6 @@ struct Scene {
     double youngs_modulus = 1;
     std::size_t nodes = 0;
     double spacing = 1;
-    std::size_t extension = 0;  ///< nodes added at each end that no energy counts
     Drive drive;
     Boundary left;
     Boundary right;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/time_step.hpp"
+#include "tools/nmbcrun/simulation/time_step.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,10 @@
 #include <nmbc/tables/tables.hpp>
 #include <optional>
 
-#include "tools/nmbcrun/certificate.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/tables.hpp"
+#include "tools/nmbcrun/simulation/certificate.hpp"
+#include "tools/nmbcrun/simulation/ends.hpp"
+#include "tools/nmbcrun/simulation/tables.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -20,7 +21,7 @@ constexpr const char* to_try_one =
     "To try one, give time.step or time.cfl, and boundary.allow_unstable = true";
 
 bool is_matched(const Boundary& boundary) {
-    return boundary.kind == BoundaryKind::nmbc && boundary.matched_step != "0";
+    return takes_table(boundary.kind) && boundary.matched_step != "0";
 }
 
 /// The least of what each end's table is certified for with its like.
@@ -28,7 +29,7 @@ AutomaticStep certified_with_their_like(const Scene& scene, const nmbc::Lattice&
     // Fixed and free ends by themselves: just below the interior's own limit.
     AutomaticStep step{0.99 * nmbc::interior_cfl(lattice), "just below the interior's limit"};
     for (const Boundary* boundary : {&scene.left, &scene.right}) {
-        if (boundary->kind != BoundaryKind::nmbc) {
+        if (!takes_table(boundary->kind)) {
             continue;
         }
         const nmbc::MatchingTable& table = table_of(scene, *boundary);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/certificate.hpp"
+#include "tools/nmbcrun/simulation/certificate.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,8 @@
 
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/round_trip.hpp"
-#include "tools/nmbcrun/exact_table.hpp"
+#include "tools/nmbcrun/simulation/ends.hpp"
+#include "tools/nmbcrun/simulation/exact_table.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -22,12 +23,14 @@ nmbcgen::ChainEnd end_of(const Boundary& boundary, const nmbc::MatchingTable& ta
         stepped(make_half_space(exact_table(table), nmbcgen::Rational(G)), time_step, ghosts);
     switch (boundary.kind) {
         case BoundaryKind::fixed:
+        case BoundaryKind::extended:
             return fixed_end(half_space);
         case BoundaryKind::free:
             return free_end(half_space);
-        default:
-            return {nmbcgen::EndKind::matching, half_space};
+        case BoundaryKind::nmbc:
+            break;
     }
+    return {nmbcgen::EndKind::matching, half_space};
 }
 
 /// ln |zeta| of the factor zeta of one time step [dX/c], whose sigma this is (half_space.hpp).
@@ -38,8 +41,8 @@ double growth_per_step(const Boundary& boundary, std::complex<double> sigma, dou
                : std::log(std::abs(1.0 + sigma * time_step));
 }
 
-std::size_t interior_nodes(const Scene& scene) {
-    return scene.nodes + 2 * scene.extension;
+std::size_t moving_nodes(const Scene& scene) {
+    return scene.nodes + scene.left.layer + scene.right.layer;
 }
 
 /// Growth [c/dX] by the largest eigenvalue of one step, in chains so short that the half spaces do
@@ -47,7 +50,7 @@ std::size_t interior_nodes(const Scene& scene) {
 double short_chain_growth(const Scene& scene, const nmbc::MatchingTable& left,
                           const nmbc::MatchingTable& right, double time_step) {
     constexpr std::size_t longest = 60;  // tests/stability/exam_short_chains.cpp: 25 are short
-    const std::size_t nodes = interior_nodes(scene);
+    const std::size_t nodes = moving_nodes(scene);
     // One rule for both ends is what one_step_map() knows.
     const Boundary& ruling = scene.left.kind == BoundaryKind::nmbc ? scene.left : scene.right;
     const int matching =
@@ -66,8 +69,9 @@ double short_chain_growth(const Scene& scene, const nmbc::MatchingTable& left,
 }
 
 std::string name_of(const Boundary& boundary) {
-    if (boundary.kind != BoundaryKind::nmbc) {
-        return boundary.kind == BoundaryKind::fixed ? "a fixed end" : "a free end";
+    if (!takes_table(boundary.kind)) {
+        const char* article = boundary.kind == BoundaryKind::extended ? "an " : "a ";
+        return article + std::string(name_of(boundary.kind)) + " end";
     }
     return fmt::format("NMBC{}{}{}", boundary.order,
                        boundary.stride > 1 ? fmt::format(" of stride {}", boundary.stride) : "",
@@ -82,7 +86,7 @@ std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
     const double step = time_step * c / scene.spacing;  // in dX/c
     const auto verdict =
         round_trip_verdict(end_of(scene.left, left, scene.G, step),
-                           end_of(scene.right, right, scene.G, step), interior_nodes(scene));
+                           end_of(scene.right, right, scene.G, step), moving_nodes(scene));
     const Boundary& own = verdict.left ? scene.left : scene.right;
     const std::string alone = name_of(own) + " is not stable";
     const std::string together = scene.left == scene.right
@@ -110,7 +114,7 @@ std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
                        "trip{}",
                        verdict.wave_number, 100 * (verdict.amplification - 1),
                        is_damped(scene)
-                           ? fmt::format(" in a chain of {} nodes", interior_nodes(scene))
+                           ? fmt::format(" in a chain of {} nodes", moving_nodes(scene))
                            : "");
         default:
             break;
@@ -120,7 +124,7 @@ std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
                           fmt::format(
                               "in a chain of {} nodes, so short that decaying waves reach "
                               "the other end, it grows as exp({:.3g} t)",
-                              interior_nodes(scene), rate * step / time_step)
+                              moving_nodes(scene), rate * step / time_step)
                     : "";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/tables.hpp"
+#include "tools/nmbcrun/simulation/tables.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,12 @@
 #include <nmbc/tables/tables.hpp>
 
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/simulation/ends.hpp"
 
 namespace nmbcrun {
 
 const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary) {
-    const bool matching = boundary.kind == BoundaryKind::nmbc;
+    const bool matching = takes_table(boundary.kind);
     const auto* const found =
         std::ranges::find_if(nmbc::generated::tables, [&](const nmbc::MatchingTable* table) {
             return table->family == scene.family && table->horizon == scene.horizon &&

@@ -43,8 +43,8 @@ inline constexpr const char* field_header = "node,x,u,v";
 /// A row of energies_header.
 void append_energies(CsvFile& csv, double time, const nmbc::Energies& energies);
 
-/// The interior nodes but `extension` of them at each end, a row of field_header each: node 1, 2,
-/// .. at x = node dX [length], u at t, v at t - dt/2.
-void append_field(CsvFile& csv, const nmbc::Chain& chain, std::size_t extension);
+/// The interior nodes, a row of field_header each: node 1, 2, .. at x = node dX [length], u at t, v
+/// at t - dt/2.
+void append_field(CsvFile& csv, const nmbc::Chain& chain);
 
 }  // namespace nmbcrun

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/csv.hpp"
+#include "tools/nmbcrun/output/csv.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -65,11 +65,10 @@ void append_energies(CsvFile& csv, double time, const nmbc::Energies& energies) 
                            energies.damped));
 }
 
-void append_field(CsvFile& csv, const nmbc::Chain& chain, std::size_t extension) {
+void append_field(CsvFile& csv, const nmbc::Chain& chain) {
     const nmbc::ChainParameters& p = chain.parameters();
-    const std::size_t before = chain.ghosts() + extension;
-    for (std::size_t node = 1; node + 2 * extension <= p.nodes; ++node) {
-        const std::size_t entry = before + node - 1;
+    for (std::size_t node = 1; node <= p.nodes; ++node) {
+        const std::size_t entry = chain.first_interior() + node - 1;
         csv.append(fmt::format("{},{:.10g},{},{}", node, double(node) * p.spacing,
                                chain.displacement()[entry], chain.velocity()[entry]));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/scene.hpp"
+#include "tools/nmbcrun/scene/scene.hpp"
 
 #include <fmt/format.h>
 
@@ -10,17 +10,23 @@
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
-#include "tools/nmbcrun/scene_reader.hpp"
+#include "tools/nmbcrun/scene/scene_reader.hpp"
 
 namespace nmbcrun {
 namespace {
 
 constexpr long most_nodes = 100'000'000;
 
+const std::vector<std::pair<std::string_view, BoundaryKind>> boundary_kinds{
+    {"nmbc", BoundaryKind::nmbc},
+    {"fixed", BoundaryKind::fixed},
+    {"free", BoundaryKind::free},
+    {"extended", BoundaryKind::extended}};
+
 /// The value of a key that names one of these, if it is there.
 template <class Value>
 std::optional<Value> read_choice(SceneReader& reader, const std::string& key,
-                                 const std::vector<std::pair<std::string, Value>>& choices) {
+                                 const std::vector<std::pair<std::string_view, Value>>& choices) {
     const auto given = reader.text(key);
     if (!given) {
         return std::nullopt;
@@ -31,7 +37,7 @@ std::optional<Value> read_choice(SceneReader& reader, const std::string& key,
             return value;
         }
         const char* separator = name == choices.back().first ? " or " : ", ";
-        allowed += (allowed.empty() ? "" : separator) + ('"' + name + '"');
+        allowed += fmt::format("{}\"{}\"", allowed.empty() ? "" : separator, name);
     }
     reader.fail(key, "must be " + allowed + ", not \"" + *given + '"');
 }
@@ -49,21 +55,20 @@ std::optional<std::string> read_exact(SceneReader& reader, const std::string& ke
 
 /// The keys of `group`; those that are not there are as in `others`.
 Boundary read_boundary(SceneReader& reader, const std::string& group, const Boundary& others) {
-    const auto kind = read_choice<BoundaryKind>(reader, group + ".kind",
-                                                {{"nmbc", BoundaryKind::nmbc},
-                                                 {"fixed", BoundaryKind::fixed},
-                                                 {"free", BoundaryKind::free}});
+    const auto kind = read_choice(reader, group + ".kind", boundary_kinds);
     const auto order = reader.whole_number(group + ".order", 1, 1000);
     const auto stride = reader.whole_number(group + ".stride", 1, 1000);
     const auto ghosts = read_choice<nmbc::GhostRule>(
         reader, group + ".ghosts",
         {{"midpoint", nmbc::GhostRule::midpoint}, {"explicit", nmbc::GhostRule::explicit_rule}});
+    const auto layer = reader.whole_number(group + ".layer", 1, most_nodes);
     return {
         .kind = kind.value_or(others.kind),
         .order = int(order.value_or(others.order)),
         .stride = int(stride.value_or(others.stride)),
         .ghosts = ghosts.value_or(others.ghosts),
-        .matched_step = read_exact(reader, group + ".matched_step").value_or(others.matched_step)};
+        .matched_step = read_exact(reader, group + ".matched_step").value_or(others.matched_step),
+        .layer = std::size_t(layer.value_or(long(others.layer)))};
 }
 
 /// The name of the output files: the scene file's own unless it says another, which must not lead
@@ -95,9 +100,18 @@ Drive read_drive(SceneReader& reader) {
 
 }  // namespace
 
+std::string_view name_of(BoundaryKind kind) {
+    return std::ranges::find(boundary_kinds, kind,
+                             &std::pair<std::string_view, BoundaryKind>::second)
+        ->first;
+}
+
 std::string heading_of(const Boundary& boundary) {
+    if (boundary.kind == BoundaryKind::extended) {
+        return fmt::format("extended by {} nodes", boundary.layer);
+    }
     if (boundary.kind != BoundaryKind::nmbc) {
-        return boundary.kind == BoundaryKind::fixed ? "fixed" : "free";
+        return std::string(name_of(boundary.kind));
     }
     const bool midpoint = boundary.ghosts == nmbc::GhostRule::midpoint;
     return fmt::format("NMBC{}, stride {}, {} ghosts{}", boundary.order, boundary.stride,
@@ -123,12 +137,16 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
     scene.nodes = std::size_t(
         reader.required("domain.nodes", reader.whole_number("domain.nodes", 1, most_nodes)));
     scene.spacing = reader.number("domain.spacing", positive).value_or(scene.spacing);
-    scene.extension =
-        std::size_t(reader.whole_number("domain.extension", 0, most_nodes).value_or(0));
     scene.drive = read_drive(reader);
     const Boundary both = read_boundary(reader, "boundary", {});
     scene.left = read_boundary(reader, "boundary.left", both);
     scene.right = read_boundary(reader, "boundary.right", both);
+    for (const auto& [group, boundary] :
+         {std::pair("boundary.left", scene.left), {"boundary.right", scene.right}}) {
+        if (boundary.kind == BoundaryKind::extended && boundary.layer == 0) {
+            reader.fail(group, "is of a kind that needs boundary.layer, the nodes of its layer");
+        }
+    }
     scene.allow_unstable = reader.truth("boundary.allow_unstable").value_or(false);
     scene.end = reader.required("time.end", reader.number("time.end", positive));
     scene.step = reader.number("time.step", positive);

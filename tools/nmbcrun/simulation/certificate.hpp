@@ -5,7 +5,7 @@
 #include <nmbc/table.hpp>
 #include <string>
 
-#include "tools/nmbcrun/scene.hpp"
+#include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
 

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+/// The place where an end plugs into a chain: one class for each kind of end, all in one loop.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <nmbc/inwards.hpp>
+#include <nmbc/lattice.hpp>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace nmbc {
+
+/// Physical set-up, in any one consistent system of units.
+struct ChainParameters {
+    std::size_t nodes = 0;      ///< interior nodes
+    double spacing = 1;         ///< dX [length]
+    double youngs_modulus = 1;  ///< E [stress]
+    double density = 1;         ///< rho [mass/volume]
+    double time_step = 0;       ///< dt [time]
+
+    double wave_speed() const { return std::sqrt(youngs_modulus / density); }
+};
+
+/// What a chain has at one of its ends. Entries of u and v are counted inwards from the outermost
+/// ghost node: first the ghosts, as many as the lattice reaches, then the layer, then the
+/// interior.
+template <class Real>
+class EndCondition {
+  public:
+    EndCondition() = default;
+    EndCondition(const EndCondition&) = delete;
+    EndCondition& operator=(const EndCondition&) = delete;
+    EndCondition(EndCondition&&) = delete;
+    EndCondition& operator=(EndCondition&&) = delete;
+    virtual ~EndCondition() = default;
+
+    /// Nodes this end puts between its ghosts and the interior. They move as the lattice does.
+    virtual std::size_t layer_nodes() const { return 0; }
+
+    /// Interior nodes the chain needs for it.
+    virtual std::size_t least_interior_nodes() const { return 1; }
+
+    /// t = 0: called with v at 0, as the user gave it, and again with v at -dt/2. Ghost entries may
+    /// be overwritten.
+    virtual void start(Inwards<Real> /*u*/, Inwards<Real> /*v*/) {}
+
+    /// In every step, when u is at t, t = step * dt, and the lattice's own forces have brought the
+    /// layer's and the interior's v to t + dt/2. Writes the ghosts' v, and may change the v of
+    /// nodes near the end. After that every u moves on by dt v, ghosts included.
+    virtual void after_kick(Inwards<const Real> u, Inwards<Real> v, std::size_t step) = 0;
+
+    /// What it remembers from step to step, and to make it remember that again: always as many
+    /// numbers. A run that is stored with them goes on bit for bit.
+    virtual std::span<const Real> memory() const { return {}; }
+    virtual void remember(std::span<const Real> /*memory*/) {}
+};
+
+/// Which end a chain is to have: anything with
+///     std::unique_ptr<EndCondition<Real>> make(const Lattice&, const ChainParameters&,
+///                                              std::type_identity<Real>) const
+/// of the chain's Real, such as MatchingEnd, FixedEnd and FreeEnd of ends.hpp.
+template <class Real>
+class BasicChainEnd {
+  public:
+    template <class Description>
+    requires(!std::same_as<Description, BasicChainEnd>) &&
+        requires(const Description& end, const Lattice& lattice, const ChainParameters& p) {
+        end.make(lattice, p, std::type_identity<Real>{});
+    }
+    BasicChainEnd(Description description)  // NOLINT(google-explicit-constructor): any will do
+        : make_([description = std::move(description)](const Lattice& lattice,
+                                                       const ChainParameters& parameters) {
+              return description.make(lattice, parameters, std::type_identity<Real>{});
+          }) {}
+
+    std::unique_ptr<EndCondition<Real>> make(const Lattice& lattice,
+                                             const ChainParameters& parameters) const {
+        return make_(lattice, parameters);
+    }
+
+  private:
+    std::function<std::unique_ptr<EndCondition<Real>>(const Lattice&, const ChainParameters&)>
+        make_;
+};
+
+using ChainEnd = BasicChainEnd<double>;
+
+}  // namespace nmbc

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+/// A scene made ready to be stepped: lattice, time step, ends and sources.
+#pragma once
+
+#include <cstddef>
+#include <nmbc/chain.hpp>
+#include <nmbc/energy.hpp>
+#include <string>
+#include <utility>
+
+#include "tools/nmbcrun/scene/scene.hpp"
+#include "tools/nmbcrun/simulation/driver.hpp"
+
+namespace nmbcrun {
+
+/// How long a run is, how its step compares with the interior's limit, and what limits it.
+struct Plan {
+    double time_step = 0;   ///< [time]
+    std::size_t steps = 0;  ///< of the whole run
+    double cfl = 0;         ///< dt omega_max / 2
+    std::string limit{};    ///< what allows no longer step, in words; empty: the scene gives it
+    /// How the two ends can grow together, in words; empty where they are certified not to. Others
+    /// are run only where the scene allows it.
+    std::string objection{};
+};
+
+class Simulation {
+  public:
+    /// Throws SceneError where the scene asks for what there is not or cannot be,
+    /// nmbc::CoefficientError where a boundary does not exist at its G, std::invalid_argument as
+    /// nmbc::Chain does, and Unstable where its ends are not certified to be stable together.
+    explicit Simulation(const Scene& scene);
+
+    const Scene& scene() const { return scene_; }
+    const Plan& plan() const { return plan_; }
+    const nmbc::Chain& chain() const { return chain_; }
+
+    bool is_done() const { return chain_.steps() >= plan_.steps; }
+
+    /// Whether a source still feeds the chain in the step that ends at this time.
+    bool is_driven(double time) const { return driver_.drives(time); }
+
+    /// One step. `observe` sees u at the old time and v half a step on, as Chain::step has it.
+    template <class Observe>
+    void step(Observe&& observe) {
+        chain_.step(driver_, std::forward<Observe>(observe));
+    }
+    void step() { chain_.step(driver_); }
+
+    /// Of the interior nodes, at chain().time() - dt/2.
+    nmbc::Energies energies() const { return nmbc::energies(chain_); }
+
+  private:
+    Simulation(const Scene& scene, nmbc::Lattice lattice);
+
+    Scene scene_;
+    Plan plan_;
+    nmbc::Chain chain_;
+    Driver driver_;
+};
+
+}  // namespace nmbcrun
