@@ -165,7 +165,7 @@ done
 setting 2 "damping tau = 3/10;" model.damping=0.3
 setting 2 "damping tau = 2;" model.damping=2
 setting 2 "must be \"midpoint\" or \"explicit\", not \"implicit\"" boundary.ghosts=implicit
-setting 2 'boundary.left.kind must be "nmbc", "fixed" or "free", not "open"' boundary.left.kind=open
+setting 2 'boundary.left.kind must be "nmbc", "fixed", "free"' boundary.left.kind=open
 setting 2 "boundary.allow_unstable must be true or false, not 1" boundary.allow_unstable=1
 setting 2 "--set boundary.rigth.kind: boundary.rigth is not a key of a scene" boundary.rigth.kind=free
 setting 2 "--set bogus.key: bogus is not a key of a scene" bogus.key=1
