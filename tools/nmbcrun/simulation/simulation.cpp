@@ -58,12 +58,15 @@ Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
 }  // namespace
 
 Simulation::Simulation(const Scene& scene)
-    : Simulation(scene, nmbc::make_lattice(table_of(scene, scene.left), scene.G)) {}
+    : Simulation(scene, nmbc::make_lattice(table_of(scene, scene.left), scene.G),
+                 chain_end(scene, scene.left), chain_end(scene, scene.right)) {}
 
-Simulation::Simulation(const Scene& scene, nmbc::Lattice lattice)
+// The ends come first: what does not exist has no certificate.
+Simulation::Simulation(const Scene& scene, nmbc::Lattice lattice, const nmbc::ChainEnd& left,
+                       const nmbc::ChainEnd& right)
     : scene_(scene),
       plan_(plan_of(scene, lattice)),
-      chain_(std::move(lattice), chain_end(scene, scene.left), chain_end(scene, scene.right),
+      chain_(std::move(lattice), left, right,
              {.nodes = scene.nodes,
               .spacing = scene.spacing,
               .youngs_modulus = scene.youngs_modulus,

@@ -51,7 +51,8 @@ class Simulation {
     nmbc::Energies energies() const { return nmbc::energies(chain_); }
 
   private:
-    Simulation(const Scene& scene, nmbc::Lattice lattice);
+    Simulation(const Scene& scene, nmbc::Lattice lattice, const nmbc::ChainEnd& left,
+               const nmbc::ChainEnd& right);
 
     Scene scene_;
     Plan plan_;
