@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// nmbcrun: runs a scene and reports its energies.
+/// nmbcrun: runs scenes and compares their ends.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iostream>
@@ -10,12 +10,14 @@
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/run.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
+#include "tools/nmbcrun/verify.hpp"
+#include "tools/number_between.hpp"
 
 namespace {
 
-// The project's exit codes; 1 (a comparison did not hold) is not for `run`.
 enum ExitCode {
     done = 0,
+    does_not_hold = 1,
     bad_input = 2,
     no_such_boundary = 3,
     unstable = 4,
@@ -28,6 +30,7 @@ struct Arguments {
     std::vector<std::string> settings;
     std::string folder = "results";
     bool quiet = false;
+    double tolerance = 0;
 };
 
 nmbcrun::Overrides split_settings(const std::vector<std::string>& settings) {
@@ -42,18 +45,23 @@ nmbcrun::Overrides split_settings(const std::vector<std::string>& settings) {
     return overrides;
 }
 
-int run(const Arguments& arguments) {
+nmbcrun::Scene scene_of(const Arguments& arguments) {
+    return nmbcrun::read_scene(arguments.scene, split_settings(arguments.settings));
+}
+
+/// The exit code of a command, errors told.
+template <class Command>
+int exit_code_of(Command command) {
     const auto failed = [](const std::exception& error, ExitCode code) {
         std::cerr << "nmbcrun: " << error.what() << "\n";
         return code;
     };
     try {
-        nmbcrun::run(nmbcrun::read_scene(arguments.scene, split_settings(arguments.settings)),
-                     arguments.folder, arguments.quiet);
+        const ExitCode code = command();
         if (std::fflush(stdout) != 0) {
             throw nmbcrun::FileError("cannot write to standard output");
         }
-        return done;
+        return code;
     } catch (const nmbcrun::SceneError& error) {
         return failed(error, bad_input);
     } catch (const std::invalid_argument& error) {
@@ -80,17 +88,31 @@ int main(int argc, char** argv) {
     CLI::App app("nmbcrun: runs scenes with nonlocal matching boundary conditions.", "nmbcrun");
     app.set_version_flag("--version", "nmbcrun " NMBC_VERSION);
     app.require_subcommand(1);
-    auto* const command = app.add_subcommand("run", "run a scene and report its energies");
-    command->add_option("SCENE", arguments.scene, "scene file (TOML, docs/scenes.md)")->required();
-    command
-        ->add_option("--set", arguments.settings,
-                     "KEY=VALUE, e.g. boundary.order=2: overrides the scene; may be repeated")
-        ->expected(1)
-        ->take_all();
-    command->add_option("--out", arguments.folder, "folder for the results (default results)");
-    command->add_flag("--quiet", arguments.quiet, "no progress bar, only the last lines");
+    const auto add_command = [&](const std::string& name, const std::string& description) {
+        auto* const command = app.add_subcommand(name, description);
+        command->add_option("SCENE", arguments.scene, "scene file (TOML, docs/scenes.md)")
+            ->required();
+        command
+            ->add_option("--set", arguments.settings,
+                         "KEY=VALUE, e.g. boundary.order=2: overrides the scene; may be repeated")
+            ->expected(1)
+            ->take_all();
+        command->add_flag("--quiet", arguments.quiet, "no progress bar, only the last lines");
+        return command;
+    };
+    auto* const run = add_command("run", "run a scene and report its energies");
+    run->add_option("--out", arguments.folder, "folder for the results (default results)");
+    auto* const verify =
+        add_command("verify", "compare a scene with the same one without ends (docs/verify.md)");
+    verify
+        ->add_option("--tolerance", arguments.tolerance,
+                     "largest max |u - u_ref| / max |u_ref| that is right")
+        ->required()
+        ->check(tools::number_between(1e-16, 1e16));
     app.footer(
-        "Exit codes: 0 done; 2 wrong arguments or scene; 3 there is no such boundary condition;\n"
+        "Exit codes: 0 done; 1 verify: the error is above the tolerance; 2 wrong arguments or "
+        "scene;\n"
+        "3 there is no such boundary condition;\n"
         "4 the ends are not stable together, or the run became non-finite or had no energy;\n"
         "5 a file could not be read or written.");
     try {
@@ -102,5 +124,15 @@ int main(int argc, char** argv) {
         return bad_input;
     }
     nmbcrun::note_interrupts();
-    return run(arguments);
+    if (run->parsed()) {
+        return exit_code_of([&] {
+            nmbcrun::run(scene_of(arguments), arguments.folder, arguments.quiet);
+            return done;
+        });
+    }
+    return exit_code_of([&] {
+        return nmbcrun::verify(scene_of(arguments), arguments.tolerance, arguments.quiet)
+                   ? done
+                   : does_not_hold;
+    });
 }

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Packets measure what the modal analysis predicts, with ends as a scene has them.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <nmbc/ends.hpp>
+#include <nmbc/tables/tables.hpp>
+
+#include "tools/nmbcrun/compare/packet.hpp"
+#include "tools/nmbcrun/compare/prediction.hpp"
+#include "tools/nmbcrun/simulation/ends.hpp"
+#include "tools/nmbcrun/simulation/tables.hpp"
+
+namespace {
+
+using nmbcrun::Boundary;
+using nmbcrun::BoundaryKind;
+
+nmbcrun::Scene scene_with(int horizon, double G) {
+    nmbcrun::Scene scene;
+    scene.horizon = horizon;
+    scene.G = G;
+    return scene;
+}
+
+TEST_CASE("measured and predicted agree, long waves and short ones") {
+    constexpr double step = 0.4;
+    for (const auto& [horizon, order, stride, G] :
+         {std::tuple(1, 1, 1, 0.5), {1, 2, 1, 0.5}, {2, 2, 2, 1.0}, {3, 2, 3, 2.0}}) {
+        const auto scene = scene_with(horizon, G);
+        const Boundary boundary{.order = order, .stride = stride};
+        const auto lattice = nmbc::make_lattice(table_of(scene, boundary), G);
+        for (const double xi : {0.05, 0.3, 0.5}) {
+            CAPTURE(horizon);
+            CAPTURE(order);
+            CAPTURE(xi);
+            const nmbcrun::Packet packet(lattice, xi, step);
+            REQUIRE(packet.is_measurable());
+            const double measured = packet.reflected_by(chain_end(scene, boundary), 0);
+            const double predicted = predicted_reflection(scene, boundary, packet, step).value();
+            // The packet's cut-off is 1e-17 of the energy, roundings of 1e4 steps 1e-14 of it.
+            CHECK(std::abs(measured - predicted) < std::max(1e-4 * predicted, 1e-14));
+        }
+    }
+}
+
+TEST_CASE("fixed and free ends keep a packet") {
+    const auto scene = scene_with(2, 1);
+    const auto lattice = nmbc::make_lattice(nmbc::generated::nopd1d_n2_order1, 1);
+    const nmbcrun::Packet packet(lattice, 0.4, 0.3);
+    for (const BoundaryKind kind : {BoundaryKind::fixed, BoundaryKind::free}) {
+        const Boundary boundary{.kind = kind};
+        CHECK(predicted_reflection(scene, boundary, packet, 0.3) == 1.0);
+        // The squares of the ghosts belong to the energy near the end; by then all is far away.
+        CHECK(packet.reflected_by(chain_end(scene, boundary), 0) ==
+              doctest::Approx(1).epsilon(1e-10));
+    }
+}
+
+TEST_CASE("packets that take too long") {
+    const auto lattice = nmbc::make_lattice(nmbc::generated::nopd1d_n1_order1, 0);
+    CHECK(nmbcrun::Packet(lattice, 0.5, 0.5).is_measurable());
+    CHECK_FALSE(nmbcrun::Packet(lattice, 0.01, 0.5).is_measurable());  // too long
+    CHECK_FALSE(nmbcrun::Packet(lattice, 1.57, 0.5).is_measurable());  // sin(xi) stands still
+    CHECK_FALSE(nmbcrun::Packet(lattice, 3.1, 0.5).is_measurable());   // beyond the band
+    CHECK(nmbcrun::Packet(lattice, 2.5, 0.5).is_measurable());         // a backward wave
+}
+
+}  // namespace

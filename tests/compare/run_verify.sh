@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# nmbcrun verify: what it says and the code it ends with.
+# Usage: run_verify.sh NMBCRUN SOURCE_FOLDER (absolute)
+source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
+scene=$2/tools/scenes/bar1d.toml
+good=(--set model.horizon=1 --set model.G=0.5 --set boundary.order=2)
+
+try verify "$scene" "${good[@]}" --tolerance 2e-6
+expect_exit 0
+expect_no_stderr
+expect "the error, found to be 1.127e-06" grep -q \
+    '^error        1.127e-06 of max |u|, at node 1, t = 33.64; within the tolerance 2e-06$' "$scratch/stdout"
+expect "packets are reflected as predicted" awk '
+    /^ +xi dX/ { table = 1; next }
+    /^-:/ { table = 0 }
+    table && $4 != "-" { rows++; if (($4 / $5 - 1)^2 > 1e-6) exit 1 }
+    END { exit !(rows >= 4) }' "$scratch/stdout"
+
+try verify "$scene" "${good[@]}" --tolerance 1e-6 --quiet
+expect_exit 1
+expect "two lines only" test "$(wc -l <"$scratch/stdout")" -eq 2
+expect "above the tolerance" grep -q 'above the tolerance 1e-06$' "$scratch/stdout"
+
+# Unlike ends; everything comes back from a free one.
+try verify "$scene" "${good[@]}" --set boundary.right.kind=free --tolerance 1
+expect_exit 1
+expect "the free end reflects all" grep -Eq ' 1.000e\+00     1.000e\+00$' "$scratch/stdout"
+
+# The reference itself.
+try verify "$scene" "${good[@]}" --set boundary.kind=extended --set boundary.layer=300 \
+    --tolerance 1e-12
+expect_exit 0
+
+try verify "$scene"
+expect_exit 2
+expect_stderr "--tolerance is required"
+for wrong in 0 -1 nan x; do
+    try verify "$scene" --tolerance "$wrong"
+    expect_exit 2
+done
+try verify nosuch.toml --tolerance 1
+expect_exit 5
+try verify "$scene" --set boundary.right.kind=fixed --tolerance 1
+expect_exit 4
+finish

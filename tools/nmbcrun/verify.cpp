@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "tools/nmbcrun/compare/packet.hpp"
+#include "tools/nmbcrun/compare/prediction.hpp"
+#include "tools/nmbcrun/compare/reference.hpp"
+#include "tools/nmbcrun/compare/spectrum.hpp"
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/interrupt.hpp"
+#include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/simulation/ends.hpp"
+#include "tools/nmbcrun/simulation/simulation.hpp"
+
+namespace nmbcrun {
+namespace {
+
+struct Outcome {
+    Deviation deviation;
+    double energy_left = 0;            ///< over the reference's peak
+    double reference_energy_left = 0;  ///< likewise
+};
+
+Outcome run_both(Simulation& simulation, Simulation& reference, bool quiet) {
+    Outcome outcome;
+    double peak = 0;
+    Progress progress(simulation.plan().steps, quiet);
+    while (!simulation.is_done()) {
+        simulation.step();
+        reference.step();
+        const nmbc::Chain& chain = simulation.chain();
+        progress.update(chain.steps());
+        outcome.deviation.look(chain, reference.chain());
+        peak = std::max(peak, reference.energies().total());
+        if (!chain.is_finite()) {
+            throw Unstable(fmt::format("the run is not finite any more at step {} (t = {:.6g})",
+                                       chain.steps(), chain.time()));
+        }
+        if (interrupted()) {
+            throw Interrupted(
+                fmt::format("stopped at step {} of {}", chain.steps(), simulation.plan().steps));
+        }
+    }
+    if (peak > 0) {
+        outcome.energy_left = simulation.energies().total() / peak;
+        outcome.reference_energy_left = reference.energies().total() / peak;
+    }
+    return outcome;
+}
+
+std::string cell(std::optional<double> value) {
+    return value ? fmt::format("{:12.3e}", *value) : fmt::format("{:>12}", "-");
+}
+
+/// Measured and predicted, of one end.
+std::string reflection_cells(const Scene& scene, const Boundary& boundary, const Packet& packet,
+                             double step) {
+    // The packet does not get as far as the far end of an extended one.
+    const bool has_end = boundary.kind != BoundaryKind::extended;
+    const auto measured =
+        packet.is_measurable() && has_end
+            ? std::optional(packet.reflected_by(chain_end(scene, boundary), boundary.layer))
+            : std::nullopt;
+    return "  " + cell(measured) + "  " + cell(predicted_reflection(scene, boundary, packet, step));
+}
+
+/// A row for each wave number below which the source has a certain share of its energy.
+void print_reflections(const Simulation& simulation, const nmbc::Chain& endless) {
+    const Scene& scene = simulation.scene();
+    const nmbc::ChainParameters& p = endless.parameters();
+    const double step = p.time_step * p.wave_speed() / p.spacing;
+    const Spectrum spectrum(endless, 1024);
+    const bool alike = scene.left == scene.right;
+    fmt::print(
+        "\nreflected energy of a packet of waves about xi, measured and by modal analysis\n");
+    fmt::print("{:>8}  {:>13}", "xi dX", "source below");
+    for (const char* side : {alike ? "measured" : "left", "right"}) {
+        fmt::print("  {:>12}  {:>12}", side, "predicted");
+        if (alike) {
+            break;
+        }
+    }
+    fmt::print("\n");
+    double last = 0;
+    for (const double share : {0.5, 0.9, 0.99, 0.999, 0.9999, 0.99999}) {
+        const double xi = spectrum.quantile(share);
+        if (xi == last) {
+            continue;
+        }
+        last = xi;
+        const Packet packet(endless.lattice(), xi, step);
+        const std::string left = reflection_cells(scene, scene.left, packet, step);
+        fmt::print("{:8.3f}  {:11.3f} %{}{}\n", xi, 100 * share, left,
+                   alike ? "" : reflection_cells(scene, scene.right, packet, step));
+    }
+    fmt::print(
+        "-: too long or too slow a wave for a packet, or nothing is predicted for this end\n");
+}
+
+}  // namespace
+
+bool verify(const Scene& scene, double tolerance, bool quiet) {
+    Simulation simulation(scene);
+    Simulation reference(endless(simulation));
+    if (!quiet) {
+        fmt::print("scene      {}\n", scene.title);
+        fmt::print("ends       {}; {}\n", heading_of(scene.left), heading_of(scene.right));
+        fmt::print("reference  {}\n", heading_of(reference.scene().left));
+        fmt::print("time       {} steps of {:.6g} (cfl = {:.3g})\n\n", simulation.plan().steps,
+                   simulation.plan().time_step, simulation.plan().cfl);
+    }
+    const Outcome outcome = run_both(simulation, reference, quiet);
+    const double error = outcome.deviation.relative();
+    const bool holds = error <= tolerance;
+    fmt::print("error        {:.3e} of max |u|, at node {}, t = {:.4g}; {} the tolerance {:g}\n",
+               error, outcome.deviation.node(), outcome.deviation.time(),
+               holds ? "within" : "above", tolerance);
+    fmt::print("energy left  {:.3e} of the peak; without ends {:.3e}\n", outcome.energy_left,
+               outcome.reference_energy_left);
+    if (!quiet) {
+        print_reflections(simulation, reference.chain());
+    }
+    return holds;
+}
+
+}  // namespace nmbcrun
