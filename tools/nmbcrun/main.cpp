@@ -7,6 +7,7 @@
 #include <nmbc/coefficients.hpp>
 #include <system_error>
 
+#include "tools/nmbcrun/chart/chart.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/run.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
@@ -31,6 +32,7 @@ struct Arguments {
     std::string folder = "results";
     bool quiet = false;
     double tolerance = 0;
+    std::size_t endurance = 100'000;
 };
 
 nmbcrun::Overrides split_settings(const std::vector<std::string>& settings) {
@@ -115,6 +117,13 @@ int main(int argc, char** argv) {
         "3 there is no such boundary condition;\n"
         "4 the ends are not stable together, or the run became non-finite or had no energy;\n"
         "5 a file could not be read or written.");
+    auto* const chart = add_command(
+        "chart", "cost and error of every boundary there is for a scene (docs/chart.md)");
+    chart->add_option("--out", arguments.folder, "folder for the results (default results)");
+    chart
+        ->add_option("--endurance", arguments.endurance,
+                     "steps of the run that each boundary is followed through (default 100000)")
+        ->check(CLI::Range(std::size_t{4000}, std::size_t{1'000'000'000}));
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
@@ -127,6 +136,13 @@ int main(int argc, char** argv) {
     if (run->parsed()) {
         return exit_code_of([&] {
             nmbcrun::run(scene_of(arguments), arguments.folder, arguments.quiet);
+            return done;
+        });
+    }
+    if (chart->parsed()) {
+        return exit_code_of([&] {
+            nmbcrun::chart(scene_of(arguments), arguments.folder, arguments.endurance,
+                           arguments.quiet);
             return done;
         });
     }

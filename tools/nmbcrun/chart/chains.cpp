@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/chart/chains.hpp"
+
+#include "tools/nmbcrun/simulation/tables.hpp"
+
+namespace nmbcrun {
+
+nmbc::Chain chain_between(const Scene& scene, const nmbc::ChainEnd& left,
+                          const nmbc::ChainEnd& right) {
+    return {nmbc::make_lattice(table_of(scene, {.kind = BoundaryKind::fixed}), scene.G),
+            left,
+            right,
+            {.nodes = scene.nodes,
+             .spacing = scene.spacing,
+             .youngs_modulus = scene.youngs_modulus,
+             .density = scene.density,
+             .time_step = scene.step.value()}};
+}
+
+}  // namespace nmbcrun

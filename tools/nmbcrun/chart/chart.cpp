@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/chart/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nmbc/lattice.hpp>
+#include <string>
+#include <vector>
+
+#include "tools/nmbcrun/chart/cost.hpp"
+#include "tools/nmbcrun/chart/endurance.hpp"
+#include "tools/nmbcrun/chart/ladder.hpp"
+#include "tools/nmbcrun/chart/trial.hpp"
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/csv.hpp"
+#include "tools/nmbcrun/output/interrupt.hpp"
+#include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/simulation/tables.hpp"
+
+namespace nmbcrun {
+namespace {
+
+/// Of the lattice without damping; the step that the costs are measured and printed at is among
+/// them.
+constexpr std::array cfls{0.1, 0.2, 0.4, 0.8};
+constexpr double usual_cfl = 0.4;
+constexpr double fine_cfl = 0.0125;  // an eighth of the smallest: an error 1/64 of its
+
+struct Point {
+    const Rung* rung = nullptr;
+    double cfl = 0;        ///< of `cfls`; the trial's own is a little less
+    double step_cost = 0;  ///< over a step of the bare interior
+    Trial trial{};
+    Endurance endurance{};
+    bool on_front = false;       ///< of total cost against total error
+    bool on_step_front = false;  ///< of step cost against boundary error, at this cfl
+
+    double total_cost() const { return step_cost * double(trial.steps); }
+    bool holds() const {
+        return endurance.fate == Fate::steady && std::isfinite(trial.total_error);
+    }
+};
+
+/// Counts units of work, and lets the user stop between two.
+class Work {
+  public:
+    Work(std::size_t units, bool quiet) : progress_(units, quiet) {}
+
+    void done() {
+        progress_.update(++done_);
+        if (interrupted()) {
+            throw Interrupted("stopped; no chart was written");
+        }
+    }
+
+  private:
+    Progress progress_;
+    std::size_t done_ = 0;
+};
+
+/// Marks those that no other one that holds beats in both respects.
+template <class Cost, class Error>
+void mark_front(std::vector<Point*> points, Cost cost, Error error, bool Point::*mark) {
+    std::erase_if(points, [](const Point* point) { return !point->holds(); });
+    for (Point* point : points) {
+        point->*mark = std::ranges::none_of(points, [&](const Point* other) {
+            return cost(*other) <= cost(*point) && error(*other) <= error(*point) &&
+                   (cost(*other) < cost(*point) || error(*other) < error(*point));
+        });
+    }
+}
+
+void mark_fronts(std::vector<Point>& points) {
+    std::vector<Point*> all;
+    for (Point& point : points) {
+        all.push_back(&point);
+    }
+    mark_front(
+        all, [](const Point& point) { return point.total_cost(); },
+        [](const Point& point) { return point.trial.total_error; }, &Point::on_front);
+    for (const double cfl : cfls) {
+        std::vector<Point*> same;
+        std::ranges::copy_if(all, std::back_inserter(same),
+                             [cfl](const Point* point) { return point->cfl == cfl; });
+        mark_front(
+            same, [](const Point& point) { return point.step_cost; },
+            [](const Point& point) { return point.trial.boundary_error; }, &Point::on_step_front);
+    }
+}
+
+std::vector<Point> measure(const Scene& scene, const std::vector<Rung>& rungs,
+                           const std::vector<double>& steps, std::size_t endurance, bool quiet) {
+    Work work(steps.size() * (1 + 2 * rungs.size()) + 1 + cost_rounds, quiet);
+    const Samples fine = samples_without_ends(in_steps_of(scene, fine_cfl));
+    work.done();
+    std::vector<Boundary> boundaries;
+    for (const Rung& rung : rungs) {
+        boundaries.push_back(rung.boundary);
+    }
+    const std::vector<double> costs =
+        relative_costs(in_steps_of(scene, usual_cfl), boundaries, [&work] { work.done(); });
+    std::vector<Point> points;
+    for (const double cfl : steps) {
+        const Scene stepped = in_steps_of(scene, cfl);
+        const Samples same_steps = samples_without_ends(stepped);
+        work.done();
+        for (std::size_t i = 0; i < rungs.size(); ++i) {
+            const Scene ended = with_ends(stepped, rungs[i].boundary);
+            Point point{.rung = &rungs[i], .cfl = cfl, .step_cost = costs[i]};
+            point.trial = run_trial(ended, same_steps, fine);
+            work.done();
+            point.endurance = endure(ended, endurance);
+            work.done();
+            points.push_back(std::move(point));
+        }
+    }
+    mark_fronts(points);
+    return points;
+}
+
+void write(const std::vector<Point>& points, const std::filesystem::path& path) {
+    CsvFile csv(path,
+                "boundary,kind,cfl,steps,certified,fate,rate,step_cost,total_cost,boundary_error,"
+                "total_error,energy_left,on_step_front,on_front");
+    for (const Point& point : points) {
+        const Trial& trial = point.trial;
+        csv.append(fmt::format(
+            "{},{},{},{},{:d},{},{:.4g},{:.5g},{:.6g},{:.4g},{:.4g},{:.4g},"
+            "{:d},{:d}",
+            point.rung->name, name_of(point.rung->boundary.kind), point.cfl, trial.steps,
+            trial.certified, name_of(point.endurance.fate), point.endurance.rate, point.step_cost,
+            point.total_cost(), trial.boundary_error, trial.total_error, trial.energy_left,
+            point.on_step_front, point.on_front));
+    }
+    csv.publish();
+}
+
+/// The points of the usual step, best first; `*` on the front.
+void print(const std::vector<Point>& points, std::size_t endurance) {
+    std::vector<const Point*> shown;
+    for (const Point& point : points) {
+        if (point.cfl == usual_cfl) {
+            shown.push_back(&point);
+        }
+    }
+    std::ranges::sort(shown, {}, [](const Point* point) { return point->trial.boundary_error; });
+    fmt::print(
+        "at cfl {}; fate: of {} steps from random data; *: none is both cheaper and better\n",
+        usual_cfl, endurance);
+    fmt::print("  {:<16}  {:>10}  {:>14}  {:>12}  {:>9}  {}\n", "boundary", "cost", "error",
+               "energy left", "certified", "fate");
+    for (const Point* point : shown) {
+        const Trial& trial = point->trial;
+        fmt::print("{} {:<16}  {:>8.1f} %  {:14.3e}  {:12.3e}  {:>9}  {}\n",
+                   point->on_step_front ? "*" : " ", point->rung->name,
+                   100 * (point->step_cost - 1), trial.boundary_error, trial.energy_left,
+                   trial.certified ? "yes" : "no", name_of(point->endurance.fate));
+    }
+}
+
+}  // namespace
+
+void chart(const Scene& scene, const std::filesystem::path& folder, std::size_t endurance,
+           bool quiet) {
+    const auto lattice =
+        nmbc::make_lattice(table_of(scene, {.kind = BoundaryKind::fixed}), scene.G);
+    std::vector<double> steps;
+    std::ranges::copy_if(cfls, std::back_inserter(steps),
+                         [&](double cfl) { return cfl <= nmbc::interior_cfl(lattice); });
+    const std::vector<Rung> rungs = ladder(scene);
+    const std::vector<Point> points = measure(scene, rungs, steps, endurance, quiet);
+    const std::filesystem::path path = folder / (scene.name + "_chart.csv");
+    write(points, path);
+    if (!quiet) {
+        print(points, endurance);
+    }
+    fmt::print("chart        {}\n", path.string());
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/chart/cost.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nmbc/chain.hpp>
+
+#include "tools/nmbcrun/chart/chains.hpp"
+#include "tools/nmbcrun/simulation/ends.hpp"
+
+namespace nmbcrun {
+namespace {
+
+/// Leaves its ghosts as they are: what a step costs without an end.
+struct NoEnd {
+    class Condition final : public nmbc::EndCondition<double> {
+        void after_kick(nmbc::Inwards<const double> /*u*/, nmbc::Inwards<double> /*v*/,
+                        std::size_t /*step*/) override {}
+    };
+    std::unique_ptr<nmbc::EndCondition<double>> make(
+        const nmbc::Lattice& /*lattice*/, const nmbc::ChainParameters& /*parameters*/,
+        std::type_identity<double> /*precision*/) const {
+        return std::make_unique<Condition>();
+    }
+};
+
+/// A smooth field that is nowhere near the smallest doubles, which are slow. Too few steps follow
+/// for it to fade, or to grow beyond all doubles.
+void fill(nmbc::Chain& chain) {
+    std::vector<double> u(chain.nodes());
+    for (std::size_t node = 0; node < u.size(); ++node) {
+        u[node] = 2 + std::sin(0.1 * double(node));
+    }
+    chain.start(u, std::vector<double>(u.size()));
+}
+
+double seconds_of(nmbc::Chain& chain, std::size_t steps) {
+    using Clock = std::chrono::steady_clock;
+    fill(chain);
+    const auto start = Clock::now();
+    for (std::size_t step = 0; step < steps; ++step) {
+        chain.step();
+    }
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+}  // namespace
+
+std::vector<double> relative_costs(const Scene& scene, const std::vector<Boundary>& boundaries,
+                                   const std::function<void()>& after_round) {
+    nmbc::Chain bare = chain_between(scene, NoEnd{}, NoEnd{});
+    std::vector<nmbc::Chain> chains;
+    chains.reserve(boundaries.size());
+    for (const Boundary& boundary : boundaries) {
+        const nmbc::ChainEnd end = chain_end(scene, boundary);
+        chains.push_back(chain_between(scene, end, end));
+    }
+    // A twentieth of a millisecond or so: mostly undisturbed where other programs run, too.
+    constexpr double node_steps = 5e4;
+    const auto steps = std::size_t(std::max(10.0, std::ceil(node_steps / double(scene.nodes))));
+    std::vector<std::vector<double>> ratios(chains.size());
+    for (std::size_t round = 0; round < cost_rounds; ++round) {
+        for (std::size_t i = 0; i < chains.size(); ++i) {
+            const double before = seconds_of(bare, steps);
+            const double own = seconds_of(chains[i], steps);
+            const double after = seconds_of(bare, steps);
+            ratios[i].push_back(2 * own / (before + after));
+        }
+        after_round();
+    }
+    std::vector<double> costs;
+    costs.reserve(ratios.size());
+    for (const std::vector<double>& each : ratios) {
+        costs.push_back(median(each));
+    }
+    return costs;
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/chart/trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nmbc/lattice.hpp>
+
+#include "tools/nmbcrun/chart/ladder.hpp"
+#include "tools/nmbcrun/compare/reference.hpp"
+#include "tools/nmbcrun/simulation/simulation.hpp"
+#include "tools/nmbcrun/simulation/tables.hpp"
+
+namespace nmbcrun {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Calls look(simulation) after every step and collects the samples.
+template <class Look>
+Samples run_sampled(Simulation& simulation, Look look) {
+    const std::size_t every = simulation.plan().steps / sample_count;
+    Samples samples;
+    samples.reserve(sample_count);
+    while (!simulation.is_done()) {
+        simulation.step();
+        look(simulation);
+        if (simulation.chain().steps() % every == 0) {
+            const auto u = interior(simulation.chain());
+            samples.emplace_back(u.begin(), u.end());
+        }
+    }
+    return samples;
+}
+
+}  // namespace
+
+Scene in_steps_of(Scene scene, double cfl) {
+    const auto lattice =
+        nmbc::make_lattice(table_of(scene, {.kind = BoundaryKind::fixed}), scene.G);
+    const double omega_max = nmbc::maximum_frequency(lattice) *
+                             std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
+    const double part = scene.end / double(sample_count);
+    const double steps = std::ceil(part * omega_max / (2 * cfl) * (1 - 1e-12));
+    scene.step = part / steps;
+    scene.cfl.reset();
+    return scene;
+}
+
+Samples samples_without_ends(const Scene& scene) {
+    Simulation simulation(endless(Simulation(with_ends(scene, {.kind = BoundaryKind::fixed}))));
+    return run_sampled(simulation, [](const Simulation&) {});
+}
+
+double relative_difference(const Samples& u, const Samples& v) {
+    double difference = 0;
+    double largest = 0;
+    for (std::size_t sample = 0; sample < v.size(); ++sample) {
+        for (std::size_t node = 0; node < v[sample].size(); ++node) {
+            const double one = std::abs(u[sample][node] - v[sample][node]);
+            difference = std::isfinite(one) ? std::max(difference, one) : infinity;
+            largest = std::max(largest, std::abs(v[sample][node]));
+        }
+    }
+    return difference == 0 ? 0 : difference / largest;
+}
+
+Trial run_trial(const Scene& scene, const Samples& same_steps, const Samples& fine_steps) {
+    Simulation simulation(scene);
+    double peak = 0;
+    const Samples samples = run_sampled(simulation, [&](const Simulation& running) {
+        constexpr std::size_t look_every = 10;  // as nmbcrun run has it
+        if (running.chain().steps() % look_every == 0) {
+            peak = std::max(peak, running.energies().total());
+        }
+    });
+    const double left = simulation.energies().total();
+    return {.cfl = simulation.plan().cfl,
+            .steps = simulation.plan().steps,
+            .certified = simulation.plan().objection.empty(),
+            .boundary_error = relative_difference(samples, same_steps),
+            .total_error = relative_difference(samples, fine_steps),
+            .energy_left = std::isfinite(left) ? left / std::max(peak, left) : infinity};
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+/// A scene run with one boundary in one time step, and how far off it is.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tools/nmbcrun/scene/scene.hpp"
+
+namespace nmbcrun {
+
+/// Interior displacements at equal parts of the run's time.
+using Samples = std::vector<std::vector<double>>;
+
+/// Sampling times of a run; time steps are chosen such that they are whole numbers of steps.
+inline constexpr std::size_t sample_count = 100;
+
+/// The scene in the longest such steps up to this cfl.
+Scene in_steps_of(Scene scene, double cfl);
+
+/// What comes without ends: in the scene's own step. Throws as Simulation does.
+Samples samples_without_ends(const Scene& scene);
+
+/// max |u - v| / max |v| over nodes and sampling times; infinite where u is not finite.
+double relative_difference(const Samples& u, const Samples& v);
+
+struct Trial {
+    double cfl = 0;
+    std::size_t steps = 0;
+    bool certified = false;
+    /// Against the endless run in the same steps: what the ends do.
+    double boundary_error = 0;
+    /// Against the endless run in fine steps: what ends and steps do.
+    double total_error = 0;
+    double energy_left = 0;  ///< over the peak
+};
+
+/// Runs a scene that has its step. Both references are of samples_without_ends(). A run that stops
+/// being finite has infinite errors and energy.
+Trial run_trial(const Scene& scene, const Samples& same_steps, const Samples& fine_steps);
+
+}  // namespace nmbcrun

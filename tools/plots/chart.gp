@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: MIT
+# What boundaries cost and how good they are, of nmbcrun chart's CSV:
+#     gnuplot -c tools/plots/chart.gp results/bar1d_chart.csv results/bar1d_chart
+# writes OUT.svg and OUT.png. Left: at cfl 0.4, what both ends add to a step against the error they
+# make. Right: whole runs at every cfl, against a run without ends in fine steps. A line joins those
+# that no other one beats in both respects; crosses fail in a long run, those off the scale at the top.
+if (ARGC != 2) {
+    printerr "usage: gnuplot -c chart.gp CHART.csv OUT (writes OUT.svg and OUT.png)"
+    exit status 2
+}
+set datafile separator comma
+set datafile columnheaders
+set datafile missing "none"
+
+kinds = "nmbc mbc higdon sponge pml exact extended fixed free"
+colours = "#0072b2 #56b4e9 #e69f00 #009e73 #d55e00 #000000 #888888 #bbbbbb #bbbbbb"
+shapes = "7 6 13 9 5 3 2 12 8"
+highest = 10.0
+lowest = 1e-16
+clip(error) = error > highest || error != error ? highest : error < lowest ? lowest : error
+failed(fate, error) = fate ne "steady" || !(error <= highest)
+least_cost = 0.1   # per cent: below it, a step with ends takes no longer than one without
+overhead(cost) = 100 * (cost - 1) > least_cost ? 100 * (cost - 1) : least_cost
+
+set logscale xy
+set format y "10^{%T}"
+set grid xtics ytics linetype 1 linecolor "#dddddd" linewidth 0.5
+set border 3
+set tics nomirror
+set pointsize 0.9
+set key outside right top noenhanced samplen 1
+
+do for [kind in "svg png"] {
+    if (kind eq "svg") {
+        set terminal svg size 1200,560 font "sans,15" background "white"
+    } else {
+        set terminal pngcairo size 2400,1120 fontscale 2 linewidth 2 font "sans,10"
+    }
+    set output sprintf("%s.%s", ARG2, kind)
+    set multiplot layout 1, 2
+    set yrange [lowest / 3:highest * 3]
+    do for [panel = 1:2] {
+        if (panel == 1) {
+            set title "cost and error of the ends, cfl 0.4"
+            set xlabel "added to a step by both ends [%]"
+            set ylabel "error of the ends / max |u|"
+            set key off
+            x(cost, total, cfl) = abs(cfl - 0.4) < 1e-9 ? overhead(cost) : NaN
+            error_column = "boundary_error"
+            front_column = "on_step_front"
+        } else {
+            set title "whole runs: ends and time steps"
+            set xlabel "cost of the run [steps of the bare interior]"
+            set ylabel "error / max |u|"
+            set key on
+            x(cost, total, cfl) = total
+            error_column = "total_error"
+            front_column = "on_front"
+        }
+        set xrange [*:*]
+        plot for [i = 1:words(kinds)] ARG1 \
+                 using (strcol("kind") eq word(kinds, i) && \
+                        !failed(strcol("fate"), column(error_column)) ? \
+                        x(column("step_cost"), column("total_cost"), column("cfl")) : NaN): \
+                       (clip(column(error_column))) \
+                 with points pointtype int(word(shapes, i)) linecolor rgb word(colours, i) \
+                 title word(kinds, i), \
+             for [i = 1:words(kinds)] ARG1 \
+                 using (strcol("kind") eq word(kinds, i) && \
+                        failed(strcol("fate"), column(error_column)) ? \
+                        x(column("step_cost"), column("total_cost"), column("cfl")) : NaN): \
+                       (clip(column(error_column))) \
+                 with points pointtype 2 linewidth 2 linecolor rgb word(colours, i) notitle, \
+             ARG1 using (column(front_column) == 1 ? \
+                        x(column("step_cost"), column("total_cost"), column("cfl")) : NaN): \
+                       (clip(column(error_column))) \
+                 smooth unique with lines linecolor "#444444" dashtype 3 \
+                 title (panel == 2 ? "none better" : "")
+    }
+    unset multiplot
+    set output
+}
