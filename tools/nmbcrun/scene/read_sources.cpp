@@ -164,7 +164,7 @@ Incoming read_incoming(const Group& group) {
 }
 
 Preload read_preload(const Group& group) {
-    return {.strain = group.not_zero("strain")};
+    return {.strain = group.number("strain", any_number)};
 }
 
 template <class Source>

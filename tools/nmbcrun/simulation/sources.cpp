@@ -138,7 +138,7 @@ std::string Sources::why_no_energy() const {
     if (scene_.initial) {
         why += "initial lies outside of the bar, or ";
     }
-    return why + "an amplitude is too small for doubles";
+    return why + "an amplitude is too small for doubles, or preload.strain is 0";
 }
 
 }  // namespace nmbcrun
