@@ -199,6 +199,11 @@ std::vector<Specification> committed_set() {
                        .damping = choice.damping,
                        .time_step = choice.time_step});
     }
+    // What the paper compares with in Fig. 6.
+    for (const unsigned order : {1U, 2U, 3U}) {
+        set.push_back(
+            {.family = "chain1d", .horizon = 1, .order = order, .stride = 1, .stabilisation = {}});
+    }
     return set;
 }
 

@@ -130,6 +130,6 @@ expect "every file is printed once" test \
 expect_stdout_line all/nopd1d_n3_order4.hpp
 expect_stdout_line all/tables.hpp
 expect_stdout_line all/tables.json
-expect "50 tables, tables.hpp and tables.json" test "$(files_in all)" -eq 52
+expect "53 tables, tables.hpp and tables.json" test "$(files_in all)" -eq 55
 
 finish

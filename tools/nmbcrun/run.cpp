@@ -29,9 +29,8 @@ struct Record {
 };
 
 std::string likely_cause(const Plan& plan) {
-    return plan.objection.empty()
-               ? "its ends are stable; drive.amplitude may be too large for doubles"
-               : "these ends are not stable together, see the warning";
+    return plan.objection.empty() ? "its ends are stable; an amplitude may be too large for doubles"
+                                  : "these ends are not stable together, see the warning";
 }
 
 std::string name_of(std::size_t node, const nmbc::Chain& chain) {
@@ -45,7 +44,7 @@ std::string fastest_node(const nmbc::Chain& chain) {
     return name_of(std::size_t(fastest - chain.velocity().begin()), chain);
 }
 
-/// Steps the chain to the end. After the drive nothing feeds the chain any more: an energy that
+/// Steps the chain to the end. After its sources nothing feeds the chain any more: an energy that
 /// grows tenfold from there is as unstable as one that is not finite.
 Record simulate(Simulation& simulation, CsvFile& csv, bool quiet) {
     const nmbc::Chain& chain = simulation.chain();
@@ -53,7 +52,8 @@ Record simulate(Simulation& simulation, CsvFile& csv, bool quiet) {
     const std::size_t every = simulation.scene().every;
     Progress progress(plan.steps, quiet);
     Record record;
-    double driven_peak = 0;
+    double driven_peak = simulation.energies().total();
+    record.peak = driven_peak;
     const auto unstable = [&](const std::string& what) {
         return Unstable(fmt::format("{} at step {} (t = {:.6g}): {}. Energies up to there: {}",
                                     what, chain.steps(), chain.time(), likely_cause(plan),
@@ -91,7 +91,7 @@ Record simulate(Simulation& simulation, CsvFile& csv, bool quiet) {
             driven_peak = std::max(driven_peak, total);
         } else if (driven_peak > 0 && total > 10 * driven_peak) {
             throw unstable(fmt::format(
-                "the energy has grown to {:.3g} times its peak of the drive, most at {},",
+                "the energy has grown to {:.3g} times its peak while it was driven, most at {},",
                 total / driven_peak, fastest_node(chain)));
         }
     }
@@ -166,10 +166,8 @@ void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
     }
     if (record.peak == 0) {
         throw Unstable(fmt::format(
-            "there was no energy at any time, so nothing to compare with: the time step of {:.6g} "
-            "is too long for drive.duration = {:.6g}, or drive.amplitude too small for doubles. "
-            "Energies: {}",
-            chain.parameters().time_step, scene.drive.duration, csv.path().string()));
+            "there was no energy at any time, so nothing to compare with: {}. Energies: {}",
+            simulation.why_no_energy(), csv.path().string()));
     }
     if (!quiet) {
         print_samples(record.samples, record.peak, is_damped(scene));

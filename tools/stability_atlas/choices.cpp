@@ -28,7 +28,8 @@ std::string cell(const nmbc::MatchingTable& table, double G) {
 std::vector<const nmbc::MatchingTable*> tables_of(const std::vector<unsigned>& horizons) {
     std::vector<const nmbc::MatchingTable*> found;
     for (const nmbc::MatchingTable* table : nmbc::generated::tables) {
-        if (std::ranges::count(horizons, unsigned(table->horizon)) > 0) {
+        if (table->family == "nopd1d" &&
+            std::ranges::count(horizons, unsigned(table->horizon)) > 0) {
             found.push_back(table);
         }
     }

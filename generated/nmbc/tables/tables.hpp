@@ -52,6 +52,9 @@
 #include <nmbc/tables/nopd1d_n4_order2_s4_dt2o1.hpp>
 #include <nmbc/tables/nopd1d_n4_order2_s4_tau1o50_dt2o1.hpp>
 #include <nmbc/tables/nopd1d_n4_order2_s6_tau1o5_dt2o1.hpp>
+#include <nmbc/tables/chain1d_n1_order1.hpp>
+#include <nmbc/tables/chain1d_n1_order2.hpp>
+#include <nmbc/tables/chain1d_n1_order3.hpp>
 
 namespace nmbc::generated {
 
@@ -107,6 +110,9 @@ inline constexpr const MatchingTable* tables[]{
     &nopd1d_n4_order2_s4_dt2o1,
     &nopd1d_n4_order2_s4_tau1o50_dt2o1,
     &nopd1d_n4_order2_s6_tau1o5_dt2o1,
+    &chain1d_n1_order1,
+    &chain1d_n1_order2,
+    &chain1d_n1_order3,
 };
 
 }  // namespace nmbc::generated

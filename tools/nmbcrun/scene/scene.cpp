@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <nmbc/coefficients.hpp>
 #include <optional>
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
+#include "tools/nmbcrun/scene/read_choice.hpp"
+#include "tools/nmbcrun/scene/read_sources.hpp"
 #include "tools/nmbcrun/scene/scene_reader.hpp"
 
 namespace nmbcrun {
@@ -22,25 +25,6 @@ const std::vector<std::pair<std::string_view, BoundaryKind>> boundary_kinds{
     {"fixed", BoundaryKind::fixed},
     {"free", BoundaryKind::free},
     {"extended", BoundaryKind::extended}};
-
-/// The value of a key that names one of these, if it is there.
-template <class Value>
-std::optional<Value> read_choice(SceneReader& reader, const std::string& key,
-                                 const std::vector<std::pair<std::string_view, Value>>& choices) {
-    const auto given = reader.text(key);
-    if (!given) {
-        return std::nullopt;
-    }
-    std::string allowed;
-    for (const auto& [name, value] : choices) {
-        if (*given == name) {
-            return value;
-        }
-        const char* separator = name == choices.back().first ? " or " : ", ";
-        allowed += fmt::format("{}\"{}\"", allowed.empty() ? "" : separator, name);
-    }
-    reader.fail(key, "must be " + allowed + ", not \"" + *given + '"');
-}
 
 /// An exact number in lowest terms: a string "p/q", or a decimal number as it is written.
 std::optional<std::string> read_exact(SceneReader& reader, const std::string& key) {
@@ -85,17 +69,19 @@ std::string read_name(SceneReader& reader, const std::string& path) {
     return name.value_or(std::filesystem::path(path).stem().string());
 }
 
-Drive read_drive(SceneReader& reader) {
-    Drive drive;
-    drive.amplitude =
-        reader.required("drive.amplitude", reader.number("drive.amplitude", any_number));
-    if (drive.amplitude == 0) {
-        reader.fail("drive.amplitude", "must not be 0");
+/// The nearest double to an exact number in a string, or a number.
+std::optional<double> read_G(SceneReader& reader) {
+    if (!reader.is_text("model.G")) {
+        return reader.number("model.G", not_negative);
     }
-    drive.duration = reader.required("drive.duration", reader.number("drive.duration", positive));
-    drive.centre = reader.required("drive.centre", reader.number("drive.centre", any_number));
-    drive.half_width = reader.number("drive.half_width", not_negative).value_or(drive.half_width);
-    return drive;
+    return nmbc::detail::nearest_to_fraction(*read_exact(reader, "model.G"));
+}
+
+/// Required, unless the family has one horizon only.
+int read_horizon(SceneReader& reader, const std::string& family) {
+    const auto horizon = reader.whole_number("model.horizon", 1, 1000);
+    return int(family == "chain1d" ? horizon.value_or(1)
+                                   : reader.required("model.horizon", horizon));
 }
 
 }  // namespace
@@ -127,9 +113,8 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
     scene.name = read_name(reader, path);
     scene.title = reader.text("title").value_or(scene.name);
     scene.family = reader.text("model.family").value_or(scene.family);
-    scene.horizon =
-        int(reader.required("model.horizon", reader.whole_number("model.horizon", 1, 1000)));
-    scene.G = reader.number("model.G", not_negative).value_or(scene.G);
+    scene.horizon = read_horizon(reader, scene.family);
+    scene.G = read_G(reader).value_or(scene.G);
     scene.tau = read_exact(reader, "model.damping").value_or(scene.tau);
     scene.density = reader.number("material.density", positive).value_or(scene.density);
     scene.youngs_modulus =
@@ -137,7 +122,7 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
     scene.nodes = std::size_t(
         reader.required("domain.nodes", reader.whole_number("domain.nodes", 1, most_nodes)));
     scene.spacing = reader.number("domain.spacing", positive).value_or(scene.spacing);
-    scene.drive = read_drive(reader);
+    read_sources(reader, path, scene);
     const Boundary both = read_boundary(reader, "boundary", {});
     scene.left = read_boundary(reader, "boundary.left", both);
     scene.right = read_boundary(reader, "boundary.right", both);

@@ -10,16 +10,9 @@
 #include <utility>
 #include <vector>
 
-namespace nmbcrun {
+#include "tools/nmbcrun/scene/sources.hpp"
 
-/// (57): the nodes with |X - centre| <= half_width * horizon * spacing follow
-/// u = amplitude/2 (1 - cos(pi t / duration)) for 0 <= t <= duration, then are let go.
-struct Drive {
-    double amplitude = 0;   ///< largest displacement [length]
-    double duration = 0;    ///< [time]
-    double centre = 0;      ///< [length]; the nodes are at X = dX, 2 dX, ..
-    double half_width = 2;  ///< in horizons
-};
+namespace nmbcrun {
 
 enum class BoundaryKind {
     nmbc,      ///< (60) on all ghost layers
@@ -59,7 +52,12 @@ struct Scene {
     double youngs_modulus = 1;
     std::size_t nodes = 0;
     double spacing = 1;
-    Drive drive;
+    // At least one of them is there; together they add up.
+    std::optional<Drive> drive{};
+    std::optional<Initial> initial{};
+    std::optional<Force> force{};
+    std::optional<Incoming> incoming{};
+    std::optional<Preload> preload{};
     Boundary left;
     Boundary right;
     bool allow_unstable = false;  ///< run ends that are not certified, too

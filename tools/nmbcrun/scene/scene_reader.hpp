@@ -52,6 +52,11 @@ class SceneReader {
         return *value;
     }
 
+    /// Whether the key is there; it is known then.
+    bool has(std::string_view key) { return find(key) != nullptr; }
+    /// Whether it is there and a string.
+    bool is_text(std::string_view key) const { return document_.at_path(key).is_string(); }
+
     /// Whether an override set the key.
     bool is_overridden(std::string_view key) const;
 

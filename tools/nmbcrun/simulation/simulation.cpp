@@ -55,6 +55,14 @@ Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
     return plan;
 }
 
+nmbc::ChainParameters parameters_of(const Scene& scene, double time_step) {
+    return {.nodes = scene.nodes,
+            .spacing = scene.spacing,
+            .youngs_modulus = scene.youngs_modulus,
+            .density = scene.density,
+            .time_step = time_step};
+}
+
 }  // namespace
 
 Simulation::Simulation(const Scene& scene)
@@ -66,12 +74,10 @@ Simulation::Simulation(const Scene& scene, nmbc::Lattice lattice, const nmbc::Ch
                        const nmbc::ChainEnd& right)
     : scene_(scene),
       plan_(plan_of(scene, lattice)),
-      chain_(std::move(lattice), left, right,
-             {.nodes = scene.nodes,
-              .spacing = scene.spacing,
-              .youngs_modulus = scene.youngs_modulus,
-              .density = scene.density,
-              .time_step = plan_.time_step}),
-      driver_(scene, chain_.first_interior(), plan_.time_step) {}
+      sources_(scene, lattice, parameters_of(scene, plan_.time_step), plan_.steps),
+      chain_(std::move(lattice), sources_.end(nmbc::End::left, left),
+             sources_.end(nmbc::End::right, right), parameters_of(scene, plan_.time_step)) {
+    sources_.start(chain_);
+}
 
 }  // namespace nmbcrun

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "tools/nmbcrun/scene/scene.hpp"
-#include "tools/nmbcrun/simulation/driver.hpp"
+#include "tools/nmbcrun/simulation/sources.hpp"
 
 namespace nmbcrun {
 
@@ -38,14 +38,17 @@ class Simulation {
     bool is_done() const { return chain_.steps() >= plan_.steps; }
 
     /// Whether a source still feeds the chain in the step that ends at this time.
-    bool is_driven(double time) const { return driver_.drives(time); }
+    bool is_driven(double time) const { return sources_.is_driven(time); }
+
+    /// In words: why a run may have had no energy at any time.
+    std::string why_no_energy() const { return sources_.why_no_energy(); }
 
     /// One step. `observe` sees u at the old time and v half a step on, as Chain::step has it.
     template <class Observe>
     void step(Observe&& observe) {
-        chain_.step(driver_, std::forward<Observe>(observe));
+        chain_.step(sources_, std::forward<Observe>(observe));
     }
-    void step() { chain_.step(driver_); }
+    void step() { chain_.step(sources_); }
 
     /// Of the interior nodes, at chain().time() - dt/2.
     nmbc::Energies energies() const { return nmbc::energies(chain_); }
@@ -56,8 +59,8 @@ class Simulation {
 
     Scene scene_;
     Plan plan_;
+    Sources sources_;
     nmbc::Chain chain_;
-    Driver driver_;
 };
 
 }  // namespace nmbcrun

@@ -9,8 +9,9 @@
 namespace nmbcrun {
 
 /// The table of an end with the scene's lattice, damping included. For a fixed or free one, any
-/// with this lattice will do. Throws SceneError, which lists the tables there are, where there is
-/// none.
+/// with this lattice will do. Throws SceneError, which lists the tables of this family and horizon
+/// or says which there are, where there is none, and where the scene has a G and the family has no
+/// stabilisation.
 const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary);
 
 }  // namespace nmbcrun

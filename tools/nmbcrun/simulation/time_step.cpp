@@ -12,6 +12,7 @@
 #include "tools/nmbcrun/simulation/certificate.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
+#include "tools/nmbcrun/simulation/time_scale.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -104,9 +105,10 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
     }
     step = matched.value_or(step);
     constexpr double steps_of_drive = 20;
-    const double of_drive = scene.drive.duration / steps_of_drive * omega_max / 2;
+    const TimeScale scale = shortest_time_scale(scene, lattice);
+    const double of_drive = scale.time / steps_of_drive * omega_max / 2;
     if (!matched && of_drive < step.cfl) {
-        step = {of_drive, "a twentieth of drive.duration"};
+        step = {of_drive, "a twentieth of " + scale.name};
     }
     if (scene.left == scene.right) {
         return step;

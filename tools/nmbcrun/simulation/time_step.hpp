@@ -15,7 +15,7 @@ struct AutomaticStep {
 };
 
 /// The step that an end of the scene is matched in; without one, the largest that is certified for
-/// the ends, but a twentieth of the drive at most.
+/// the ends, but a twentieth of shortest_time_scale() at most.
 /// Like ends: as their table has it. Unlike ones: the least of their tables' own, and from there
 /// down in steps of 0.05 of cfl until the two are certified together.
 /// omega_max [1/time]: the top of the lattice's band.

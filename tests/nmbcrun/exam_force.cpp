@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Body forces: their histories, and the momentum they give.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <string>
+
+#include "tests/nmbcrun/bar.hpp"
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/simulation/forcing.hpp"
+
+namespace nmbcrun::test {
+namespace {
+
+Scene forced(const Force& force, double end = 60) {
+    Scene scene = bar(400, end);
+    scene.force = force;
+    return scene;
+}
+
+Force gaussian(double half_width) {
+    return {.history = History::gaussian,
+            .amplitude = 0.3,
+            .centre = 100,
+            .half_width = half_width,
+            .time = 12,
+            .duration = 2,
+            .file = {}};
+}
+
+TEST_CASE("histories") {
+    const Forcing pulse(forced(gaussian(0)), 0.1);
+    CHECK(pulse.force_at(12) == 0.3);
+    CHECK(pulse.force_at(14) == doctest::Approx(0.3 * std::exp(-1)));
+    CHECK(pulse.force_at(8) == doctest::Approx(0.3 * std::exp(-4)));
+    CHECK(pulse.drives(24.9));
+    CHECK(!pulse.drives(25.1));  // 12 + 6.5 durations
+
+    Force ricker = gaussian(0);
+    ricker.history = History::ricker;
+    CHECK(Forcing(forced(ricker), 0.1).force_at(14) == doctest::Approx(-0.3 * std::exp(-1)));
+    CHECK(Forcing(forced(ricker), 0.1).force_at(12) == 0.3);
+
+    Force sine{.history = History::sine,
+               .amplitude = 2,
+               .centre = 100,
+               .time = 3,
+               .frequency = 0.5,
+               .cycles = 1.25,
+               .file = {}};
+    const Forcing burst(forced(sine), 0.1);
+    CHECK(burst.force_at(2.9) == 0);
+    CHECK(burst.force_at(3.5) == doctest::Approx(2));
+    CHECK(burst.force_at(4.5) == doctest::Approx(-2));
+    CHECK(burst.force_at(5.5) == doctest::Approx(2));
+    CHECK(burst.force_at(5.6) == 0);
+    CHECK(burst.drives(5.4));
+    CHECK(!burst.drives(5.6));
+}
+
+TEST_CASE("a history of a file is linear in between, and 0 outside") {
+    const auto file = std::filesystem::temp_directory_path() / "exam_force.csv";
+    Force force{.history = History::file, .amplitude = 10, .centre = 100, .time = 5, .file = file};
+    std::ofstream(file) << "time,force\n0,1\n2,3\n3,-1\n";
+    const Forcing forcing(forced(force), 0.1);
+    CHECK(forcing.force_at(4.9) == 0);
+    CHECK(forcing.force_at(5) == 10);
+    CHECK(forcing.force_at(6) == 20);
+    CHECK(forcing.force_at(7) == 30);
+    CHECK(forcing.force_at(7.75) == doctest::Approx(0));
+    CHECK(forcing.force_at(8) == -10);
+    CHECK(forcing.force_at(8.1) == 0);
+    std::ofstream(file) << "time,force\n0,1\n0,3\n";
+    CHECK_THROWS_WITH_AS(Forcing(forced(force), 0.1),
+                         doctest::Contains("its times must ascend from row to row"), SceneError);
+    std::filesystem::remove(file);
+    CHECK_THROWS_AS(Forcing(forced(force), 0.1), FileError);
+}
+
+TEST_CASE("a force moves the bar by its impulse over 2 rho c") {
+    for (const int nodes : {1, 5}) {
+        Simulation simulation(forced(gaussian(0.25 * (nodes - 1)), 40));
+        run_to_end(simulation);
+        // Two waves leave a step of u behind them: each has half of the impulse, and a step of u
+        // that moves at c the momentum rho c u. The sum over time steps is the integral to
+        // exp(-(pi duration/dt)^2), and what is dispersed is 100 nodes away.
+        const double impulse = 0.3 * nodes * 0.5 * 2 * std::sqrt(std::numbers::pi);
+        const double u =
+            simulation.chain().displacement()[simulation.chain().first_interior() + 199];
+        CHECK(u == doctest::Approx(impulse / (2 * 3 * 2)).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("the very first step: v = dt f(0) / rho") {
+    Force force = gaussian(0);
+    force.time = 0;
+    Simulation simulation(forced(force));
+    simulation.step();
+    const double v = simulation.chain().velocity()[simulation.chain().first_interior() + 199];
+    CHECK(v == doctest::Approx(simulation.plan().time_step * 0.3 / 3).epsilon(1e-15));
+}
+
+TEST_CASE("a force without nodes is refused") {
+    Force force = gaussian(0);
+    force.centre = -3;
+    CHECK_THROWS_AS(Simulation(forced(force)), SceneError);
+}
+
+}  // namespace
+}  // namespace nmbcrun::test

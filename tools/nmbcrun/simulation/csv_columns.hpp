@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+/// Numbers from the CSV files that a scene names.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace nmbcrun {
+
+/// The columns of these names, in this order, whatever others the file has: a header line, then
+/// rows of numbers, separated by commas. Empty lines and lines that begin with # are left out.
+/// Throws FileError where the file cannot be read, SceneError, with the line, where it has no such
+/// column, a row is too short, an entry is no finite number, or there is no row.
+std::vector<std::vector<double>> read_columns(const std::filesystem::path& path,
+                                              const std::vector<std::string>& names);
+
+}  // namespace nmbcrun

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+/// The body force of a scene.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "tools/nmbcrun/scene/scene.hpp"
+
+namespace nmbcrun {
+
+/// Its share of every step: v += dt f(t) / rho at its nodes, t the step's beginning, where u is.
+class Forcing {
+  public:
+    /// Throws SceneError where no node takes the force or its file does not make a history,
+    /// FileError where that cannot be read.
+    Forcing(const Scene& scene, double time_step);
+
+    /// Of the history: f at a time.
+    double force_at(double time) const;
+
+    /// Whether the force acts, above 1e-16 of its amplitude, at this time or later.
+    bool drives(double time) const { return time <= last_; }
+
+    /// first_interior: entry of the first interior node of v. time: the end of the step.
+    void operator()(std::span<double> v, std::size_t first_interior, double time) const;
+
+  private:
+    double linear_between_rows(double time) const;
+
+    Force force_;
+    double density_;
+    double time_step_;
+    double last_ = 0;
+    std::vector<std::size_t> nodes_;  // from 0
+    std::vector<double> times_;       // of a file
+    std::vector<double> forces_;
+};
+
+}  // namespace nmbcrun
