@@ -21,7 +21,8 @@ const std::vector<std::pair<std::string_view, BoundaryKind>> boundary_kinds{
     {"nmbc", BoundaryKind::nmbc},
     {"fixed", BoundaryKind::fixed},
     {"free", BoundaryKind::free},
-    {"extended", BoundaryKind::extended}};
+    {"extended", BoundaryKind::extended},
+    {"exact", BoundaryKind::exact}};
 
 /// The value of a key that names one of these, if it is there.
 template <class Value>
