@@ -69,7 +69,9 @@ class ExactCondition final : public nmbc::EndCondition<double> {
                 throw std::invalid_argument(
                     "an exact end starts from rest: u and v must be 0 (1e-12 of the largest) at "
                     "its ghosts and the " +
-                    std::to_string(convolution_.reach()) + " interior nodes next to them");
+                    std::to_string(convolution_.reach()) +
+                    " interior nodes next to them, also when the chain is written to, or asked for "
+                    "fields to write to, between two steps");
             }
         }
     }

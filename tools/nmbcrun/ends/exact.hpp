@@ -12,7 +12,8 @@ namespace nmbcrun {
 
 /// What is beyond this end is at rest at t = 0, so start() throws std::invalid_argument where u or
 /// v of a ghost, or of one of as many interior nodes next to it, is more than 1e-12 of the largest
-/// of the chain, v counted in dX/c; and so does a chain that is written to after that.
+/// of the chain, v counted in c/dX. A chain whose fields are written to, or asked for in order to
+/// be, starts anew, and so throws once waves have come to this end.
 ///
 /// The lattice has no layer here, and the ghosts' displacements follow those of the interior by
 /// transparent_kernel(): the same as a chain that is longer than any wave gets, but for roundings.

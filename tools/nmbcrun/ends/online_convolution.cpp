@@ -26,7 +26,7 @@ OnlineConvolution::OnlineConvolution(std::vector<std::vector<double>> kernel)
     : kernel_(std::move(kernel)),
       fft_(Eigen::default_fft_impl<double>(), Eigen::FFT<double>::HalfSpectrum),
       memory_(1 + (inputs() + reach()) * steps(), 0.0) {
-    for (std::size_t length = shortest; length < steps(); length *= 2) {
+    for (std::size_t length = shortest; length <= steps(); length *= 2) {
         std::vector<Spectrum>& spectra = spectra_.emplace_back();
         for (const std::vector<double>& values : kernel_) {
             spectra.push_back(transformed(fft_, values, 2 * length));
