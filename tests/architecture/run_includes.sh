@@ -34,7 +34,7 @@ allow tools/nmbcrun/scene "tools/nmbcrun/(scene/|errors.hpp)|nmbc/|generator/(ta
 allow tools/nmbcrun/simulation "tools/nmbcrun/(scene|simulation|ends)/|tools/nmbcrun/errors.hpp|nmbc/|generator/(table|exact|stability)/|$text"
 allow tools/nmbcrun/compare "tools/nmbcrun/(compare|scene|simulation)/|nmbc/|generator/(table|exact|stability)/|$text"
 allow tools/nmbcrun/chart "tools/nmbcrun/(chart|compare|output|scene|simulation)/|tools/nmbcrun/errors.hpp|nmbc/|$text"
-allow tools/nmbcrun/ends "tools/nmbcrun/ends/|nmbc/"
+allow tools/nmbcrun/ends 'tools/nmbcrun/ends/|nmbc/|(unsupported/)?Eigen/'
 allow tools/nmbcrun/output "tools/nmbcrun/(output/|errors.hpp)|nmbc/|unistd.h|sys/ioctl.h|$text"
 allow tools/pulses "tools/pulses/|tools/number_between.hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|CLI/"

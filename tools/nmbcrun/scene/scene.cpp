@@ -24,7 +24,8 @@ const std::vector<std::pair<std::string_view, BoundaryKind>> boundary_kinds{
     {"nmbc", BoundaryKind::nmbc},
     {"fixed", BoundaryKind::fixed},
     {"free", BoundaryKind::free},
-    {"extended", BoundaryKind::extended}};
+    {"extended", BoundaryKind::extended},
+    {"exact", BoundaryKind::exact}};
 
 /// An exact number in lowest terms: a string "p/q", or a decimal number as it is written.
 std::optional<std::string> read_exact(SceneReader& reader, const std::string& key) {

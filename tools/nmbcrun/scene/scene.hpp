@@ -19,6 +19,7 @@ enum class BoundaryKind {
     fixed,     ///< ghosts held at u = 0
     free,      ///< ghosts the mirror image
     extended,  ///< more of the same lattice, fixed at its far end
+    exact,     ///< the same lattice for ever, by convolution
 };
 
 /// One end of the chain.

@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <complex>
+#include <nmbc/certificate.hpp>
+#include <stdexcept>
+#include <utility>
 
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/round_trip.hpp"
@@ -27,6 +30,8 @@ nmbcgen::ChainEnd end_of(const Boundary& boundary, const nmbc::MatchingTable& ta
             return fixed_end(half_space);
         case BoundaryKind::free:
             return free_end(half_space);
+        case BoundaryKind::exact:
+            throw std::logic_error("what this end reflects is not known");
         case BoundaryKind::nmbc:
             break;
     }
@@ -70,7 +75,7 @@ double short_chain_growth(const Scene& scene, const nmbc::MatchingTable& left,
 
 std::string name_of(const Boundary& boundary) {
     if (!takes_table(boundary.kind)) {
-        const char* article = boundary.kind == BoundaryKind::extended ? "an " : "a ";
+        const char* article = name_of(boundary.kind).starts_with('e') ? "an " : "a ";
         return article + std::string(name_of(boundary.kind)) + " end";
     }
     return fmt::format("NMBC{}{}{}", boundary.order,
@@ -78,10 +83,42 @@ std::string name_of(const Boundary& boundary) {
                        boundary.ghosts == nmbc::GhostRule::midpoint ? "" : " with explicit ghosts");
 }
 
+/// Whether end_of() knows what an end of this kind reflects.
+bool has_reflection(BoundaryKind kind) {
+    return kind != BoundaryKind::exact;
+}
+
+/// Of two ends one of which is known for adding no energy only: what the other's table is certified
+/// for beside any such end.
+std::string objection_beside_any(const Scene& scene, const nmbc::MatchingTable& left,
+                                 const nmbc::MatchingTable& right, double cfl) {
+    for (const auto& [own, table] :
+         {std::pair(&scene.left, &left), std::pair(&scene.right, &right)}) {
+        if (adds_no_energy(own->kind)) {
+            continue;
+        }
+        const double certified =
+            nmbc::certified_cfl(*table, scene.G, own->ghosts, nmbc::Opposite::any);
+        constexpr double roundings = 1e-9;  // of a time step that is made from cfl
+        if (cfl > certified * (1 + roundings)) {
+            const Boundary& other = own == &scene.left ? scene.right : scene.left;
+            return fmt::format(
+                "{} opposite {} is certified at n = {}, G = {}{} {}, and cfl is {:.3g}",
+                name_of(*own), name_of(other), scene.horizon, scene.G,
+                is_damped(scene) ? ", tau = " + scene.tau : "",
+                certified > 0 ? fmt::format("up to cfl = {}", certified) : "at no time step", cfl);
+        }
+    }
+    return "";
+}
+
 }  // namespace
 
 std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
                       const nmbc::MatchingTable& right, double time_step, double cfl) {
+    if (!has_reflection(scene.left.kind) || !has_reflection(scene.right.kind)) {
+        return objection_beside_any(scene, left, right, cfl);
+    }
     const double c = std::sqrt(scene.youngs_modulus / scene.density);
     const double step = time_step * c / scene.spacing;  // in dX/c
     const auto verdict =

@@ -16,15 +16,6 @@
 namespace nmbcrun {
 namespace {
 
-std::size_t steps_until(double end, double time_step) {
-    const double exact_steps = end / time_step;
-    if (exact_steps > 1e15) {
-        throw SceneError(fmt::format("time.end asks for {:.3g} steps; at most 1e15", exact_steps));
-    }
-    // A last step that is a millionth of a step is a rounding of time.end / dt.
-    return std::size_t(std::max(1.0, std::ceil(exact_steps - 1e-6)));
-}
-
 Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
     const double omega_max = nmbc::maximum_frequency(lattice) *
                              std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nmbc/certificate.hpp>
 #include <nmbc/tables/tables.hpp>
@@ -90,6 +91,15 @@ void require_matched(const Scene& scene, double time_step) {
         }
         require_midpoint_ghosts(*boundary);
     }
+}
+
+std::size_t steps_until(double end, double time_step) {
+    const double exact_steps = end / time_step;
+    if (exact_steps > 1e15) {
+        throw SceneError(fmt::format("time.end asks for {:.3g} steps; at most 1e15", exact_steps));
+    }
+    // A last step that is a millionth of a step is a rounding of time.end / dt.
+    return std::size_t(std::max(1.0, std::ceil(exact_steps - 1e-6)));
 }
 
 AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, double omega_max) {

@@ -2,6 +2,7 @@
 /// The time step of a scene that gives none.
 #pragma once
 
+#include <cstddef>
 #include <nmbc/lattice.hpp>
 #include <string>
 
@@ -26,5 +27,8 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
 /// Throws SceneError where an end is matched in another time step [time], or without midpoint
 /// ghosts.
 void require_matched(const Scene& scene, double time_step);
+
+/// Steps of a run up to time.end. Throws SceneError for more than 1e15.
+std::size_t steps_until(double end, double time_step);
 
 }  // namespace nmbcrun
