@@ -7,6 +7,7 @@
 #include <nmbc/coefficients.hpp>
 #include <system_error>
 
+#include "tools/nmbcrun/advise/advise.hpp"
 #include "tools/nmbcrun/chart/chart.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/run.hpp"
@@ -124,6 +125,12 @@ int main(int argc, char** argv) {
         ->add_option("--endurance", arguments.endurance,
                      "steps of the run that each boundary is followed through (default 100000)")
         ->check(CLI::Range(std::size_t{4000}, std::size_t{1'000'000'000}));
+    auto* const advise =
+        add_command("advise", "the smallest model that meets a tolerance (docs/advise.md)");
+    advise
+        ->add_option("--tolerance", arguments.tolerance, "largest error over max |u| that is right")
+        ->required()
+        ->check(tools::number_between(1e-16, 1e16));
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
@@ -136,6 +143,12 @@ int main(int argc, char** argv) {
     if (run->parsed()) {
         return exit_code_of([&] {
             nmbcrun::run(scene_of(arguments), arguments.folder, arguments.quiet);
+            return done;
+        });
+    }
+    if (advise->parsed()) {
+        return exit_code_of([&] {
+            nmbcrun::advise(scene_of(arguments), arguments.tolerance, arguments.quiet);
             return done;
         });
     }

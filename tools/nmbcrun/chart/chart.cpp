@@ -96,23 +96,23 @@ std::vector<Point> measure(const Scene& scene, const std::vector<Rung>& rungs,
     Work work(steps.size() * (1 + 2 * rungs.size()) + 1 + cost_rounds, quiet);
     const Samples fine = samples_without_ends(in_steps_of(scene, fine_cfl));
     work.done();
-    std::vector<Boundary> boundaries;
+    std::vector<Scene> ended;
+    ended.reserve(rungs.size());
     for (const Rung& rung : rungs) {
-        boundaries.push_back(rung.boundary);
+        ended.push_back(with_ends(in_steps_of(scene, usual_cfl), rung.boundary));
     }
-    const std::vector<double> costs =
-        relative_costs(in_steps_of(scene, usual_cfl), boundaries, [&work] { work.done(); });
+    const std::vector<double> costs = relative_costs(ended, [&work] { work.done(); });
     std::vector<Point> points;
     for (const double cfl : steps) {
         const Scene stepped = in_steps_of(scene, cfl);
         const Samples same_steps = samples_without_ends(stepped);
         work.done();
         for (std::size_t i = 0; i < rungs.size(); ++i) {
-            const Scene ended = with_ends(stepped, rungs[i].boundary);
+            const Scene own = with_ends(stepped, rungs[i].boundary);
             Point point{.rung = &rungs[i], .cfl = cfl, .step_cost = costs[i]};
-            point.trial = run_trial(ended, same_steps, fine);
+            point.trial = run_trial(own, same_steps, fine);
             work.done();
-            point.endurance = endure(ended, endurance);
+            point.endurance = endure(own, endurance);
             work.done();
             points.push_back(std::move(point));
         }

@@ -25,11 +25,14 @@ struct NoEnd {
     }
 };
 
-/// A smooth field that is nowhere near the smallest doubles, which are slow. Too few steps follow
-/// for it to fade, or to grow beyond all doubles.
+/// A field that is nowhere near the smallest doubles, which are slow, and 0 where an exact end
+/// wants it to be. Too few steps follow for it to fade, or to grow beyond all doubles.
 void fill(nmbc::Chain& chain) {
     std::vector<double> u(chain.nodes());
-    for (std::size_t node = 0; node < u.size(); ++node) {
+    const std::size_t at_rest = 2 * chain.ghosts();
+    const std::size_t first = chain.first_interior() + at_rest;
+    const std::size_t last = chain.first_interior() + chain.parameters().nodes - at_rest;
+    for (std::size_t node = first; node < last; ++node) {
         u[node] = 2 + std::sin(0.1 * double(node));
     }
     chain.start(u, std::vector<double>(u.size()));
@@ -53,18 +56,19 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<double> relative_costs(const Scene& scene, const std::vector<Boundary>& boundaries,
+std::vector<double> relative_costs(const std::vector<Scene>& scenes,
                                    const std::function<void()>& after_round) {
-    nmbc::Chain bare = chain_between(scene, NoEnd{}, NoEnd{});
+    nmbc::Chain bare = chain_between(scenes.front(), NoEnd{}, NoEnd{});
     std::vector<nmbc::Chain> chains;
-    chains.reserve(boundaries.size());
-    for (const Boundary& boundary : boundaries) {
-        const nmbc::ChainEnd end = chain_end(scene, boundary);
-        chains.push_back(chain_between(scene, end, end));
+    chains.reserve(scenes.size());
+    for (const Scene& scene : scenes) {
+        chains.push_back(
+            chain_between(scene, chain_end(scene, scene.left), chain_end(scene, scene.right)));
     }
     // A twentieth of a millisecond or so: mostly undisturbed where other programs run, too.
     constexpr double node_steps = 5e4;
-    const auto steps = std::size_t(std::max(10.0, std::ceil(node_steps / double(scene.nodes))));
+    const auto steps =
+        std::size_t(std::max(10.0, std::ceil(node_steps / double(scenes.front().nodes))));
     std::vector<std::vector<double>> ratios(chains.size());
     for (std::size_t round = 0; round < cost_rounds; ++round) {
         for (std::size_t i = 0; i < chains.size(); ++i) {

@@ -9,10 +9,11 @@
 
 namespace nmbcrun {
 
-/// Time of a step with each of these ends over that of the interior between ends that do nothing,
-/// in the order given. All take turns with the bare interior, in steps of the scene's own length,
-/// and each figure is the median of such pairs. after_round is called between two rounds.
-std::vector<double> relative_costs(const Scene& scene, const std::vector<Boundary>& boundaries,
+/// Time of a step of each of these scenes, which differ in their ends and steps alone, over that of
+/// their interior between ends that do nothing. All take turns with the bare interior, and each
+/// figure is the median of such pairs. Each scene has its step. after_round is called between two
+/// rounds.
+std::vector<double> relative_costs(const std::vector<Scene>& scenes,
                                    const std::function<void()>& after_round);
 
 inline constexpr std::size_t cost_rounds = 201;

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/advise/advise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tools/nmbcrun/chart/cost.hpp"
+#include "tools/nmbcrun/errors.hpp"
+
+namespace nmbcrun {
+namespace {
+
+void measure_costs(const Scene& scene, std::vector<Candidate>& candidates) {
+    std::vector<Scene> scenes;
+    scenes.reserve(candidates.size());
+    for (const Candidate& candidate : candidates) {
+        scenes.push_back(advised(scene, candidate));
+        scenes.back().step = candidate.time_step;
+    }
+    const auto costs = relative_costs(scenes, [] {});
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        candidates[i].step_cost = costs[i];
+    }
+}
+
+}  // namespace
+
+Advice advice_for(const Scene& scene, double tolerance) {
+    Candidates candidates = find_candidates(scene, tolerance);
+    if (candidates.meet.empty()) {
+        std::string reasons;
+        for (const LeftOut& one : candidates.left_out) {
+            reasons += fmt::format("\n  {}: {}", one.name, one.reason);
+        }
+        throw SceneError(fmt::format("nothing meets the tolerance {:g}:{}", tolerance, reasons));
+    }
+    measure_costs(scene, candidates.meet);
+    std::ranges::sort(candidates.meet, {}, &Candidate::cost);
+    return {std::move(candidates.meet), std::move(candidates.left_out), candidates.is_silent};
+}
+
+Scene advised(Scene scene, const Candidate& candidate) {
+    scene.left = candidate.boundary;
+    scene.right = candidate.boundary;
+    if (!scene.step && !scene.cfl && candidate.boundary.matched_step == "0") {
+        scene.cfl = candidate.cfl;
+    }
+    return scene;
+}
+
+std::string settings_of(const Candidate& candidate) {
+    const Boundary& boundary = candidate.boundary;
+    std::string settings = fmt::format("--set boundary.kind={}", name_of(boundary.kind));
+    if (boundary.kind == BoundaryKind::nmbc) {
+        settings += fmt::format(" --set boundary.order={} --set boundary.stride={}", boundary.order,
+                                boundary.stride);
+        if (boundary.matched_step != "0") {
+            return settings +
+                   fmt::format(" --set boundary.matched_step='\"{}\"'", boundary.matched_step);
+        }
+    }
+    if (boundary.layer > 0) {
+        settings += fmt::format(" --set boundary.layer={}", boundary.layer);
+    }
+    return settings + fmt::format(" --set time.cfl={:.4g}", candidate.cfl);
+}
+
+void advise(const Scene& scene, double tolerance, bool quiet) {
+    const Advice advice = advice_for(scene, tolerance);
+    const Candidate& best = advice.ranked.front();
+    if (!quiet) {
+        fmt::print("scene      {}\n", scene.title);
+        fmt::print("tolerance  {:g} of max |u|, {}\n\n", tolerance,
+                   scene.step || scene.cfl ? "in the scene's own time step"
+                                           : "of the ends and of the time step together");
+        fmt::print("{:<44}  {:>5}  {:>8}  {:>10}  {:>10}  {:>8}\n", "meets it by prediction", "cfl",
+                   "steps", "ends", "time step", "cost");
+        for (const Candidate& one : advice.ranked) {
+            fmt::print("{:<44}  {:5.3f}  {:8}  {:10.1e}  {:10.1e}  {:8.2f}\n", one.name, one.cfl,
+                       one.steps, one.boundary_error, one.time_error, one.cost() / best.cost());
+        }
+        fmt::print("cost: time of the run over that of the first, measured now\n\nleft out\n");
+        for (const LeftOut& one : advice.left_out) {
+            fmt::print("  {:<44}  {}\n", one.name, one.reason);
+        }
+        if (!scene.field) {
+            fmt::print("  {:<44}  {}\n", "stored fields", "nobody asked for them (output.field)");
+        }
+        fmt::print("\n");
+    }
+    fmt::print("advice     {}, cfl = {:.3g}\nsettings   {}\n", best.name, best.cfl,
+               settings_of(best));
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+/// Set-ups that meet a tolerance by prediction and certificate.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/nmbcrun/scene/scene.hpp"
+
+namespace nmbcrun {
+
+/// One boundary at both ends, in the longest steps it may take.
+struct Candidate {
+    std::string name;
+    Boundary boundary;
+    double cfl = 0;
+    double time_step = 0;  ///< [time]
+    std::size_t steps = 0;
+    double boundary_error = 0;  ///< predicted, over max |u|
+    double time_error = 0;      ///< likewise; 0 where the scene prescribes its step
+    double step_cost = 0;       ///< over a step of the bare interior; filled in when it is measured
+
+    double error() const { return boundary_error + time_error; }
+    double cost() const { return step_cost * double(steps); }
+};
+
+/// What was looked at, and why it is no candidate.
+struct LeftOut {
+    std::string name;
+    std::string reason;
+};
+
+struct Candidates {
+    std::vector<Candidate> meet;  ///< the tolerance, in no order
+    std::vector<LeftOut> left_out;
+    bool is_silent = false;  ///< nothing gets to an end in time
+};
+
+/// Every boundary that a scene's lattice can be certified with, each in the longest steps in which
+/// it meets the tolerance; a scene's own time.step or time.cfl is kept. Its own boundaries do not
+/// count. Throws as Simulation does.
+Candidates find_candidates(const Scene& scene, double tolerance);
+
+}  // namespace nmbcrun
