@@ -394,7 +394,7 @@ try run "$scratch/stepless.toml" "${force[@]}" --set force.history=ricker --set 
 expect "a twentieth of force.duration" grep -qE ' steps of 0.005 .*: a twentieth of force.duration' "$scratch/stdout"
 try run "$scratch/stepless.toml" "${wave[@]}" --set incoming.shape=gaussian --set incoming.width=1
 expect "a twentieth of its time" grep -qF ': a twentieth of incoming.width / c' "$scratch/stdout"
-try run "$scratch/stepless.toml" "${wave[@]}" --set incoming.shape=packet --set incoming.width=10 \
+try run "$scratch/stepless.toml" "${wave[@]}" --set incoming.shape=packet --set incoming.width=100 \
     --set incoming.wave_number=1
 expect "a twentieth of its period" grep -qF ': a twentieth of the period of incoming.wave_number' "$scratch/stdout"
 
