@@ -184,6 +184,71 @@ done
 setting 2 "output.field must be true or false, not 1" output.field=1
 setting 2 "--set needs KEY=VALUE" time.step
 setting 2 "--set needs KEY=VALUE" =3
+# What there is instead of a table that there is not.
+setting 2 "there is nothing of this family and horizon, but chain1d with horizon 1, nopd1d with horizon 1, 2, 3, 4, 5" model.horizon=7
+setting 2 "of this family and horizon there are nopd1d_n2_order1, nopd1d_n2_order2," boundary.order=9
+expect "tables of another horizon are not listed" test "$(grep -c nopd1d_n1 "$scratch/stderr")" -eq 0
+# The chain of atoms has one horizon and no G.
+atoms=$2/tools/scenes/fig6_md.toml
+refuses 2 "the lattice of family chain1d has no stabilisation: model.G must be absent or 0, not 0.5" \
+    "$atoms" --set model.G='"1/2"'
+refuses 2 "no table for family chain1d, horizon 2" "$atoms" --set model.horizon=2
+for same in model.G=0 model.horizon=1; do
+    try run "$atoms" "${short[@]}" --set "$same" --out "$scratch/atoms"
+    expect_exit 0
+done
+
+# Sources: none, unfinished ones, keys that say nothing.
+sourceless=$scratch/sourceless.toml
+sed '/^\[drive\]/,/^$/d' "$scene" >"$sourceless"
+refuses 2 "sourceless.toml: nothing starts or drives the scene: it needs at least one of the tables drive, initial," "$sourceless"
+# source_of CODE TEXT KEY=VALUE..: the scene with these alone.
+source_of() {
+    local code=$1 text=$2 settings=()
+    shift 2
+    for setting; do settings+=(--set "$setting"); done
+    refuses "$code" "$text" "$sourceless" "${settings[@]}"
+}
+source_of 2 "sourceless.toml: initial.shape is missing" initial.width=3
+source_of 2 'initial.shape must be "gaussian", "ricker", "packet" or "csv", not "box"' initial.shape=box
+source_of 2 "initial.amplitude is missing" initial.shape=gaussian
+source_of 2 "initial.amplitude must not be 0" initial.shape=gaussian initial.amplitude=0
+pulse=(initial.shape=gaussian initial.amplitude=1 initial.width=3 initial.centre=9)
+source_of 2 "initial.width must be a positive number, not 0" "${pulse[@]}" initial.width=0
+source_of 2 "initial.wave_number has no meaning for this shape" "${pulse[@]}" initial.wave_number=1
+source_of 2 "initial.wave_number must be a number from 0 to pi, not 4" "${pulse[@]}" initial.shape=packet initial.wave_number=4
+source_of 2 "initial.wave_number is missing" "${pulse[@]}" initial.shape=packet
+source_of 2 'initial.direction must be "both", "right" or "left", not "up"' "${pulse[@]}" initial.direction=up
+source_of 2 'initial.direction must be "both" of a velocity' "${pulse[@]}" initial.of=velocity initial.direction=left
+source_of 2 "initial.file has no meaning for this shape" "${pulse[@]}" initial.file=a.csv
+source_of 2 "initial.widht is not a key of a scene; the nearest one is initial.width" "${pulse[@]}" initial.widht=2
+source_of 2 "must be from a tenth to 1e6 of domain.spacing, not 0.01 of it" "${pulse[@]}" initial.direction=right initial.width=0.01
+source_of 2 "initial must be a table" initial=3
+source_of 2 "initial.file is missing" initial.shape=csv
+source_of 2 "initial.centre has no meaning for a csv" initial.shape=csv initial.file=a.csv initial.centre=3
+source_of 5 "$scratch/nowhere.csv: No such file" initial.shape=csv initial.file=nowhere.csv
+source_of 5 "Is a directory" initial.shape=csv initial.file=.
+source_of 2 "force.history is missing" force.centre=9
+source_of 2 "force.centre is missing" force.history=sine
+force=(force.centre=9 force.amplitude=1)
+source_of 2 "force.duration is missing" "${force[@]}" force.history=gaussian
+source_of 2 "force.frequency is missing" "${force[@]}" force.history=sine
+source_of 2 "force.duration has no meaning for this history" "${force[@]}" force.history=sine force.duration=1
+source_of 2 "force.cycles has no meaning for this history" "${force[@]}" force.history=ricker force.cycles=1 force.duration=1 force.time=2
+source_of 2 "force.centre and force.half_width select no node" force.centre=-9 force.amplitude=1 force.history=sine force.frequency=1
+source_of 5 "nowhere.csv: No such file" "${force[@]}" force.history=csv force.file=nowhere.csv
+wave=(incoming.shape=gaussian incoming.amplitude=1 incoming.width=9 incoming.arrival=5 incoming.end=left)
+source_of 2 'incoming.end must be "left" or "right", not "both"' "${wave[@]}" incoming.end=both
+source_of 2 "incoming.arrival must be a number not below 0" "${wave[@]}" incoming.arrival=-1
+source_of 2 "at most 100000 are taken" "${wave[@]}" incoming.arrival=1e9 time.end=1e10
+source_of 2 "a damped lattice has no wave that comes from afar" "${wave[@]}" model.damping=1/20 \
+    boundary.order=2 boundary.stride=4
+source_of 2 "preload.strain must be a number, not nan" preload.strain=nan
+source_of 2 "domain.nodes is 1, but NMBC2, stride 1, midpoint ghosts needs at least 2" "${pulse[@]}" \
+    boundary.order=2 model.G=1/2 model.horizon=1 domain.nodes=1
+source_of 2 "the chain needs at least 4 interior nodes for these ends" "${pulse[@]}" \
+    boundary.kind=free domain.nodes=3
+
 setting 3 "pole of a coefficient at G = 0" boundary.order=4
 refuses 3 "C(1) = 0" "$scene" --set model.horizon=1 --set model.G=1 --set boundary.order=3
 refuses 5 "No such file" nowhere.toml
@@ -286,7 +351,52 @@ try run "$scene" --set model.horizon=1 --set model.G=0.5 --set boundary.order=2 
     --set boundary.allow_unstable=true
 expect_exit 4
 expect_stderr "NMBC2 with explicit ghosts is not stable at n = 1, G = 0.5, cfl = 0.756: a mode"
-expect_stderr "times its peak while it was driven"  # found long before anything overflows
+expect_stderr "times its peak before its sources ended"  # found long before anything overflows
+
+# From an initial field the peak counts from the start: what grows later is found.
+try run "$2/tools/scenes/broadband.toml" --set boundary.order=2 --set boundary.stride=1 \
+    --set boundary.allow_unstable=true
+expect_exit 4
+expect_stderr "times its peak before its sources ended"
+# No energy, and why.
+try run "$sourceless" "${short[@]}" --set initial.shape=gaussian --set initial.amplitude=1 \
+    --set initial.width=1 --set initial.centre=-1000
+expect_exit 4
+expect_stderr "there was no energy at any time, so nothing to compare with: initial lies outside of the bar, or"
+try run "$sourceless" "${short[@]}" --set force.history=gaussian --set force.amplitude=1 \
+    --set force.centre=250 --set force.time=1000 --set force.duration=1
+expect_exit 4
+expect_stderr "a force or an incoming wave acts at no time of the run"
+
+# Files of a scene are relative to its folder: a force, and the field that a run has left.
+mkdir -p "$scratch/scenes"
+cp "$sourceless" "$scratch/scenes/fed.toml"
+printf 'time,force\n0,0\n1,2\n2,0\n' >"$scratch/scenes/history.csv"
+try run "$scratch/scenes/fed.toml" "${short[@]}" --set force.history=csv --set force.file=history.csv \
+    --set force.centre=250 --set output.field=true --out "$scratch/scenes"
+expect_exit 0
+try run "$scratch/scenes/fed.toml" "${short[@]}" --set initial.shape=csv \
+    --set initial.file=fed_field.csv --set output.name=more
+expect_exit 0
+# The force over its two seconds, and at once: the first energy is the last one, half a step on.
+expect "it starts with the energy it was left with" awk -F, '
+    FNR == 1 { next }
+    NR == FNR { last = $6; next }
+    FNR == 2 { exit !(($6 / last - 1)^2 < 1e-24) }' "$scratch/scenes/fed.csv" results/more.csv
+# Without a step of its own the drive's twentieth holds for the others, too.
+sed '/^step/d' "$sourceless" >"$scratch/stepless.toml"
+force=(--set force.amplitude=1 --set force.centre=250 --set time.end=4)
+wave=(--set incoming.end=right --set incoming.amplitude=1 --set incoming.arrival=1 --set time.end=4)
+try run "$scratch/stepless.toml" "${force[@]}" --set force.history=sine --set force.frequency=100
+expect "a twentieth of 1/100" grep -qE ' 8000 steps of 0.0005 .*: a twentieth of the period of force.frequency' "$scratch/stdout"
+try run "$scratch/stepless.toml" "${force[@]}" --set force.history=ricker --set force.duration=0.1 \
+    --set force.time=1
+expect "a twentieth of force.duration" grep -qE ' steps of 0.005 .*: a twentieth of force.duration' "$scratch/stdout"
+try run "$scratch/stepless.toml" "${wave[@]}" --set incoming.shape=gaussian --set incoming.width=1
+expect "a twentieth of its time" grep -qF ': a twentieth of incoming.width / c' "$scratch/stdout"
+try run "$scratch/stepless.toml" "${wave[@]}" --set incoming.shape=packet --set incoming.width=100 \
+    --set incoming.wave_number=1
+expect "a twentieth of its period" grep -qF ': a twentieth of the period of incoming.wave_number' "$scratch/stdout"
 
 # Stopped on the way: the energies so far under their own name, and nothing else.
 rm -rf results

@@ -16,7 +16,19 @@
 namespace nmbcrun {
 namespace {
 
+/// The other ends say for themselves what they need, when they are made.
+void require_room(const Scene& scene) {
+    for (const Boundary* boundary : {&scene.left, &scene.right}) {
+        const auto least = std::size_t(boundary->order) * std::size_t(boundary->stride);
+        if (takes_table(boundary->kind) && scene.nodes < least) {
+            throw SceneError(fmt::format("domain.nodes is {}, but {} needs at least {}",
+                                         scene.nodes, heading_of(*boundary), least));
+        }
+    }
+}
+
 Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
+    require_room(scene);
     const double omega_max = nmbc::maximum_frequency(lattice) *
                              std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
     const auto automatic =
