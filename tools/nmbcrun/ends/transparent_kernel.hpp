@@ -24,8 +24,8 @@ namespace nmbcrun {
 /// They are right to about the last bit: the errors of a row of 101 add up to less than 5e-15
 /// (tests/tools/exam_exact_kernel.cpp).
 /// Throws std::invalid_argument where courant is not positive and finite, the damping reaches
-/// further than the symbol or leapfrog is not stable in such steps, and std::runtime_error where
-/// the sum's own check, entry 0, fails.
+/// further than the symbol, leapfrog is not stable in such steps, or the sum's own check, entry 0,
+/// fails.
 std::vector<std::vector<double>> transparent_kernel(const nmbc::Lattice& lattice, double courant,
                                                     std::size_t steps);
 
