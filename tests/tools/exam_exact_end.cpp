@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// The exact end: its kernel, the chain it makes, and what it refuses.
+/// A chain with exact ends, and what they refuse.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -7,183 +7,15 @@
 #include <nmbc/nmbc.hpp>
 #include <nmbc/tables/tables.hpp>
 #include <random>
+#include <span>
 #include <stdexcept>
+#include <vector>
 
+#include "tests/tools/exact_cases.hpp"
 #include "tools/nmbcrun/ends/exact.hpp"
-#include "tools/nmbcrun/ends/online_convolution.hpp"
 #include "tools/nmbcrun/ends/transparent_kernel.hpp"
 
 namespace {
-
-using Kernel = std::vector<std::vector<double>>;
-
-nmbc::Lattice lattice_of(int horizon, double G, double tau = 0) {
-    const auto& table = *nmbc::find_table(nmbc::generated::tables, "nopd1d", horizon, 1);
-    auto lattice = nmbc::make_lattice(table, G);
-    if (tau > 0) {  // sigma is what G adds to omega^2 (41)
-        lattice.damping = nmbc::make_lattice(table, 1).symbol;
-        const auto without = nmbc::make_lattice(table, 0).symbol;
-        for (std::size_t m = 0; m < without.size(); ++m) {
-            lattice.damping[m] = tau * (lattice.damping[m] - without[m]);
-        }
-    }
-    return lattice;
-}
-
-/// (56), in units of its own spring and mass.
-const nmbc::Lattice atoms{.symbol = {2, -1}, .energy = {}, .damping = {}};
-
-double courant_of(const nmbc::Lattice& lattice, double cfl) {
-    return 2 * cfl / nmbc::maximum_frequency(lattice);
-}
-
-/// Leapfrog in a half line so long that nothing returns, node 1-i moved by 1 at level 0 only; what
-/// node 1 does is kernel[i-1]. In long double, whose roundings are none in double.
-std::vector<long double> response(const nmbc::Lattice& lattice, double courant, std::size_t i,
-                                  std::size_t steps) {
-    const std::size_t r = lattice.reach();
-    const std::size_t nodes = r * (steps / 2 + 2);
-    std::vector<long double> u(nodes + 2 * r);
-    std::vector<long double> v(u.size());  // times dt
-    std::vector<long double> result{0};
-    u[r - i] = 1;
-    v[r - i] = 1;
-    for (std::size_t k = 0; k < steps; ++k) {
-        const auto old = v;
-        for (std::size_t node = r; node < r + nodes; ++node) {
-            const auto sum = [&](const std::vector<double>& stencil, const auto& field) {
-                long double s = stencil.empty() ? 0.0L : stencil[0] * field[node];
-                for (std::size_t m = 1; m < stencil.size(); ++m) {
-                    s += stencil[m] * (field[node + m] + field[node - m]);
-                }
-                return s;
-            };
-            v[node] -= courant * (courant * sum(lattice.symbol, u) + sum(lattice.damping, old));
-        }
-        for (std::size_t node = r; node < r + nodes; ++node) {
-            u[node] += v[node];
-        }
-        v[r - i] = k == 0 ? -1 : 0;
-        u[r - i] = 0;
-        result.push_back(u[r]);
-    }
-    return result;
-}
-
-TEST_CASE("the kernel is the half line's answer to unit impulses") {
-    constexpr std::size_t steps = 100;
-    for (const int n : {1, 2, 3, 5}) {
-        // 1/2 and 0.5000001: at n = 1 the outermost coefficient is 0, and next to it.
-        for (const double G : {0.0, 0.5, 0.5000001, 1.0}) {
-            for (const double tau : {0.0, 0.05}) {
-                const auto lattice = lattice_of(n, G, tau);
-                for (const double cfl : {0.02, 0.3, 0.95, 1.0}) {
-                    if (cfl > nmbc::interior_cfl(lattice)) {
-                        continue;
-                    }
-                    const double courant = courant_of(lattice, cfl);
-                    const Kernel kernel = nmbcrun::transparent_kernel(lattice, courant, steps);
-                    REQUIRE(kernel.size() == lattice.reach());
-                    for (std::size_t i = 1; i <= kernel.size(); ++i) {
-                        const auto expected = response(lattice, courant, i, steps);
-                        long double error = 0;
-                        for (std::size_t m = 0; m <= steps; ++m) {
-                            error += std::abs(kernel[i - 1][m] - expected[m]);
-                        }
-                        CAPTURE(n);
-                        CAPTURE(G);
-                        CAPTURE(tau);
-                        CAPTURE(cfl);
-                        // To the last bit: 101 entries, a few of them near 1, of up to eps/2 each.
-                        CHECK(double(error) < 5e-15);
-                    }
-                }
-            }
-        }
-    }
-}
-
-TEST_CASE("the kernel of the atom chain solves its quadratic equation") {
-    // (1-q)^2 lambda = courant^2 q (1 - lambda)^2, q = 1/z, power by power.
-    constexpr std::size_t steps = 2000;
-    for (const double courant : {0.1, 0.5, 0.9, 1.0}) {
-        std::vector<double> expected(steps + 1);
-        for (std::size_t m = 1; m <= steps; ++m) {
-            double squares = m == 1 ? 1 : 0;
-            for (std::size_t j = 1; j + 1 < m; ++j) {
-                squares += expected[j] * expected[m - 1 - j];
-            }
-            expected[m] = courant * courant * squares +
-                          (2 - 2 * courant * courant) * expected[m - 1] -
-                          (m > 1 ? expected[m - 2] : 0);
-        }
-        const Kernel kernel = nmbcrun::transparent_kernel(atoms, courant, steps);
-        CAPTURE(courant);
-        for (std::size_t m = 0; m <= steps; ++m) {
-            // The recurrence's own roundings: sqrt(2000) of values below 1/10 and of sums of those.
-            CHECK(std::abs(kernel[0][m] - expected[m]) < 5e-15);
-        }
-    }
-    // courant = 1: every wave moves on by a node a step.
-    const Kernel shift = nmbcrun::transparent_kernel(atoms, 1, 100);
-    for (std::size_t m = 0; m <= 100; ++m) {
-        CHECK(std::abs(shift[0][m] - (m == 1 ? 1 : 0)) < 1e-17);  // in long double
-    }
-}
-
-TEST_CASE("in short steps the atom chain's kernel is 2 J_2(2t)/t") {
-    double before = 0;
-    for (const double dt : {0.04, 0.02, 0.01}) {
-        const auto steps = std::size_t(std::lround(20 / dt));
-        const Kernel kernel = nmbcrun::transparent_kernel(atoms, dt, steps);
-        double error = 0;
-        for (std::size_t m = 1; m <= steps; ++m) {
-            const double t = double(m) * dt;
-            error = std::max(error,
-                             std::abs(kernel[0][m] / dt - 2 * std::cyl_bessel_j(2.0, 2 * t) / t));
-        }
-        CHECK(error < 0.2 * dt * dt);  // 0.18 dt^2: leapfrog is of second order
-        if (before > 0) {
-            CHECK(before / error == doctest::Approx(4).scale(0).epsilon(0.02));
-        }
-        before = error;
-    }
-}
-
-TEST_CASE("blocks of a convolution give what plain sums do") {
-    std::mt19937_64 random(20180417);
-    std::normal_distribution<double> normal;
-    for (const std::size_t steps : {1U, 2U, 31U, 32U, 33U, 64U, 65U, 500U, 1024U}) {
-        Kernel kernel(3, std::vector<double>(steps + 1));
-        for (auto& values : kernel) {
-            std::ranges::generate(values, [&] { return normal(random); });
-        }
-        nmbcrun::OnlineConvolution convolution(kernel);
-        std::vector<std::vector<double>> x(5);
-        for (std::size_t k = 1; k <= steps; ++k) {
-            std::vector<double> given;
-            given.reserve(x.size());
-            for (auto& values : x) {
-                values.push_back(normal(random));
-                given.push_back(values.back());
-            }
-            std::vector<double> y(3);
-            convolution.advance(given, y);
-            for (std::size_t e = 0; e < 3; ++e) {
-                long double expected = 0;
-                for (std::size_t i = 1; i <= 3; ++i) {
-                    for (std::size_t m = 1; m <= k; ++m) {
-                        expected +=
-                            static_cast<long double>(kernel[i - 1][m]) * x[e + i - 1][k - m];
-                    }
-                }
-                // Sums of up to 200, whose last bit is 3e-14, from ten transforms.
-                CHECK(double(std::abs(y[e] - expected)) < 3e-13);
-            }
-        }
-        CHECK(convolution.levels() == steps);
-    }
-}
 
 /// Nothing near the ends, and every wave number in the middle. Of the same interior with any layer.
 void start_randomly(nmbc::Chain& chain) {
@@ -237,34 +69,21 @@ TEST_CASE("a chain between exact ends is one that nothing returns in") {
     constexpr std::size_t steps = 300;
     const nmbc::ChainEnd exact = nmbcrun::ExactEnd{steps};
     const nmbc::ChainEnd free_end = nmbc::FreeEnd{};
-    for (const int n : {1, 2, 3}) {
-        for (const double tau : {0.0, 0.05}) {
-            for (const double G : {0.0, 0.3, 1.0}) {
-                if (tau > 0 && G != 0.3) {
-                    continue;
-                }
-                const auto lattice = lattice_of(n, G, tau);
-                // A step reaches r nodes further: these are out of reach there and back.
-                const nmbc::ChainEnd wide = nmbc::FixedEnd{lattice.reach() * steps / 2};
-                for (const double cfl : {0.3, 0.95}) {
-                    const auto p =
-                        parameters_of(lattice, std::min(cfl, 0.99 * nmbc::interior_cfl(lattice)));
-                    for (const int ends : {0, 1, 2}) {  // 1, 2: a free one on the left, right
-                        nmbc::Chain one(lattice, ends == 1 ? free_end : exact,
-                                        ends == 2 ? free_end : exact, p);
-                        nmbc::Chain other(lattice, ends == 1 ? free_end : wide,
-                                          ends == 2 ? free_end : wide, p);
-                        CAPTURE(n);
-                        CAPTURE(tau);
-                        CAPTURE(G);
-                        CAPTURE(cfl);
-                        CAPTURE(ends);
-                        // Roundings of 300 steps, of sums of 7 to 15 terms of up to twice the
-                        // largest u: 300 sqrt(15) eps, if all of them add up.
-                        CHECK(difference(one, other, steps) < 2e-13);
-                    }
-                }
-            }
+    for (const Case& one : cases({1, 2, 3}, {0.0, 0.3, 1.0}, {0.3, 0.95})) {
+        const auto lattice = lattice_of(one.horizon, one.G, one.tau);
+        // A step reaches r nodes further: these are out of reach there and back.
+        const nmbc::ChainEnd wide = nmbc::FixedEnd{lattice.reach() * steps / 2};
+        const auto p = parameters_of(lattice, one.cfl);
+        for (const int free_side : {0, 1, 2}) {  // none, left, right
+            nmbc::Chain shorter(lattice, free_side == 1 ? free_end : exact,
+                                free_side == 2 ? free_end : exact, p);
+            nmbc::Chain longer(lattice, free_side == 1 ? free_end : wide,
+                               free_side == 2 ? free_end : wide, p);
+            CAPTURE(one);
+            CAPTURE(free_side);
+            // Roundings of 300 steps, of sums of 7 to 15 terms of up to twice the largest u:
+            // 300 sqrt(15) eps, if all of them add up.
+            CHECK(difference(shorter, longer, steps) < 2e-13);
         }
     }
 }

@@ -175,6 +175,10 @@ setting 2 "--set bogus.key: bogus is not a key of a scene" bogus.key=1
 setting 2 "no table for family nopd1d, horizon 2, order 9" boundary.right.order=9
 setting 2 "above the interior's limit" time.step=0.6
 setting 2 "select no node" drive.centre=-99
+refuses 2 "a run of 250000 steps is too long for an \"exact\" end, which is made for 200000 at most" \
+    "$scene" --set boundary.kind=exact --set time.end=5000
+refuses 4 "NMBC1 opposite an exact end is certified at n = 2, G = 1 at no time step, and cfl is 0.0668" \
+    "$scene" --set boundary.left.kind=exact --set model.G=1
 setting 2 "must not be 0" drive.amplitude=0
 setting 2 "whole number from 1 to 100000000, not 0" domain.nodes=0
 setting 2 "steps; at most 1e15" time.step=1e-300
@@ -288,6 +292,10 @@ stable() {
 for nodes in 30 60; do
     stable --set boundary.kind=free --set domain.nodes=$nodes --set drive.centre=15
 done
+stable --set boundary.kind=exact
+expect_stdout_line "boundary  exact"
+stable --set boundary.right.kind=exact --set model.horizon=1 --set model.G=1
+expect_stdout_line "right     exact"
 stable --set boundary.kind=fixed --set model.damping=0.0
 expect_stdout_line "boundary  fixed"
 stable --set boundary.right.kind=free

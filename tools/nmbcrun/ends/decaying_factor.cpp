@@ -157,7 +157,7 @@ const std::vector<LongComplex>& DecayingFactor::find(const std::vector<LongCompl
         guess = factor_by_roots(a);
         factor_.clear();  // its sign may be another one
         if (!improve(guess, a) || !decays(guess)) {
-            throw std::runtime_error(
+            throw std::invalid_argument(
                 "the polynomial of the exact end has a root on the unit circle");
         }
     }

@@ -16,8 +16,8 @@ using LongComplex = std::complex<long double>;
 /// is known to be within the circle: two that coalesce there do no harm.
 class DecayingFactor {
   public:
-    /// a: a_0 .. a_r, not all 0, without a root on the unit circle. Throws std::runtime_error where
-    /// there is one, to rounding.
+    /// a: a_0 .. a_r, not all 0, without a root on the unit circle. Throws std::invalid_argument
+    /// where there is one, to rounding.
     const std::vector<LongComplex>& find(const std::vector<LongComplex>& a);
 
   private:

@@ -89,7 +89,7 @@ std::vector<std::vector<double>> transparent_kernel(const nmbc::Lattice& lattice
         fft.inv(sums.data(), values[i].data(), Eigen::Index(circle.count));
         // A wrong root at one z alone would show here.
         if (!(std::abs(sums[0]) < Real(1e-15))) {
-            throw std::runtime_error("the kernel of the exact end was not found to 1e-15");
+            throw std::invalid_argument("the kernel of the exact end was not found to 1e-15");
         }
         for (std::size_t m = 1; m <= steps; ++m) {
             kernel[i][m] = double(sums[m] * std::exp(circle.log_radius * Real(m)));
