@@ -94,6 +94,10 @@ const toml::node* SceneReader::find(std::string_view key) {
     return document_.at_path(key).node();
 }
 
+bool SceneReader::has(std::string_view key) const {
+    return bool(document_.at_path(key));
+}
+
 bool SceneReader::is_overridden(std::string_view key) const {
     return std::ranges::find(overridden_, key) != overridden_.end();
 }

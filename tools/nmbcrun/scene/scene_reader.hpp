@@ -26,6 +26,8 @@ struct Bounds {
 
 inline constexpr Bounds positive{0, 1e300, false, "a positive number"};
 inline constexpr Bounds not_negative{0, 1e300, true, "a number not below 0"};
+inline constexpr Bounds between_0_and_1{0, 1 - 0x1p-53, false,
+                                        "a number between 0 and 1, neither of them"};
 inline constexpr Bounds any_number{-1e300, 1e300, true, "a number"};
 
 class SceneReader {
@@ -51,6 +53,9 @@ class SceneReader {
         }
         return *value;
     }
+
+    /// Whether the key is there, from the file or by an override.
+    bool has(std::string_view key) const;
 
     /// Whether an override set the key.
     bool is_overridden(std::string_view key) const;
