@@ -26,7 +26,7 @@ Stencil strain_of(int first, int n) {
     }
     Stencil strain(std::size_t(2 * n + 1));
     for (int j = first; j <= n; ++j) {
-        strain[std::size_t(n + j)] = j / shape;
+        strain[std::size_t(n + j)] += j / shape;
         strain[std::size_t(n)] -= j / shape;
     }
     return strain;

@@ -28,13 +28,14 @@ namespace nmbcrun {
 /// node. The damping force of a damped lattice acts on in the layer as it is, unstretched: of order
 /// xi^4.
 ///
-/// Leapfrog with v at half levels, p at whole ones and the trapezoidal rule for both losses: with
-/// weights w_q >= 0 no eigenvalue of a step is outside of the unit circle, at any sigma and up to
-/// the interior's own limit. For |z| > 1, mu = z^(1/2) - z^(-1/2), nu = z^(1/2) + z^(-1/2), s =
-/// sigma dt/2, and p scaled by w^(-1/2), v* times the first equation and p* times the second add up
-/// to
-///     mu |v|^2 + conj(mu) |p|^2 + nu <s v, v> + conj(nu) <s p, p> = 0,
-/// of positive real part unless z < -1, and then each alone gives |z|^(1/2) + |z|^(-1/2) <= dt |L|.
+/// Leapfrog with v at half levels, p at whole ones and the trapezoidal rule for both losses. In
+/// units dX = c = 1, a step takes dt (sum sigma v^2 + sum sigma p^2/w), each of the mean of old and
+/// new, from
+///     sum v^2/2 + sum (p^2/w - dt p L v)/2,  p half a step after v, over the nodes and all
+///     squares,
+/// which is positive below the interior's limit of the time step: nothing grows at any sigma, n or
+/// G, backward waves or not. (Of a damped lattice, less dt/4 v.tau sigma v: the same up to its
+/// limit.)
 struct PmlEnd {
     LossLayer layer;
 

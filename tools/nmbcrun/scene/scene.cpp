@@ -18,8 +18,8 @@ namespace {
 
 constexpr long most_nodes = 100'000'000;
 
-constexpr double sponge_target = 1e-3;
-constexpr double pml_target = 1e-6;
+constexpr double sponge_target = 1e-2;
+constexpr double pml_target = 1e-4;
 
 const std::vector<std::pair<std::string_view, BoundaryKind>> boundary_kinds{
     {"nmbc", BoundaryKind::nmbc},     {"fixed", BoundaryKind::fixed},
