@@ -161,21 +161,20 @@ TEST_CASE("every step takes energy from a sponge and adds none") {
     }
 }
 
-/// The largest number in the state after 1e5 steps from random numbers of size 1.
-double largest_after_100000_steps(const nmbc::Lattice& lattice, const nmbc::ChainEnd& end,
-                                  double cfl) {
+/// Whether 1e5 steps from random numbers of size 1 leave them of that size.
+void check_bounded(const nmbc::Lattice& lattice, const nmbc::ChainEnd& end, double cfl) {
     nmbc::Chain chain(lattice, end, {.nodes = 12, .time_step = step_of(lattice, cfl)});
     start_at_random(chain);
     for (int step = 0; step < 100000; ++step) {
         chain.step();
     }
-    double largest = 0;
-    for (const auto field : {chain.displacement(), chain.velocity()}) {
-        for (const double value : field) {
-            largest = std::max(largest, std::abs(value));
-        }
+    const auto state = chain.state();
+    for (std::size_t node = 0; node < chain.nodes(); ++node) {
+        // No energy is added, and the velocities of the start are up to 3.
+        CHECK(std::abs(state.velocity[node]) < 10);
+        // Where u comes to rest in a layer costs no energy: 438 at n = 4, G = 0.
+        CHECK(std::abs(state.displacement[node]) < 1000);
     }
-    return largest;
 }
 
 TEST_CASE("100000 steps from a random state stay bounded") {
@@ -184,10 +183,8 @@ TEST_CASE("100000 steps from a random state stay bounded") {
             const auto lattice = lattice_of(horizon, G);
             CAPTURE(horizon);
             CAPTURE(G);
-            // 20 nodes or so of size 1: at most sqrt(20) in one of them, some ten times that
-            // in u = sum dt v; growth of 1e-4 a step alone would be exp(10).
-            CHECK(largest_after_100000_steps(lattice, PmlEnd{{4, 2, 1e-4}}, 0.99) < 100);
-            CHECK(largest_after_100000_steps(lattice, SpongeEnd{{4, 2, 1e-2}}, 0.99) < 100);
+            check_bounded(lattice, PmlEnd{{4, 2, 1e-4}}, 0.99);
+            check_bounded(lattice, SpongeEnd{{4, 2, 1e-2}}, 0.99);
         }
     }
 }
@@ -200,8 +197,8 @@ TEST_CASE("a damped lattice keeps its damping in the layer") {
         lattice.damping.push_back((lattice.symbol[m] - without.symbol[m]) / 10);
     }
     const double cfl = 0.99 * nmbc::interior_cfl(lattice);
-    CHECK(largest_after_100000_steps(lattice, PmlEnd{{4, 2, 1e-4}}, cfl) < 100);
-    CHECK(largest_after_100000_steps(lattice, SpongeEnd{{4, 2, 1e-2}}, cfl) < 100);
+    check_bounded(lattice, PmlEnd{{4, 2, 1e-4}}, cfl);
+    check_bounded(lattice, SpongeEnd{{4, 2, 1e-2}}, cfl);
 }
 
 TEST_CASE("without loss a layer is more of the lattice") {

@@ -14,8 +14,9 @@ namespace nmbcrun {
 /// at each ghost node from the innermost outwards, all speeds c = sqrt(E/rho). Order 1 is (58) with
 /// midpoint ghosts, NMBC1 of stride 1.
 ///
-/// It knows the continuum, not the lattice, and has no certificate. From order 2 on u = t^(P-1) is
-/// a solution of it, so that a drift, once there, goes on.
+/// It knows the continuum, not the lattice, and has no certificate. u = t^(P-1) is a solution of
+/// it, so that roundings make u drift as t^(P-1) from order 2 on; where a wave runs backwards
+/// (group and phase velocity opposed) it is amplified, and grows exponentially.
 struct HigdonEnd {
     int order = 1;
 

@@ -52,22 +52,25 @@ bool counts(std::string_view key, BoundaryKind kind) {
     return std::ranges::find(keys, key) != keys.end();
 }
 
-/// Fails for a key beside this kind in its own table for which it does not count. A file's keys
-/// may stay when an override changes the kind.
-void refuse_idle_keys(const SceneReader& reader, const std::string& group, BoundaryKind kind) {
+/// Fails for a key beside this group's own kind that counts neither for it nor for the other kinds,
+/// of ends that inherit the key. A file's keys may stay where an override changes the kind.
+void refuse_idle_keys(const SceneReader& reader, const std::string& group, BoundaryKind kind,
+                      const std::vector<BoundaryKind>& others) {
     const bool kind_is_overridden = reader.is_overridden(group + ".kind");
     for (const std::string_view name :
          {"order", "stride", "ghosts", "matched_step", "layer", "profile", "target"}) {
         const std::string key = fmt::format("{}.{}", group, name);
-        if (!reader.has(key) || counts(name, kind) ||
-            (kind_is_overridden && !reader.is_overridden(key))) {
-            continue;
+        const bool idle =
+            !counts(name, kind) &&
+            std::ranges::none_of(others, [&](BoundaryKind other) { return counts(name, other); });
+        if (idle && reader.has(group + ".kind") && reader.has(key) &&
+            (reader.is_overridden(key) || !kind_is_overridden)) {
+            const auto keys = keys_of(kind);
+            reader.fail(key, fmt::format("does not count for kind \"{}\"{}{}", name_of(kind),
+                                         keys.empty() ? ", which has no keys of its own"
+                                                      : ", whose keys are ",
+                                         fmt::join(keys, ", ")));
         }
-        const auto keys = keys_of(kind);
-        reader.fail(
-            key, fmt::format("does not count for kind \"{}\"{}{}", name_of(kind),
-                             keys.empty() ? ", which has no keys of its own" : ", whose keys are ",
-                             fmt::join(keys, ", ")));
     }
 }
 
@@ -110,11 +113,8 @@ Boundary read_boundary(SceneReader& reader, const std::string& group, const Boun
         reader, group + ".ghosts",
         {{"midpoint", nmbc::GhostRule::midpoint}, {"explicit", nmbc::GhostRule::explicit_rule}});
     const auto layer = reader.whole_number(group + ".layer", 1, most_nodes);
-    const auto profile = reader.number(group + ".profile", not_negative);
+    const auto profile = reader.number(group + ".profile", up_to_10);
     const auto target = reader.number(group + ".target", between_0_and_1);
-    if (kind) {
-        refuse_idle_keys(reader, group, *kind);
-    }
     return {
         .kind = kind.value_or(others.kind),
         .order = int(order.value_or(others.order)),
@@ -237,6 +237,9 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
             reader.fail(group, "is of a kind that needs boundary.layer, the nodes of its layer");
         }
     }
+    refuse_idle_keys(reader, "boundary", both.kind, {scene.left.kind, scene.right.kind});
+    refuse_idle_keys(reader, "boundary.left", scene.left.kind, {});
+    refuse_idle_keys(reader, "boundary.right", scene.right.kind, {});
     scene.allow_unstable = reader.truth("boundary.allow_unstable").value_or(false);
     scene.end = reader.required("time.end", reader.number("time.end", positive));
     scene.step = reader.number("time.step", positive);

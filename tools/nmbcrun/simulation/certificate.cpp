@@ -92,7 +92,8 @@ std::optional<std::string> decided_without_waves(const Scene& scene,
                                                  const nmbc::MatchingTable& right, double cfl) {
     for (const Boundary& boundary : {scene.left, scene.right}) {
         if (!has_certificate(boundary.kind)) {
-            return fmt::format("there is no certificate for {}", name_of(boundary));
+            return fmt::format("there is no certificate for a chain with {} end",
+                               boundary.kind == BoundaryKind::mbc ? "an mbc" : "a higdon");
         }
     }
     if (adds_no_energy(scene.left.kind) && adds_no_energy(scene.right.kind)) {
@@ -113,11 +114,11 @@ std::optional<std::string> decided_without_waves(const Scene& scene,
     if (cfl <= certified * (1 + roundings)) {
         return "";
     }
-    return fmt::format("{} is certified against {} {} at n = {}, G = {}{}, cfl = {:.3g}",
-                       name_of(matching), name_of(on_the_left ? scene.right : scene.left),
-                       certified > 0 ? fmt::format("up to cfl = {:.3g} only, and not", certified)
-                                     : "at no time step, and not",
-                       scene.horizon, scene.G, is_damped(scene) ? ", tau = " + scene.tau : "", cfl);
+    return fmt::format(
+        "{} is certified against {} {} at n = {}, G = {}{}; cfl = {:.3g}", name_of(matching),
+        name_of(on_the_left ? scene.right : scene.left),
+        certified > 0 ? fmt::format("up to cfl = {:.3g} only", certified) : "at no time step",
+        scene.horizon, scene.G, is_damped(scene) ? ", tau = " + scene.tau : "", cfl);
 }
 
 }  // namespace
