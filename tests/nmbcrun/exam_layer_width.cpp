@@ -6,6 +6,7 @@
 #include "tests/nmbcrun/chains.hpp"
 #include "tools/nmbcrun/ends/pml.hpp"
 #include "tools/nmbcrun/ends/sponge.hpp"
+#include "tools/nmbcrun/scene/scene.hpp"
 
 namespace {
 
@@ -50,6 +51,30 @@ TEST_CASE("wider layers send less back, and a pml less than a sponge") {
         }
         CHECK(sponge_before < 1.2e-3);
         CHECK(pml_before < 1e-8);  // target^2
+    }
+}
+
+TEST_CASE("the default targets leave less than twice as much as the best power of ten") {
+    const double sponge_target = nmbcrun::target_of({.kind = nmbcrun::BoundaryKind::sponge});
+    const double pml_target = nmbcrun::target_of({.kind = nmbcrun::BoundaryKind::pml});
+    for (const auto& [horizon, G] : {std::pair(1, 0.5), std::pair(2, 1.0)}) {
+        const auto lattice = lattice_of(horizon, G);
+        for (const std::size_t layer : {10U, 20U, 50U}) {
+            double best_sponge = 1;
+            double best_pml = 1;
+            for (double target = 0.1; target > 1e-9; target /= 10) {
+                best_sponge = std::min(best_sponge,
+                                       energy_left(lattice, SpongeEnd{{layer, 2, target}}, layer));
+                best_pml =
+                    std::min(best_pml, energy_left(lattice, PmlEnd{{layer, 2, target}}, layer));
+            }
+            CAPTURE(lattice.reach());
+            CAPTURE(layer);
+            // As said: 1.14 and 1.83 times at most
+            CHECK(energy_left(lattice, SpongeEnd{{layer, 2, sponge_target}}, layer) <
+                  2 * best_sponge);
+            CHECK(energy_left(lattice, PmlEnd{{layer, 2, pml_target}}, layer) < 2 * best_pml);
+        }
     }
 }
 

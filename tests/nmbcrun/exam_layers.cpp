@@ -3,6 +3,7 @@
 /// refuse.
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "tests/nmbcrun/chains.hpp"
 #include "tools/nmbcrun/ends/pml.hpp"
@@ -233,11 +234,12 @@ TEST_CASE("without loss a layer is more of the lattice") {
 }
 
 TEST_CASE("layers that there cannot be") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto lattice = lattice_of(1, 1);
     const nmbc::ChainParameters parameters{.nodes = 20, .time_step = 0.1};
     for (const LossLayer& layer :
-         {LossLayer{0, 2, 0.1}, LossLayer{5, -1, 0.1}, LossLayer{5, NAN, 0.1}, LossLayer{5, 2, 0},
-          LossLayer{5, 2, 1}, LossLayer{5, 2, NAN}}) {
+         {LossLayer{0, 2, 0.1}, LossLayer{5, -1, 0.1}, LossLayer{5, nan, 0.1}, LossLayer{5, 2, 0},
+          LossLayer{5, 2, 1}, LossLayer{5, 2, nan}}) {
         CHECK_THROWS_AS(nmbc::Chain(lattice, SpongeEnd{layer}, parameters), std::invalid_argument);
         CHECK_THROWS_AS(nmbc::Chain(lattice, PmlEnd{layer}, parameters), std::invalid_argument);
     }

@@ -68,7 +68,7 @@ TEST_CASE("the force on every node is that of the truncated energy, on both side
                     std::ranges::reverse(a);
                     std::ranges::reverse(all);
                 }
-                const std::vector<double> u(all.begin() + n, all.begin() + 6 * n);
+                const std::vector<double> u(all.begin() + n, all.begin() + std::ptrdiff_t(6) * n);
                 for (int node = n; node < 3 * n; ++node) {  // interior; squares in reach of u
                     auto more = u;
                     auto less = u;

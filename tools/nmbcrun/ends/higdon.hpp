@@ -14,9 +14,9 @@ namespace nmbcrun {
 /// at each ghost node from the innermost outwards, all speeds c = sqrt(E/rho). Order 1 is (58) with
 /// midpoint ghosts, NMBC1 of stride 1.
 ///
-/// It knows the continuum, not the lattice, and has no certificate. u = t^(P-1) is a solution of
-/// it, so that roundings make u drift as t^(P-1) from order 2 on; where a wave runs backwards
-/// (group and phase velocity opposed) it is amplified, and grows exponentially.
+/// It knows the continuum, not the lattice, and has no certificate. Every polynomial of degree P -
+/// 1 in x and t satisfies it, u = t for one at order 2, so that roundings make u drift as t^(P-1).
+/// In lattices with backward waves (group and phase velocity opposed) it can grow exponentially.
 struct HigdonEnd {
     int order = 1;
 
