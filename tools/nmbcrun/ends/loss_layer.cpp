@@ -6,7 +6,7 @@
 
 namespace nmbcrun {
 
-std::vector<double> half_step_losses(const LossLayer& layer, double rate_factor,
+std::vector<double> half_step_losses(const LossLayer& layer, double share,
                                      const nmbc::ChainParameters& parameters) {
     if (layer.nodes == 0 || !(layer.profile >= 0) || !std::isfinite(layer.profile) ||
         !(layer.target > 0 && layer.target < 1)) {
@@ -15,7 +15,7 @@ std::vector<double> half_step_losses(const LossLayer& layer, double rate_factor,
             "between 0 and 1");
     }
     const auto nodes = double(layer.nodes);
-    const double largest = rate_factor * (layer.profile + 1) * parameters.wave_speed() *
+    const double largest = share * (layer.profile + 1) * parameters.wave_speed() *
                            -std::log(layer.target) / (nodes * parameters.spacing);
     std::vector<double> losses;
     losses.reserve(layer.nodes + 1);

@@ -16,16 +16,15 @@ struct LossLayer {
     double target = 0;   ///< amplitude that comes back from the far end in the continuum, in (0, 1)
 };
 
-/// The integral over the layer of a loss [1/time] whose largest value is 1, by c: profile and
-/// spacing give nodes dX / ((profile + 1) c) [time].
-/// rate_factor: the loss that divides the amplitude by e on a round trip, times c/2 per length: 1
-/// of a loss of the velocity alone, exp(-(1/c) integral gamma); 1/2 of one that strain and velocity
-/// share, exp(-(2/c) integral sigma).
+/// The largest loss is share (profile + 1) c ln(1/target) / (nodes dX), so that (1/c) times the
+/// integral of the loss is share ln(1/target). On the way there and back a loss of the velocity
+/// alone takes exp(-(1/c) integral): share 1. One that strain and velocity both have takes
+/// exp(-(2/c) integral): share 1/2.
 /// Returns loss dt/2 at depths (k - 1/2) dX, k = 1 .. nodes, and once more with the largest of all,
 /// beyond the layer.
 /// Throws std::invalid_argument where the layer has no node, the profile is negative or the target
 /// is not within (0, 1).
-std::vector<double> half_step_losses(const LossLayer& layer, double rate_factor,
+std::vector<double> half_step_losses(const LossLayer& layer, double share,
                                      const nmbc::ChainParameters& parameters);
 
 }  // namespace nmbcrun

@@ -29,13 +29,11 @@ namespace nmbcrun {
 /// xi^4.
 ///
 /// Leapfrog with v at half levels, p at whole ones and the trapezoidal rule for both losses. In
-/// units dX = c = 1, a step takes dt (sum sigma v^2 + sum sigma p^2/w), each of the mean of old and
-/// new, from
-///     sum v^2/2 + sum (p^2/w - dt p L v)/2,  p half a step after v, over the nodes and all
-///     squares,
-/// which is positive below the interior's limit of the time step: nothing grows at any sigma, n or
-/// G, backward waves or not. (Of a damped lattice, less dt/4 v.tau sigma v: the same up to its
-/// limit.)
+/// units dX = c = 1, a step takes dt (sum sigma v^2 + sum sigma p^2/w), v and p the means of old
+/// and new, from the energy
+///     sum v^2/2 + sum (p^2/w - dt p L v)/2,   p half a step after v, over all nodes and squares.
+/// It is positive below the interior's limit of the time step, so nothing grows at any sigma, n or
+/// G, with backward waves or without. (Of a damped lattice, less dt/4 v.tau sigma v, likewise.)
 struct PmlEnd {
     LossLayer layer;
 

@@ -43,9 +43,8 @@ struct Boundary {
     // Of those that put a layer outside of the interior:
     std::size_t layer = 0;  ///< nodes of it
     // Of a sponge or pml:
-    double profile = 2;  ///< exponent of the loss in the depth
-    std::optional<double>
-        target{};  ///< amplitude the continuum sends back; nothing: the kind's own
+    double profile = 2;              ///< exponent of the loss in the depth
+    std::optional<double> target{};  ///< what the continuum sends back; nothing: the kind's own
 
     friend bool operator==(const Boundary&, const Boundary&) = default;
 };
