@@ -35,7 +35,7 @@ allow tools/nmbcrun/simulation "tools/nmbcrun/(scene|simulation|ends)/|tools/nmb
 allow tools/nmbcrun/compare "tools/nmbcrun/(compare|scene|simulation)/|nmbc/|generator/(table|exact|stability)/|$text"
 allow tools/nmbcrun/advise "tools/nmbcrun/(advise|chart|compare|scene|simulation)/|tools/nmbcrun/errors.hpp|nmbc/|generator/(table|exact|stability)/|$text"
 allow tools/nmbcrun/chart "tools/nmbcrun/(chart|compare|output|scene|simulation)/|tools/nmbcrun/errors.hpp|nmbc/|$text"
-allow tools/nmbcrun/ends 'tools/nmbcrun/ends/|nmbc/|(unsupported/)?Eigen/'
+allow tools/nmbcrun/ends "tools/nmbcrun/ends/|nmbc/|(unsupported/)?Eigen/|$text"
 allow tools/nmbcrun/output "tools/nmbcrun/(output/|errors.hpp)|nmbc/|unistd.h|sys/ioctl.h|$text"
 allow tools/pulses "tools/pulses/|tools/number_between.hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|CLI/"

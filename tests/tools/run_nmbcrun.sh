@@ -313,6 +313,70 @@ try run "$scene" --quiet --set boundary.kind=free --set model.G=1
 expect "free ends keep the energy" awk '/^energy left/ { exit !($3 > 0.99) }' "$scratch/stdout"
 rm -r results
 
+# Layers: with any end that adds no energy, at 0.99 of the interior's limit, and with an nmbc where
+# that is certified for any such end.
+layer=(--set boundary.layer=20)
+for kind in sponge pml; do
+    stable "${layer[@]}" --set boundary.kind=$kind
+    expect "the heading" grep -q "^boundary  $kind of 20 nodes, profile 2, target 0.0" \
+        "$scratch/stdout"
+    for other in fixed free extended pml; do
+        stable --set boundary.left.kind=$other "${layer[@]}" --set boundary.right.kind=$kind
+    done
+    stable "${layer[@]}" --set boundary.left.kind=$kind --set model.horizon=1 --set model.G=0.5
+    rm -r results
+    unstable "NMBC1 is certified against a $kind end at no time step at n = 2, G = 0; cfl" \
+        "${layer[@]}" --set boundary.left.kind=$kind
+    unstable "NMBC2 is certified against a $kind end up to cfl = 0.69 only at n = 1, G = 0.5; cfl" \
+        "${layer[@]}" --set boundary.right.kind=$kind --set model.horizon=1 --set model.G=0.5 \
+        --set boundary.order=2 --set time.cfl=0.8
+    try run "$scratch/automatic.toml" "${layer[@]}" --set boundary.kind=$kind --set time.end=4
+    expect "just below the limit" grep -qF 'cfl = 0.99): just below' "$scratch/stdout"
+    rm -r results
+done
+# Ends without a certificate run where they are allowed to, at a step that is given.
+for kind in higdon mbc; do
+    unstable "there is no certificate for a chain with a" --set boundary.right.kind=$kind
+    refuses 4 "there is no certificate for this kind" "$scratch/automatic.toml" \
+        --set boundary.kind=$kind --set boundary.allow_unstable=true
+    try run "$scene" "${short[@]}" --set boundary.kind=$kind --set boundary.allow_unstable=true
+    expect_exit 0
+    expect_stderr "nmbcrun: warning: there is no certificate for a chain with a"
+    rm -r results
+done
+# The edge effect: a long wave comes back with 1/9 of its energy, and what NMBC1 leaves on top.
+try run "$scene" --quiet --set model.horizon=1 --set boundary.kind=mbc \
+    --set boundary.allow_unstable=true
+expect "a ninth of the energy" awk '/^energy left/ { exit !($3 > 1 / 9 && $3 < 1 / 9 + 6e-4) }' \
+    "$scratch/stdout"
+rm -r results
+refuses 2 "without damping" "$scene" --set boundary.kind=mbc --set boundary.allow_unstable=true \
+    --set model.damping=1/100 --set boundary.order=2 --set boundary.stride=2
+
+# Keys that do not count for the kind beside them.
+idle() { refuses 2 "$1" "$scene" "${@:2}"; }
+idle 'boundary.layer does not count for kind "fixed", which has no keys of its own' \
+    --set boundary.kind=fixed "${layer[@]}"
+idle 'boundary.right.stride does not count for kind "higdon", whose keys are order' \
+    --set boundary.right.kind=higdon --set boundary.right.stride=2
+idle 'boundary.target does not count for kind "nmbc", whose keys are order, stride' \
+    --set boundary.kind=nmbc --set boundary.target=0.1
+sed 's/^order.*/kind = "fixed"\n&/' "$scene" >"$scratch/idle.toml"
+refuses 2 'idle.toml:26: boundary.order does not count for kind "fixed"' "$scratch/idle.toml"
+stable --set boundary.order=1 --set boundary.right.kind=free
+rm -r results
+for value in 0 1 -1 nan '"x"'; do
+    idle "boundary.target must be a number between 0 and 1, neither of them" \
+        "${layer[@]}" --set boundary.kind=pml --set boundary.target=$value
+done
+idle "boundary.profile must be a number from 0 to 10, not 11" \
+    "${layer[@]}" --set boundary.kind=pml --set boundary.profile=11
+for kind in sponge pml; do
+    idle "is of a kind that needs boundary.layer" --set boundary.right.kind=$kind
+done
+idle "the order of a higdon end is 1 to 10, not 11" --set boundary.kind=higdon \
+    --set boundary.order=11 --set boundary.allow_unstable=true
+
 # Mistakes in the file itself are named with their line.
 sed 's/^density/densty/' "$scene" >"$scratch/misspelt.toml"
 refuses 2 "misspelt.toml:11: material.densty is not a key" "$scratch/misspelt.toml"

@@ -90,9 +90,10 @@ Record simulate(Simulation& simulation, CsvFile& csv, bool quiet) {
         if (simulation.is_driven(chain.time())) {
             driven_peak = std::max(driven_peak, total);
         } else if (driven_peak > 0 && total > 10 * driven_peak) {
-            throw unstable(fmt::format(
-                "the energy has grown to {:.3g} times its peak before its sources ended, most at {},",
-                total / driven_peak, fastest_node(chain)));
+            throw unstable(
+                fmt::format("the energy has grown to {:.3g} times its peak before its sources "
+                            "ended, most at {},",
+                            total / driven_peak, fastest_node(chain)));
         }
     }
     return record;

@@ -2,6 +2,7 @@
 #include "tools/nmbcrun/scene/scene.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -20,12 +21,63 @@ namespace {
 
 constexpr long most_nodes = 100'000'000;
 
+constexpr double sponge_target = 1e-2;
+constexpr double pml_target = 1e-4;
+
 const std::vector<std::pair<std::string_view, BoundaryKind>> boundary_kinds{
-    {"nmbc", BoundaryKind::nmbc},
-    {"fixed", BoundaryKind::fixed},
-    {"free", BoundaryKind::free},
-    {"extended", BoundaryKind::extended},
-    {"exact", BoundaryKind::exact}};
+    {"nmbc", BoundaryKind::nmbc},   {"fixed", BoundaryKind::fixed},
+    {"free", BoundaryKind::free},   {"extended", BoundaryKind::extended},
+    {"exact", BoundaryKind::exact}, {"sponge", BoundaryKind::sponge},
+    {"pml", BoundaryKind::pml},     {"higdon", BoundaryKind::higdon},
+    {"mbc", BoundaryKind::mbc}};
+
+/// The keys that count for it, `kind` aside.
+std::vector<std::string_view> keys_of(BoundaryKind kind) {
+    switch (kind) {
+        case BoundaryKind::nmbc:
+        case BoundaryKind::mbc:
+            return {"order", "stride", "ghosts", "matched_step"};
+        case BoundaryKind::higdon:
+            return {"order"};
+        case BoundaryKind::extended:
+            return {"layer"};
+        case BoundaryKind::sponge:
+        case BoundaryKind::pml:
+            return {"layer", "profile", "target"};
+        case BoundaryKind::fixed:
+        case BoundaryKind::free:
+        case BoundaryKind::exact:
+            break;
+    }
+    return {};
+}
+
+bool counts(std::string_view key, BoundaryKind kind) {
+    const auto keys = keys_of(kind);
+    return std::ranges::find(keys, key) != keys.end();
+}
+
+/// Fails for a key beside this group's own kind that counts neither for it nor for the other kinds,
+/// of ends that inherit the key. A file's keys may stay where an override changes the kind.
+void refuse_idle_keys(SceneReader& reader, const std::string& group, BoundaryKind kind,
+                      const std::vector<BoundaryKind>& others) {
+    const bool kind_is_overridden = reader.is_overridden(group + ".kind");
+    for (const std::string_view name :
+         {"order", "stride", "ghosts", "matched_step", "layer", "profile", "target"}) {
+        const std::string key = fmt::format("{}.{}", group, name);
+        const bool idle =
+            !counts(name, kind) &&
+            std::ranges::none_of(others, [&](BoundaryKind other) { return counts(name, other); });
+        if (idle && reader.has(group + ".kind") && reader.has(key) &&
+            (reader.is_overridden(key) || !kind_is_overridden)) {
+            const auto keys = keys_of(kind);
+            reader.fail(key, fmt::format("does not count for kind \"{}\"{}{}", name_of(kind),
+                                         keys.empty() ? ", which has no keys of its own"
+                                                      : ", whose keys are ",
+                                         fmt::join(keys, ", ")));
+        }
+    }
+}
 
 /// An exact number in lowest terms: a string "p/q", or a decimal number as it is written.
 std::optional<std::string> read_exact(SceneReader& reader, const std::string& key) {
@@ -47,13 +99,17 @@ Boundary read_boundary(SceneReader& reader, const std::string& group, const Boun
         reader, group + ".ghosts",
         {{"midpoint", nmbc::GhostRule::midpoint}, {"explicit", nmbc::GhostRule::explicit_rule}});
     const auto layer = reader.whole_number(group + ".layer", 1, most_nodes);
+    const auto profile = reader.number(group + ".profile", up_to_10);
+    const auto target = reader.number(group + ".target", between_0_and_1);
     return {
         .kind = kind.value_or(others.kind),
         .order = int(order.value_or(others.order)),
         .stride = int(stride.value_or(others.stride)),
         .ghosts = ghosts.value_or(others.ghosts),
         .matched_step = read_exact(reader, group + ".matched_step").value_or(others.matched_step),
-        .layer = std::size_t(layer.value_or(long(others.layer)))};
+        .layer = std::size_t(layer.value_or(long(others.layer))),
+        .profile = profile.value_or(others.profile),
+        .target = target ? target : others.target};
 }
 
 /// The name of the output files: the scene file's own unless it says another, which must not lead
@@ -93,19 +149,56 @@ std::string_view name_of(BoundaryKind kind) {
         ->first;
 }
 
-std::string heading_of(const Boundary& boundary) {
-    if (boundary.kind == BoundaryKind::extended) {
-        return fmt::format("extended by {} nodes", boundary.layer);
+bool has_layer(BoundaryKind kind) {
+    return counts("layer", kind);
+}
+
+bool adds_no_energy(BoundaryKind kind) {
+    switch (kind) {
+        case BoundaryKind::fixed:
+        case BoundaryKind::free:
+        case BoundaryKind::extended:
+        case BoundaryKind::exact:
+        case BoundaryKind::sponge:
+        case BoundaryKind::pml:
+            return true;
+        case BoundaryKind::nmbc:
+        case BoundaryKind::higdon:
+        case BoundaryKind::mbc:
+            break;
     }
-    if (boundary.kind != BoundaryKind::nmbc) {
-        return std::string(name_of(boundary.kind));
+    return false;
+}
+
+double target_of(const Boundary& boundary) {
+    return boundary.target.value_or(boundary.kind == BoundaryKind::sponge ? sponge_target
+                                                                          : pml_target);
+}
+
+std::string heading_of(const Boundary& boundary) {
+    switch (boundary.kind) {
+        case BoundaryKind::extended:
+            return fmt::format("extended by {} nodes", boundary.layer);
+        case BoundaryKind::sponge:
+        case BoundaryKind::pml:
+            return fmt::format("{} of {} nodes, profile {}, target {}", name_of(boundary.kind),
+                               boundary.layer, boundary.profile, target_of(boundary));
+        case BoundaryKind::higdon:
+            return fmt::format("higdon of order {}", boundary.order);
+        case BoundaryKind::fixed:
+        case BoundaryKind::free:
+        case BoundaryKind::exact:
+            return std::string(name_of(boundary.kind));
+        case BoundaryKind::nmbc:
+        case BoundaryKind::mbc:
+            break;
     }
     const bool midpoint = boundary.ghosts == nmbc::GhostRule::midpoint;
-    return fmt::format("NMBC{}, stride {}, {} ghosts{}", boundary.order, boundary.stride,
-                       midpoint ? "midpoint" : "explicit",
-                       boundary.matched_step == "0"
-                           ? std::string()
-                           : ", matched in steps of " + boundary.matched_step + " dX/c");
+    return fmt::format(
+        "{}{}, stride {}, {} ghosts{}", boundary.kind == BoundaryKind::nmbc ? "NMBC" : "MBC",
+        boundary.order, boundary.stride, midpoint ? "midpoint" : "explicit",
+        boundary.matched_step == "0" ? std::string()
+                                     : ", matched in steps of " + boundary.matched_step + " dX/c");
 }
 
 Scene read_scene(const std::string& path, const Overrides& overrides) {
@@ -129,10 +222,13 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
     scene.right = read_boundary(reader, "boundary.right", both);
     for (const auto& [group, boundary] :
          {std::pair("boundary.left", scene.left), {"boundary.right", scene.right}}) {
-        if (boundary.kind == BoundaryKind::extended && boundary.layer == 0) {
+        if (has_layer(boundary.kind) && boundary.layer == 0) {
             reader.fail(group, "is of a kind that needs boundary.layer, the nodes of its layer");
         }
     }
+    refuse_idle_keys(reader, "boundary", both.kind, {scene.left.kind, scene.right.kind});
+    refuse_idle_keys(reader, "boundary.left", scene.left.kind, {});
+    refuse_idle_keys(reader, "boundary.right", scene.right.kind, {});
     scene.allow_unstable = reader.truth("boundary.allow_unstable").value_or(false);
     scene.end = reader.required("time.end", reader.number("time.end", positive));
     scene.step = reader.number("time.step", positive);

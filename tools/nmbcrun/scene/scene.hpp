@@ -20,24 +20,41 @@ enum class BoundaryKind {
     free,      ///< ghosts the mirror image
     extended,  ///< more of the same lattice, fixed at its far end
     exact,     ///< the same lattice for ever, by convolution
+    sponge,    ///< a layer that damps the velocity
+    pml,       ///< a perfectly matched layer
+    higdon,    ///< Higdon's one-way product on all ghost layers
+    mbc,       ///< (60) on n ghost nodes, the families cut off there
 };
 
 /// One end of the chain.
 struct Boundary {
     BoundaryKind kind = BoundaryKind::nmbc;
-    // Of an nmbc:
+    // Of an nmbc or mbc; the order of a higdon, too:
     int order = 1;
     int stride = 1;
     nmbc::GhostRule ghosts = nmbc::GhostRule::midpoint;
     std::string matched_step = "0";  ///< dt its table is matched in [dX/c], "p/q"; "0": none
     // Of those that put a layer outside of the interior:
     std::size_t layer = 0;  ///< nodes of it
+    // Of a sponge or pml:
+    double profile = 2;              ///< exponent of the loss in the depth
+    std::optional<double> target{};  ///< what the continuum sends back; nothing: the kind's own
 
     friend bool operator==(const Boundary&, const Boundary&) = default;
 };
 
 /// As a scene spells it, such as "fixed".
 std::string_view name_of(BoundaryKind kind);
+
+/// Whether it puts a layer outside of the interior.
+bool has_layer(BoundaryKind kind);
+
+/// Whether it can only take energy from the chain, or give back what it took, at every step up to
+/// the interior's limit.
+bool adds_no_energy(BoundaryKind kind);
+
+/// The amplitude that the layer of a sponge or pml lets come back in the continuum.
+double target_of(const Boundary& boundary);
 
 /// The end in words, such as "NMBC1, stride 1, midpoint ghosts" or "fixed".
 std::string heading_of(const Boundary& boundary);

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <nmbc/certificate.hpp>
-#include <stdexcept>
-#include <utility>
+#include <optional>
 
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/round_trip.hpp"
@@ -30,9 +29,7 @@ nmbcgen::ChainEnd end_of(const Boundary& boundary, const nmbc::MatchingTable& ta
             return fixed_end(half_space);
         case BoundaryKind::free:
             return free_end(half_space);
-        case BoundaryKind::exact:
-            throw std::logic_error("what this end reflects is not known");
-        case BoundaryKind::nmbc:
+        default:  // nmbc; decided_without_waves() knows the others
             break;
     }
     return {nmbcgen::EndKind::matching, half_space};
@@ -47,7 +44,11 @@ double growth_per_step(const Boundary& boundary, std::complex<double> sigma, dou
 }
 
 std::size_t moving_nodes(const Scene& scene) {
-    return scene.nodes + scene.left.layer + scene.right.layer;
+    std::size_t nodes = scene.nodes;
+    for (const Boundary& boundary : {scene.left, scene.right}) {
+        nodes += has_layer(boundary.kind) ? boundary.layer : 0;
+    }
+    return nodes;
 }
 
 /// Growth [c/dX] by the largest eigenvalue of one step, in chains so short that the half spaces do
@@ -78,46 +79,55 @@ std::string name_of(const Boundary& boundary) {
         const char* article = name_of(boundary.kind).starts_with('e') ? "an " : "a ";
         return article + std::string(name_of(boundary.kind)) + " end";
     }
-    return fmt::format("NMBC{}{}{}", boundary.order,
+    return fmt::format("{}{}{}{}", boundary.kind == BoundaryKind::mbc ? "MBC" : "NMBC",
+                       boundary.order,
                        boundary.stride > 1 ? fmt::format(" of stride {}", boundary.stride) : "",
                        boundary.ghosts == nmbc::GhostRule::midpoint ? "" : " with explicit ghosts");
 }
 
-/// Whether end_of() knows what an end of this kind reflects.
-bool has_reflection(BoundaryKind kind) {
-    return kind != BoundaryKind::exact;
-}
-
-/// Of two ends one of which is known for adding no energy only: what the other's table is certified
-/// for beside any such end.
-std::string objection_beside_any(const Scene& scene, const nmbc::MatchingTable& left,
-                                 const nmbc::MatchingTable& right, double cfl) {
-    for (const auto& [own, table] :
-         {std::pair(&scene.left, &left), std::pair(&scene.right, &right)}) {
-        if (adds_no_energy(own->kind)) {
-            continue;
-        }
-        const double certified =
-            nmbc::certified_cfl(*table, scene.G, own->ghosts, nmbc::Opposite::any);
-        constexpr double roundings = 1e-9;  // of a time step that is made from cfl
-        if (cfl > certified * (1 + roundings)) {
-            const Boundary& other = own == &scene.left ? scene.right : scene.left;
-            return fmt::format(
-                "{} opposite {} is certified at n = {}, G = {}{} {}, and cfl is {:.3g}",
-                name_of(*own), name_of(other), scene.horizon, scene.G,
-                is_damped(scene) ? ", tau = " + scene.tau : "",
-                certified > 0 ? fmt::format("up to cfl = {}", certified) : "at no time step", cfl);
+/// The objection where the waves of the two ends need not be looked at: none between ends that add
+/// no energy, none to an nmbc at a step where it is certified for any such end. Nothing where they
+/// have to be: between two nmbc, and against ends whose reflections are known.
+std::optional<std::string> decided_without_waves(const Scene& scene,
+                                                 const nmbc::MatchingTable& left,
+                                                 const nmbc::MatchingTable& right, double cfl) {
+    for (const Boundary& boundary : {scene.left, scene.right}) {
+        if (!has_certificate(boundary.kind)) {
+            return fmt::format("there is no certificate for a chain with {} end",
+                               boundary.kind == BoundaryKind::mbc ? "an mbc" : "a higdon");
         }
     }
-    return "";
+    if (adds_no_energy(scene.left.kind) && adds_no_energy(scene.right.kind)) {
+        return "";
+    }
+    const auto has_known_waves = [](BoundaryKind kind) {
+        return kind == BoundaryKind::nmbc || kind == BoundaryKind::fixed ||
+               kind == BoundaryKind::free || kind == BoundaryKind::extended;
+    };
+    if (has_known_waves(scene.left.kind) && has_known_waves(scene.right.kind)) {
+        return std::nullopt;
+    }
+    const bool on_the_left = scene.left.kind == BoundaryKind::nmbc;
+    const Boundary& matching = on_the_left ? scene.left : scene.right;
+    const double certified = nmbc::certified_cfl(on_the_left ? left : right, scene.G,
+                                                 matching.ghosts, nmbc::Opposite::any);
+    constexpr double roundings = 1e-12;  // cfl was a time step on its way here
+    if (cfl <= certified * (1 + roundings)) {
+        return "";
+    }
+    return fmt::format(
+        "{} is certified against {} {} at n = {}, G = {}{}; cfl = {:.3g}", name_of(matching),
+        name_of(on_the_left ? scene.right : scene.left),
+        certified > 0 ? fmt::format("up to cfl = {:.3g} only", certified) : "at no time step",
+        scene.horizon, scene.G, is_damped(scene) ? ", tau = " + scene.tau : "", cfl);
 }
 
 }  // namespace
 
 std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
                       const nmbc::MatchingTable& right, double time_step, double cfl) {
-    if (!has_reflection(scene.left.kind) || !has_reflection(scene.right.kind)) {
-        return objection_beside_any(scene, left, right, cfl);
+    if (const auto decided = decided_without_waves(scene, left, right, cfl)) {
+        return *decided;
     }
     const double c = std::sqrt(scene.youngs_modulus / scene.density);
     const double step = time_step * c / scene.spacing;  // in dX/c

@@ -10,6 +10,10 @@
 #include <type_traits>
 
 #include "tools/nmbcrun/ends/exact.hpp"
+#include "tools/nmbcrun/ends/higdon.hpp"
+#include "tools/nmbcrun/ends/mbc.hpp"
+#include "tools/nmbcrun/ends/pml.hpp"
+#include "tools/nmbcrun/ends/sponge.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
 #include "tools/nmbcrun/simulation/time_step.hpp"
@@ -37,23 +41,18 @@ struct ExactEndOfRun {
     }
 };
 
+nmbc::BoundaryCoefficients coefficients_of(const Scene& scene, const Boundary& boundary) {
+    return nmbc::boundary_coefficients(table_of(scene, boundary), scene.G, nmbc::allow_unstable);
+}
+
 }  // namespace
 
 bool takes_table(BoundaryKind kind) {
-    return kind == BoundaryKind::nmbc;
+    return kind == BoundaryKind::nmbc || kind == BoundaryKind::mbc;
 }
 
-bool adds_no_energy(BoundaryKind kind) {
-    switch (kind) {
-        case BoundaryKind::fixed:
-        case BoundaryKind::free:
-        case BoundaryKind::extended:
-        case BoundaryKind::exact:
-            return true;
-        case BoundaryKind::nmbc:
-            break;
-    }
-    return false;
+bool has_certificate(BoundaryKind kind) {
+    return kind == BoundaryKind::nmbc || adds_no_energy(kind);
 }
 
 nmbc::ChainEnd chain_end(const Scene& scene, const Boundary& boundary) {
@@ -66,12 +65,18 @@ nmbc::ChainEnd chain_end(const Scene& scene, const Boundary& boundary) {
             return nmbc::FixedEnd{boundary.layer};
         case BoundaryKind::exact:
             return ExactEndOfRun{scene.end};
+        case BoundaryKind::sponge:
+            return SpongeEnd{{boundary.layer, boundary.profile, target_of(boundary)}};
+        case BoundaryKind::pml:
+            return PmlEnd{{boundary.layer, boundary.profile, target_of(boundary)}};
+        case BoundaryKind::higdon:
+            return HigdonEnd{boundary.order};
+        case BoundaryKind::mbc:
+            return MbcEnd{coefficients_of(scene, boundary), boundary.ghosts};
         case BoundaryKind::nmbc:
             break;
     }
-    return nmbc::MatchingEnd{
-        nmbc::boundary_coefficients(table_of(scene, boundary), scene.G, nmbc::allow_unstable),
-        boundary.ghosts};
+    return nmbc::MatchingEnd{coefficients_of(scene, boundary), boundary.ghosts};
 }
 
 }  // namespace nmbcrun

@@ -11,8 +11,8 @@ namespace nmbcrun {
 /// Whether a table with its coefficients makes this end.
 bool takes_table(BoundaryKind kind);
 
-/// Whether an end of this kind, whatever its numbers, never adds energy to the chain.
-bool adds_no_energy(BoundaryKind kind);
+/// Whether there can be a certificate for a chain with this end.
+bool has_certificate(BoundaryKind kind);
 
 /// Throws SceneError where there is no table for it, nmbc::CoefficientError where its coefficients
 /// do not exist at the scene's G. Whether it is stable is certificate.hpp's to say.

@@ -52,8 +52,10 @@ Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
     if (!plan.objection.empty() && !scene.allow_unstable) {
         throw Unstable(
             plan.objection +
-            ". Try a smaller time step, another G, order or stride (windows: "
-            "docs/stability.md), or run it all the same: boundary.allow_unstable = true");
+            (has_certificate(scene.left.kind) && has_certificate(scene.right.kind)
+                 ? ". Try a smaller time step, another G, order or stride (windows: "
+                   "docs/stability.md), or run it all the same: boundary.allow_unstable = true"
+                 : ". To run it all the same: boundary.allow_unstable = true"));
     }
     return plan;
 }

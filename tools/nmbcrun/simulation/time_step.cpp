@@ -31,6 +31,12 @@ AutomaticStep certified_with_their_like(const Scene& scene, const nmbc::Lattice&
     // Fixed and free ends by themselves: just below the interior's own limit.
     AutomaticStep step{0.99 * nmbc::interior_cfl(lattice), "just below the interior's limit"};
     for (const Boundary* boundary : {&scene.left, &scene.right}) {
+        if (!has_certificate(boundary->kind)) {
+            throw Unstable(
+                fmt::format("no time step is certified for an end that is {}: there is "
+                            "no certificate for this kind. {}",
+                            heading_of(*boundary), to_try_one));
+        }
         if (!takes_table(boundary->kind)) {
             continue;
         }
