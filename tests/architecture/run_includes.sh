@@ -34,7 +34,7 @@ allow tools/nmbcrun/scene "tools/nmbcrun/(scene/|errors.hpp)|nmbc/|generator/(ta
 allow tools/nmbcrun/simulation "tools/nmbcrun/(scene|simulation)/|tools/nmbcrun/errors.hpp|nmbc/|generator/(table|exact|stability)/|$text"
 allow tools/nmbcrun/output "tools/nmbcrun/(output/|errors.hpp)|nmbc/|unistd.h|sys/ioctl.h|$text"
 allow tools/pulses "tools/pulses/|tools/number_between.hpp|nmbc/|CLI/|$text"
-allow tools/bench "generator/|CLI/"
+allow tools/bench "generator/|CLI/|nmbc/|benchmark/"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|$text"
 
 # The algebra system: in matching alone, and in the pipeline that calls it.

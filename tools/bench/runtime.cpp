@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <ctime>
 #include <limits>
+#include <memory>
 #include <nmbc/nmbc.hpp>
 #include <nmbc/tables/tables.hpp>
 #include <random>
@@ -67,11 +68,6 @@ double processor_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-double wall_seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
-
 template <class Clock, class Work>
 double seconds(const Clock& clock, const Work& work) {
     const double start = clock();
@@ -127,7 +123,7 @@ void memory(benchmark::State& state, int horizon) {
     state.counters["roofline"] = 1 / quotient;
 }
 
-/// A chain in cache; how long sweeps one by one take, too.
+/// A chain in cache, and how much longer its steps take one by one.
 template <class Real>
 void cache(benchmark::State& state, int horizon, std::size_t nodes) {
     const std::size_t steps = 2'000'000 / nodes;
@@ -140,7 +136,7 @@ void cache(benchmark::State& state, int horizon, std::size_t nodes) {
             }
         });
     state.counters["gnodes"] = 1e-9 * static_cast<double>(nodes * steps) / time;
-    state.counters["fused"] = quotient;
+    state.counters["one_by_one"] = 1 / quotient;
 }
 
 /// Matching ends beside the cheapest ones; the share of a step that the matching takes on top.
@@ -151,8 +147,7 @@ void boundary(benchmark::State& state, int horizon, int order) {
     constexpr std::size_t nodes = 500;
     constexpr std::size_t steps = 1000;
     const nmbc::MatchingTable& table = table_of(horizon, order);
-    const nmbc::MatchingEnd matching{
-        nmbc::boundary_coefficients(table, G, nmbc::allow_unstable)};
+    const nmbc::MatchingEnd matching{nmbc::boundary_coefficients(table, G, nmbc::allow_unstable)};
     std::mt19937 random(1);
     std::uniform_int_distribution<std::size_t> up_to_a_page(0, 4096);
     const auto time_of = [&](const nmbc::BasicChainEnd<Real>& end) {
@@ -174,6 +169,11 @@ void boundary(benchmark::State& state, int horizon, int order) {
 }
 
 #ifdef _OPENMP
+double wall_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
 /// As many threads as there are beside one.
 void threads(benchmark::State& state, std::size_t nodes) {
     const std::size_t steps = std::max<std::size_t>(20'000'000 / nodes, 2);
@@ -190,7 +190,6 @@ void threads(benchmark::State& state, std::size_t nodes) {
 }
 #endif
 
-/// name/double or name/float, both of the same function template.
 template <class Run>
 void add(const std::string& name, benchmark::IterationCount turns, const Run& run) {
     benchmark::RegisterBenchmark(name.c_str(), run)
