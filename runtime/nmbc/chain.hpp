@@ -284,8 +284,8 @@ class BasicChain {
         }
         const double half = parameters_.density * parameters_.spacing / 2;
         for (std::size_t node = ghosts(); node + ghosts() < nodes(); ++node) {
-            const double impulse = braking_[node];
-            damped_[node] -= half * impulse * static_cast<double>(velocity_[node]);
+            damped_[node] -=
+                half * static_cast<double>(braking_[node]) * static_cast<double>(velocity_[node]);
         }
     }
 

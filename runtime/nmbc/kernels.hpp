@@ -33,8 +33,8 @@ class FixedReachStencil {
     Real operator()(const Real* node) const { return sum(node, std::make_index_sequence<Reach>{}); }
 
   private:
-    template <std::size_t... m>
-    Real sum(const Real* node, std::index_sequence<m...> /*unrolled*/) const {
+    template <std::size_t... M>
+    Real sum(const Real* node, std::index_sequence<M...> /*unrolled*/) const {
         Real result = 0;
         result += constants_[0] * node[0];
         const Real twice = node[0] + node[0];
@@ -71,7 +71,7 @@ class AnyReachStencil {
 
 /// Nodes of a block that is drifted and then kicked: in a cache of first level, and short enough
 /// for a processor to fetch the next one from memory while it works on this one.
-inline constexpr std::size_t block_nodes = 256;
+inline constexpr std::size_t block_nodes = 192;
 
 /// With OpenMP, nodes from which on its threads share a sweep (docs/speed.md has the measurement).
 /// A variable, so that tests and measurements can have it otherwise.
