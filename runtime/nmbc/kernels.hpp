@@ -39,7 +39,7 @@ class FixedReachStencil {
         result += constants_[0] * node[0];
         const Real twice = node[0] + node[0];
         ((result +=
-          constants_[m + 1] * ((node[m + 1] + node[-1 - static_cast<std::ptrdiff_t>(m)]) - twice)),
+          constants_[M + 1] * ((node[M + 1] + node[-1 - static_cast<std::ptrdiff_t>(M)]) - twice)),
          ...);
         return result;
     }
