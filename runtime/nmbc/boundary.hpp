@@ -81,12 +81,15 @@ class BasicMatchingBoundary {
     /// The same where the sizes are known to be right.
     void update(Inwards<const Real> u, Inwards<Real> v) const {
         for (std::size_t ghost = ghost_layers_; ghost-- > 0;) {
-            Real velocity = weights_[0].displacement * u[ghost];
-            for (std::size_t j = 1; j < weights_.size(); ++j) {
+            // From the inside out: what waits longest for its number, the velocity of the ghost
+            // before this one, comes last.
+            Real velocity = 0;
+            for (std::size_t j = weights_.size(); --j > 0;) {
                 const std::size_t node = ghost + j * stride_;
-                velocity += weights_[j].displacement * u[node] + weights_[j].velocity * v[node];
+                velocity += weights_[j].displacement * u[node];
+                velocity += weights_[j].velocity * v[node];
             }
-            v[ghost] = velocity;
+            v[ghost] = velocity + weights_[0].displacement * u[ghost];
         }
     }
 

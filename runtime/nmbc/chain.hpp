@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <nmbc/end_condition.hpp>
+#include <nmbc/kernels.hpp>
 #include <nmbc/lattice.hpp>
 #include <span>
 #include <stdexcept>
@@ -39,7 +40,9 @@ class BasicChain {
         : lattice_(std::move(lattice)),
           parameters_(checked(parameters)),
           left_(left.make(lattice_, parameters_)),
-          right_(right.make(lattice_, parameters_)) {
+          right_(right.make(lattice_, parameters_)),
+          force_(force_during(parameters_.time_step)),
+          brake_(brake_during(parameters_.time_step)) {
         const std::size_t least =
             std::max(left_->least_interior_nodes(), right_->least_interior_nodes());
         if (parameters.nodes < least) {
@@ -48,9 +51,8 @@ class BasicChain {
         }
         displacement_.resize(nodes(), 0);
         velocity_.resize(nodes(), 0);
-        acceleration_.resize(nodes(), 0);
         if (is_damped()) {
-            deceleration_.resize(nodes(), 0);
+            braking_.resize(nodes(), 0);
             damped_.resize(nodes(), 0);
         }
     }
@@ -94,43 +96,56 @@ class BasicChain {
         std::ranges::copy(u, displacement_.begin());
         std::ranges::copy(v, velocity_.begin());
         start_ends();
-        find_accelerations();
-        kick(-parameters_.time_step / 2);
+        const double back = -parameters_.time_step / 2;
+        if (is_damped()) {
+            find_braking(*brake_during(back));
+            brake();
+        }
+        force_during(back)->kick(displacement_, velocity_);
         is_written_to_ = false;
         start_ends();  // their ghosts' velocities follow those of -dt/2
     }
 
-    /// One step: v to t + dt/2, ghosts by their end, u to t + dt. Before the ends, `prescribe` may
-    /// set velocities of interior nodes: it is called with u at t, v at t + dt/2 and t + dt. After
-    /// them, `observe` sees the same two fields whole, and t + dt.
+    /// Steps, each of them: v to t + dt/2, ghosts by their end, u to t + dt. Before the ends,
+    /// `prescribe` may set velocities of interior nodes: it is called with u at t, v at t + dt/2
+    /// and t + dt. After them, `observe` sees the same two fields whole, and t + dt.
+    ///
+    /// In memory, one step's drift and the next one's kick are one sweep: many steps at once are
+    /// faster than one by one, and the same bit for bit.
+    template <class Prescribe, class Observe>
+    void advance(std::size_t steps, Prescribe&& prescribe, Observe&& observe) {
+        if (steps == 0) {
+            return;
+        }
+        kick();
+        for (std::size_t step = 1; step < steps; ++step) {
+            between_kick_and_drift(prescribe, observe);
+            drift_and_kick();
+        }
+        between_kick_and_drift(prescribe, observe);
+        drift();
+    }
+
+    template <class Prescribe>
+    void advance(std::size_t steps, Prescribe&& prescribe) {
+        advance(steps, prescribe, ignore_fields);
+    }
+
+    /// Steps of the chain left to itself.
+    void advance(std::size_t steps) { advance(steps, ignore_fields, ignore_fields); }
+
+    /// One step, as advance() has them.
     template <class Prescribe, class Observe>
     void step(Prescribe&& prescribe, Observe&& observe) {
-        const double dt = parameters_.time_step;
-        if (std::exchange(is_written_to_, false)) {
-            start_ends();
-        }
-        find_accelerations();
-        count_damped();
-        kick(dt);
-        const std::size_t done = steps_++;
-        const std::span<const Real> u = displacement_;
-        prescribe(u, std::span<Real>(velocity_), time());
-        count_damped();
-        left_->after_kick({u, End::left}, {velocity_, End::left}, done);
-        right_->after_kick({u, End::right}, {velocity_, End::right}, done);
-        observe(u, std::span<const Real>(velocity_), time());
-        for (std::size_t node = 0; node < displacement_.size(); ++node) {
-            displacement_[node] += static_cast<Real>(dt) * velocity_[node];
-        }
+        advance(1, prescribe, observe);
     }
 
     template <class Prescribe>
     void step(Prescribe&& prescribe) {
-        step(std::forward<Prescribe>(prescribe), ignore_fields);
+        advance(1, prescribe, ignore_fields);
     }
 
-    /// One step of the chain left to itself.
-    void step() { step(ignore_fields, ignore_fields); }
+    void step() { advance(1); }
 
     ChainState<Real> state() const {
         const auto copy = [](auto values) { return std::vector(values.begin(), values.end()); };
@@ -195,15 +210,69 @@ class BasicChain {
 
     bool is_damped() const { return !lattice_.damping.empty(); }
 
-    /// Of the interior nodes, from u and, where the lattice is damped, the old v.
-    void find_accelerations() {
+    /// The lattice's own forces during so long, which they change v by.
+    auto force_during(double duration) const {
         const double rate = parameters_.wave_speed() / parameters_.spacing;
-        accelerations<Real>(lattice_, rate * rate, displacement_, acceleration_);
+        return detail::make_kick<Real>(lattice_.symbol, -duration * rate * rate);
+    }
+
+    /// The same of the damping; none where there is none.
+    std::unique_ptr<const detail::Kick<Real>> brake_during(double duration) const {
+        if (!is_damped()) {
+            return nullptr;
+        }
+        const double rate = parameters_.wave_speed() / parameters_.spacing;
+        return detail::make_kick<Real>(lattice_.damping, -duration * rate);
+    }
+
+    /// v of the layers and the interior to t + dt/2, by the lattice's own forces.
+    void kick() {
+        if (std::exchange(is_written_to_, false)) {
+            start_ends();
+        }
         if (is_damped()) {
-            decelerations<Real>(lattice_, rate, velocity_, deceleration_);
-            for (std::size_t node = ghosts(); node + ghosts() < nodes(); ++node) {
-                acceleration_[node] -= deceleration_[node];
-            }
+            find_braking(*brake_);
+            count_damped();
+            brake();
+        }
+        force_->kick(displacement_, velocity_);
+    }
+
+    template <class Prescribe, class Observe>
+    void between_kick_and_drift(Prescribe& prescribe, Observe& observe) {
+        const std::size_t done = steps_++;
+        const std::span<const Real> u = displacement_;
+        prescribe(u, std::span<Real>(velocity_), time());
+        count_damped();
+        left_->after_kick({u, End::left}, {velocity_, End::left}, done);
+        right_->after_kick({u, End::right}, {velocity_, End::right}, done);
+        observe(u, std::span<const Real>(velocity_), time());
+    }
+
+    /// u to t + dt.
+    void drift() {
+        detail::drift<Real>(static_cast<Real>(parameters_.time_step), displacement_, velocity_);
+    }
+
+    void drift_and_kick() {
+        if (is_damped() || is_written_to_) {
+            drift();
+            kick();
+        } else {
+            force_->drift_and_kick(static_cast<Real>(parameters_.time_step), displacement_,
+                                   velocity_);
+        }
+    }
+
+    /// What the damping changes v by, from the old v.
+    void find_braking(const detail::Kick<Real>& brake) {
+        std::ranges::fill(braking_, Real{0});
+        brake.kick(velocity_, braking_);
+    }
+
+    void brake() {
+        for (std::size_t node = ghosts(); node + ghosts() < nodes(); ++node) {
+            velocity_[node] += braking_[node];
         }
     }
 
@@ -213,16 +282,10 @@ class BasicChain {
         if (!is_damped()) {
             return;
         }
-        const double half = parameters_.density * parameters_.spacing * parameters_.time_step / 2;
+        const double half = parameters_.density * parameters_.spacing / 2;
         for (std::size_t node = ghosts(); node + ghosts() < nodes(); ++node) {
-            damped_[node] += half * deceleration_[node] * velocity_[node];
-        }
-    }
-
-    /// v += duration * a on the interior nodes.
-    void kick(double duration) {
-        for (std::size_t node = ghosts(); node + ghosts() < nodes(); ++node) {
-            velocity_[node] += static_cast<Real>(duration) * acceleration_[node];
+            damped_[node] -=
+                half * static_cast<double>(braking_[node]) * static_cast<double>(velocity_[node]);
         }
     }
 
@@ -230,10 +293,11 @@ class BasicChain {
     ChainParameters parameters_;
     std::unique_ptr<EndCondition<Real>> left_;
     std::unique_ptr<EndCondition<Real>> right_;
+    std::unique_ptr<const detail::Kick<Real>> force_;  // of one time step
+    std::unique_ptr<const detail::Kick<Real>> brake_;  // of the damping; none where undamped
     std::vector<Real> displacement_;
     std::vector<Real> velocity_;
-    std::vector<Real> acceleration_;
-    std::vector<Real> deceleration_;  // the damping's part of it; empty where undamped
+    std::vector<Real> braking_;  // what the damping changes v by in this step; empty where undamped
     std::vector<double> damped_;
     std::size_t steps_ = 0;
     bool is_written_to_ = false;  // by the user, since the last step

@@ -38,7 +38,7 @@ allow tools/nmbcrun/chart "tools/nmbcrun/(chart|compare|output|scene|simulation)
 allow tools/nmbcrun/ends "tools/nmbcrun/ends/|nmbc/|(unsupported/)?Eigen/|$text"
 allow tools/nmbcrun/output "tools/nmbcrun/(output/|errors.hpp)|nmbc/|unistd.h|sys/ioctl.h|$text"
 allow tools/pulses "tools/pulses/|tools/number_between.hpp|nmbc/|CLI/|$text"
-allow tools/bench "generator/|CLI/"
+allow tools/bench "generator/|CLI/|nmbc/|benchmark/"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|$text"
 
 # The algebra system: in matching alone, and in the pipeline that calls it.

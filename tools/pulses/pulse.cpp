@@ -29,9 +29,7 @@ double energy_left(nmbc::Chain& chain, double half_width, double duration) {
     const std::size_t first = (chain.parameters().nodes - counted_nodes) / 2;
     const auto energy = [&] { return nmbc::energies(chain, first, first + counted_nodes).total(); };
     const double start = energy();
-    for (std::size_t steps = steps_in(duration, chain.parameters().time_step); steps > 0; --steps) {
-        chain.step();
-    }
+    chain.advance(steps_in(duration, chain.parameters().time_step));
     return energy() / start;
 }
 
