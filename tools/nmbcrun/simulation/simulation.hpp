@@ -10,6 +10,7 @@
 
 #include "tools/nmbcrun/scene/scene.hpp"
 #include "tools/nmbcrun/simulation/driver.hpp"
+#include "tools/nmbcrun/simulation/ledger.hpp"
 
 namespace nmbcrun {
 
@@ -46,6 +47,11 @@ class Simulation {
         chain_.step(driver_, std::forward<Observe>(observe));
     }
     void step() { chain_.step(driver_); }
+    /// One step that is entered into the ledger of this chain.
+    void step(Ledger& ledger) { ledger.step(chain_, driver_); }
+
+    /// Goes on from the state of a simulation of the same scene.
+    void resume(const nmbc::ChainState<double>& state) { chain_.resume(state); }
 
     /// Of the interior nodes, at chain().time() - dt/2.
     nmbc::Energies energies() const { return nmbc::energies(chain_); }
