@@ -32,7 +32,7 @@ allow runtime/nmbc 'nmbc/[a-z_]+\.hpp'
 allow tools/nmbcrun "tools/nmbcrun/|nmbc/|CLI/|$text"
 allow tools/nmbcrun/scene "tools/nmbcrun/(scene/|errors.hpp)|nmbc/|generator/(table|exact)/|toml\+\+/|$text"
 allow tools/nmbcrun/simulation "tools/nmbcrun/(scene|simulation)/|tools/nmbcrun/errors.hpp|nmbc/|generator/(table|exact|stability)/|$text"
-allow tools/nmbcrun/output "tools/nmbcrun/(output/|errors.hpp)|nmbc/|unistd.h|sys/ioctl.h|$text"
+allow tools/nmbcrun/output "tools/nmbcrun/((output|simulation|scene)/|errors.hpp)|nmbc/|hdf5.h|fcntl.h|unistd.h|sys/(file|ioctl).h|$text"
 allow tools/pulses "tools/pulses/|tools/number_between.hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|CLI/"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|$text"

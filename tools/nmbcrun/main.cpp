@@ -28,6 +28,7 @@ struct Arguments {
     std::vector<std::string> settings;
     std::string folder = "results";
     bool quiet = false;
+    bool resume = false;
 };
 
 nmbcrun::Overrides split_settings(const std::vector<std::string>& settings) {
@@ -49,7 +50,7 @@ int run(const Arguments& arguments) {
     };
     try {
         nmbcrun::run(nmbcrun::read_scene(arguments.scene, split_settings(arguments.settings)),
-                     arguments.folder, arguments.quiet);
+                     {arguments.folder, arguments.quiet, arguments.resume});
         if (std::fflush(stdout) != 0) {
             throw nmbcrun::FileError("cannot write to standard output");
         }
@@ -89,6 +90,8 @@ int main(int argc, char** argv) {
         ->take_all();
     command->add_option("--out", arguments.folder, "folder for the results (default results)");
     command->add_flag("--quiet", arguments.quiet, "no progress bar, only the last lines");
+    command->add_flag("--resume", arguments.resume,
+                      "go on from the checkpoint of a run that was stopped");
     app.footer(
         "Exit codes: 0 done; 2 wrong arguments or scene; 3 there is no such boundary condition;\n"
         "4 the ends are not stable together, or the run became non-finite or had no energy;\n"
