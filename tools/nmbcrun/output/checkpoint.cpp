@@ -167,6 +167,17 @@ std::vector<Journal::Mark> journals_of(const std::filesystem::path& path) {
     }
 }
 
+/// What runs have left that were killed while they stored a checkpoint.
+void remove_leftovers(const std::filesystem::path& path) {
+    const std::string start = path.filename().string() + ".new-";
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(path.parent_path(), error)) {
+        if (entry.path().filename().string().starts_with(start)) {
+            remove_unless_open(entry.path());
+        }
+    }
+}
+
 void remove_journals(const std::filesystem::path& path, const std::vector<Journal::Mark>& marks) {
     for (const Journal::Mark& mark : marks) {
         remove_unless_open(path.parent_path() / mark.name);
@@ -192,6 +203,7 @@ void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkp
         std::filesystem::remove(file.path(), ignored);
         throw;
     }
+    remove_leftovers(path);
     remove_journals(path, replaced);  // less those of this run, which are open
 }
 
@@ -230,6 +242,7 @@ void remove_checkpoint(const std::filesystem::path& path) {
     const auto journals = journals_of(path);
     std::error_code ignored;
     std::filesystem::remove(path, ignored);
+    remove_leftovers(path);
     remove_journals(path, journals);
 }
 
