@@ -36,7 +36,7 @@ expect "the ledger adds up" awk -F, '
              rest = $8 - ($9 - $10 - $11 - $7) - $12; if (rest^2 > (1e-15 * peak)^2) exit 1 }
     END { exit !(worst > 0 && worst < 1e-13 * peak && $10 > 0.49 * peak && $11 > 0.49 * peak) }' \
     results/bar1d.csv
-expect "and is reported" grep -qE '^ledger       adds up to [0-9.]+e-1[45] of the peak$' "$scratch/stdout"
+expect "and is reported" grep -qE '^ledger drift [0-9.]+e-1[45] of the peak$' "$scratch/stdout"
 expect "what went out" grep -qE '^went out     4\.9[0-9]*e-01 at the left end, 4\.9[0-9]*e-01 at the right one$' \
     "$scratch/stdout"
 

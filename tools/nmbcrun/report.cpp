@@ -41,7 +41,7 @@ void print_balance(const Highlights& highlights, bool damped) {
     fmt::print("went out     {:.3e} at the left end, {:.3e} at the right one{}\n",
                balance.left / peak, balance.right / peak,
                damped ? fmt::format(", {:.3e} by damping", e.damped / peak) : "");
-    fmt::print("ledger       adds up to {:.1e} of the peak\n", highlights.drift / peak);
+    fmt::print("ledger drift {:.1e} of the peak\n", highlights.drift / peak);
 }
 
 }  // namespace nmbcrun

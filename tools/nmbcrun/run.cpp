@@ -153,9 +153,9 @@ void Run::record() {
     if (!is_row && chain().steps() % look_every != 0) {
         return;
     }
-    const Sample sample{chain().time() - simulation_.plan().time_step / 2, simulation_.energies(),
-                        ledger_.balance(chain())};
+    Sample sample{chain().time() - simulation_.plan().time_step / 2, simulation_.energies(), {}};
     if (is_row) {
+        sample.balance = ledger_.balance(chain());
         keep_for_report(sample);
         recorder_->record(sample, chain());
     }
@@ -179,7 +179,7 @@ void Run::store() {
 void Run::to_the_end() {
     using Clock = std::chrono::steady_clock;
     const std::chrono::duration<double> pause(simulation_.scene().checkpoint);
-    Progress progress(simulation_.plan().steps, quiet_);
+    Progress progress(simulation_.plan().steps, quiet_, chain().steps());
     auto stored = Clock::now();
     try {
         while (!simulation_.is_done()) {
