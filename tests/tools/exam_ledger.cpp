@@ -54,9 +54,9 @@ struct BrakingEnd {
         std::size_t ghosts_;
     };
 
-    std::unique_ptr<nmbc::EndCondition<double>> make(const nmbc::Lattice& lattice,
-                                                     const nmbc::ChainParameters& /*p*/,
-                                                     std::type_identity<double> /*real*/) const {
+    static std::unique_ptr<nmbc::EndCondition<double>> make(const nmbc::Lattice& lattice,
+                                                            const nmbc::ChainParameters& /*p*/,
+                                                            std::type_identity<double> /*real*/) {
         return std::make_unique<Condition>(lattice.reach());
     }
 };
@@ -118,19 +118,20 @@ TEST_CASE("the ledger closes: ends, horizons, damping, sources") {
     const double G = 0.9;
     for (int horizon = 1; horizon <= 5; ++horizon) {
         for (const bool damped : {false, true}) {
-            for (const auto& [left_name, left] : ends_of(horizon, G)) {
-                for (const auto& [right_name, right] : ends_of(horizon, G)) {
+            for (const Named& left : ends_of(horizon, G)) {
+                for (const Named& right : ends_of(horizon, G)) {
                     CAPTURE(horizon);
                     CAPTURE(damped);
-                    CAPTURE(left_name);
-                    CAPTURE(right_name);
-                    nmbc::Chain chain(lattice_of(horizon, G, damped), left, right, parameters);
+                    CAPTURE(left.name);
+                    CAPTURE(right.name);
+                    nmbc::Chain chain(lattice_of(horizon, G, damped), left.end, right.end,
+                                      parameters);
                     nmbcrun::Ledger ledger(chain);
                     const Outcome outcome = run(chain, ledger, 1000);
                     // 1000 steps of 40 nodes and some 10 operations: sqrt(4e5) eps = 1.4e-13 if
                     // all roundings were as large as the peak. Between free ends the chain flies
                     // away, to displacements a hundred times those of its waves.
-                    const bool flies = left_name == "free" && right_name == "free";
+                    const bool flies = left.name == "free" && right.name == "free";
                     CHECK(outcome.drift < (flies ? 3e-12 : 1e-13));
                     CHECK(outcome.peak > 0);
                     CHECK((ledger.totals().work > 0.5 * outcome.peak));

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/csv.hpp"
 #include "tools/nmbcrun/output/snapshots.hpp"
@@ -28,16 +30,15 @@ std::string probes_header(const std::vector<std::size_t>& probes) {
 
 }  // namespace
 
-Recorder::Recorder(const Scene& scene, const nmbc::Chain& chain,
-                   const std::filesystem::path& folder)
-    : scene_(scene), folder_(folder), probes_(scene.probes) {
+Recorder::Recorder(Scene scene, const nmbc::Chain& chain, std::filesystem::path folder)
+    : scene_(std::move(scene)), folder_(std::move(folder)) {
     energies_ = std::make_unique<Journal>(path(".csv"));
     energies_->append(fmt::format("{}\n", energies_header));
-    if (!probes_.empty()) {
+    if (!scene_.probes.empty()) {
         probed_ = std::make_unique<Journal>(path("_probes.csv"));
-        probed_->append(probes_header(probes_));
+        probed_->append(probes_header(scene_.probes));
     }
-    if (scene.snapshots > 0) {
+    if (scene_.snapshots > 0) {
         snapshots_ = std::make_unique<Journal>(path(".h5"));
         append_snapshot(*snapshots_, chain);
     }
@@ -46,9 +47,9 @@ Recorder::Recorder(const Scene& scene, const nmbc::Chain& chain,
     }
 }
 
-Recorder::Recorder(const Scene& scene, const std::filesystem::path& folder,
+Recorder::Recorder(Scene scene, std::filesystem::path folder,
                    const std::vector<Journal::Mark>& marks)
-    : scene_(scene), folder_(folder), probes_(scene.probes) {
+    : scene_(std::move(scene)), folder_(std::move(folder)) {
     auto mark = marks.begin();
     const auto next = [&](const char* ending) {
         if (mark == marks.end()) {
@@ -57,10 +58,10 @@ Recorder::Recorder(const Scene& scene, const std::filesystem::path& folder,
         return std::make_unique<Journal>(path(ending), *mark++);
     };
     energies_ = next(".csv");
-    if (!probes_.empty()) {
+    if (!scene_.probes.empty()) {
         probed_ = next("_probes.csv");
     }
-    if (scene.snapshots > 0) {
+    if (scene_.snapshots > 0) {
         snapshots_ = next(".h5");
     }
 }
@@ -85,7 +86,7 @@ void Recorder::record(const Sample& sample, const nmbc::Chain& chain) {
         return;
     }
     std::string row = fmt::format("{:.10g}", chain.time());
-    for (const std::size_t node : probes_) {
+    for (const std::size_t node : scene_.probes) {
         const std::size_t entry = chain.first_interior() + node;
         row += fmt::format(",{},{}", chain.displacement()[entry], chain.velocity()[entry]);
     }

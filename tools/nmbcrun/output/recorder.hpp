@@ -2,7 +2,6 @@
 /// The files of a run.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <nmbc/chain.hpp>
@@ -21,10 +20,9 @@ namespace nmbcrun {
 class Recorder {
   public:
     /// Of a run that starts.
-    Recorder(const Scene& scene, const nmbc::Chain& chain, const std::filesystem::path& folder);
+    Recorder(Scene scene, const nmbc::Chain& chain, std::filesystem::path folder);
     /// Of one that goes on from these marks.
-    Recorder(const Scene& scene, const std::filesystem::path& folder,
-             const std::vector<Journal::Mark>& marks);
+    Recorder(Scene scene, std::filesystem::path folder, const std::vector<Journal::Mark>& marks);
 
     /// A row of energies and of the probes.
     void record(const Sample& sample, const nmbc::Chain& chain);
@@ -52,7 +50,6 @@ class Recorder {
 
     Scene scene_;
     std::filesystem::path folder_;
-    std::vector<std::size_t> probes_;  // interior nodes, from 0
     std::unique_ptr<Journal> energies_;
     std::unique_ptr<Journal> probed_;     // none without probes
     std::unique_ptr<Journal> snapshots_;  // nor without snapshots
