@@ -50,12 +50,17 @@ busy=(--set output.checkpoint=1e-9)
 # Killed or stopped again and again, at last it goes on to its end.
 for signal in KILL TERM; do
     start_and_stop "$signal" "$signal" "${busy[@]}"
-    expect "stopped on the way" test "$code" -ne 0
+    expect "stopped on the way" test "$code" -gt 128
     start_and_stop "$signal" "$signal" "${busy[@]}" --resume
     for _ in 1 2 3; do
         if [ "$code" -eq 0 ]; then break; fi
         start_and_stop "$signal" "$signal" --set output.checkpoint=0.01 --resume
     done
+    if [ "$code" -ne 0 ] && test ! -e "$signal/bar1d.checkpoint"; then
+        echo "ended by $signal when all was done" # and yet written
+        for file in "${outputs[@]}"; do expect_same "whole/$file" "$signal/$file"; done
+        continue
+    fi
     if [ "$code" -ne 0 ]; then try run "$scene" "${long[@]}" --out "$signal" --resume; fi
     expect_exit 0
     expect_whole_run "$signal"

@@ -60,9 +60,11 @@ class Writer {
   private:
     template <class Value>
     void append(const Value* values, std::size_t count) {
-        const std::size_t before = bytes_.size();
-        bytes_.resize(before + count * sizeof(Value));
-        std::memcpy(bytes_.data() + before, values, count * sizeof(Value));
+        if (count > 0) {
+            const std::size_t before = bytes_.size();
+            bytes_.resize(before + count * sizeof(Value));
+            std::memcpy(bytes_.data() + before, values, count * sizeof(Value));
+        }
     }
     std::string bytes_;
 };
