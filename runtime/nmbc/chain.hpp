@@ -243,9 +243,9 @@ class BasicChain {
         const std::size_t done = steps_++;
         const std::span<const Real> u = displacement_;
         prescribe(u, std::span<Real>(velocity_), time());
-        count_damped();
         left_->after_kick({u, End::left}, {velocity_, End::left}, done);
         right_->after_kick({u, End::right}, {velocity_, End::right}, done);
+        count_damped();
         observe(u, std::span<const Real>(velocity_), time());
     }
 

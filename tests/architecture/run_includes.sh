@@ -36,7 +36,7 @@ allow tools/nmbcrun/compare "tools/nmbcrun/(compare|scene|simulation)/|nmbc/|gen
 allow tools/nmbcrun/advise "tools/nmbcrun/(advise|chart|compare|scene|simulation)/|tools/nmbcrun/errors.hpp|nmbc/|generator/(table|exact|stability)/|$text"
 allow tools/nmbcrun/chart "tools/nmbcrun/(chart|compare|output|scene|simulation)/|tools/nmbcrun/errors.hpp|nmbc/|$text"
 allow tools/nmbcrun/ends "tools/nmbcrun/ends/|nmbc/|(unsupported/)?Eigen/|$text"
-allow tools/nmbcrun/output "tools/nmbcrun/(output/|errors.hpp)|nmbc/|unistd.h|sys/ioctl.h|$text"
+allow tools/nmbcrun/output "tools/nmbcrun/((output|simulation|scene)/|errors.hpp)|nmbc/|hdf5.h|fcntl.h|unistd.h|sys/(file|ioctl).h|$text"
 allow tools/pulses "tools/pulses/|tools/number_between.hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|CLI/|nmbc/|benchmark/"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|$text"

@@ -12,18 +12,33 @@ expect_exit 0
 expect_no_stderr
 expect_stdout_line "scene     bar of Nicely 2018, section 5"
 expect_stdout_line "energies     results/bar1d.csv"
-expect "a header line" grep -qx 'time,kinetic,strain,stabilisation,total,staggered,damped' \
+expect "a header line" grep -qx \
+    'time,kinetic,strain,stabilisation,total,staggered,damped,ledger,work,left_end,right_end,drift' \
     results/bar1d.csv
 expect "10 rows for 100 steps" test "$(wc -l <results/bar1d.csv)" -eq 11
 expect "the last row at t - dt/2" grep -q '^1.99,' results/bar1d.csv
 # kinetic + strain + stabilisation = total, in every row
-expect "the ledger adds up" awk -F, 'NR > 1 && ($2 + $3 + $4 - $5)^2 > (1e-14 * $5)^2 { exit 1 }' \
+expect "the energies add up" awk -F, 'NR > 1 && ($2 + $3 + $4 - $5)^2 > (1e-14 * $5)^2 { exit 1 }' \
     results/bar1d.csv
 
 try run "$scene" "${short[@]}" --quiet --out elsewhere --set output.name=again
 expect_exit 0
-expect "two lines only" test "$(wc -l <"$scratch/stdout")" -eq 2
+expect "four lines only" test "$(wc -l <"$scratch/stdout")" -eq 4
 expect_same results/bar1d.csv elsewhere/again.csv
+
+# The ledger: what is there was put in and has not left, through the ends or by damping; to 1e-13 of
+# the peak (2744 steps of 500 nodes, where the roundings of some 10 operations add up).
+try run "$scene" --quiet --set output.every=1
+expect_exit 0
+expect "the ledger adds up" awk -F, '
+    NR > 1 && $5 > peak { peak = $5 }
+    NR > 1 { drift = $12 < 0 ? -$12 : $12; if (drift > worst) worst = drift
+             rest = $8 - ($9 - $10 - $11 - $7) - $12; if (rest^2 > (1e-15 * peak)^2) exit 1 }
+    END { exit !(worst > 0 && worst < 1e-13 * peak && $10 > 0.49 * peak && $11 > 0.49 * peak) }' \
+    results/bar1d.csv
+expect "and is reported" grep -qE '^ledger drift [0-9.]+e-1[45] of the peak$' "$scratch/stdout"
+expect "what went out" grep -qE '^went out     4\.9[0-9]*e-01 at the left end, 4\.9[0-9]*e-01 at the right one$' \
+    "$scratch/stdout"
 
 # The field: the nodes that the energies count, at the same places in a longer chain, where
 # nothing has come to the ends yet (1e-12 of the amplitude: rounding).
@@ -186,6 +201,21 @@ for bad in a/b .. ../a a..b '"a\nb"' '"\u001b[2J"' '""'; do
     setting 2 "output.name must be a file name" "output.name=$bad"
 done
 setting 2 "output.field must be true or false, not 1" output.field=1
+for bad in 0 -1 1.5 true '"2"' nan; do
+    setting 2 "output.snapshots must be a whole number from 1 to 100000000" "output.snapshots=$bad"
+done
+for bad in 0 -1 nan inf true '"2"' '[1]'; do
+    setting 2 "output.checkpoint must be a positive number" "output.checkpoint=$bad"
+done
+setting 2 "output.probes must be a list of numbers, [1, 2.5], not 3" output.probes=3
+setting 2 "output.probes must be a list of numbers, each a number; one of them is" 'output.probes=[1, "a"]'
+for bad in nan inf 1e301 '[1]' true; do
+    setting 2 "output.probes must be a list of numbers, each a number; one of them is" "output.probes=[$bad]"
+done
+for bad in 0.4 500.6 -3 1e+300; do
+    setting 2 "output.probes has $bad, but the nodes are at 1 to 500" "output.probes=[$bad]"
+done
+setting 2 "output.probes has node 7 twice" 'output.probes=[7, 250, 7.3]'
 setting 2 "--set needs KEY=VALUE" time.step
 setting 2 "--set needs KEY=VALUE" =3
 # What there is instead of a table that there is not.
@@ -482,8 +512,9 @@ code=0
 wait $! || code=$?
 expect_exit 130
 expect_stderr "stopped at step"
+expect_stderr "--resume goes on"
 expect_file results/bar1d.csv
-expect "one file only" test "$(files_in results)" -eq 1
+expect "and to go on from, a checkpoint and a growing file" test "$(files_in results)" -eq 3
 
 # The shortest run is one step.
 try run "$scene" --set time.end=1e-9

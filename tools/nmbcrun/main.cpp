@@ -34,6 +34,7 @@ struct Arguments {
     bool quiet = false;
     double tolerance = 0;
     std::size_t endurance = 100'000;
+    bool resume = false;
 };
 
 nmbcrun::Overrides split_settings(const std::vector<std::string>& settings) {
@@ -105,6 +106,8 @@ int main(int argc, char** argv) {
     };
     auto* const run = add_command("run", "run a scene and report its energies");
     run->add_option("--out", arguments.folder, "folder for the results (default results)");
+    run->add_flag("--resume", arguments.resume,
+                  "go on from the checkpoint of a run that was stopped");
     auto* const verify =
         add_command("verify", "compare a scene with the same one without ends (docs/verify.md)");
     verify
@@ -142,7 +145,8 @@ int main(int argc, char** argv) {
     nmbcrun::note_interrupts();
     if (run->parsed()) {
         return exit_code_of([&] {
-            nmbcrun::run(scene_of(arguments), arguments.folder, arguments.quiet);
+            nmbcrun::run(scene_of(arguments),
+                         {arguments.folder, arguments.quiet, arguments.resume});
             return done;
         });
     }

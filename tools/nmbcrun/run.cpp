@@ -4,29 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <nmbc/chain.hpp>
-#include <nmbc/energy.hpp>
 #include <optional>
 
-#include "tools/nmbcrun/output/csv.hpp"
+#include "tools/nmbcrun/output/checkpoint.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/output/recorder.hpp"
+#include "tools/nmbcrun/report.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 
 namespace nmbcrun {
 namespace {
 
-struct Sample {
-    double time;
-    nmbc::Energies energies;
-};
-
-/// What was written of a run, and the largest total energy of every tenth step.
-struct Record {
-    std::vector<Sample> samples;
-    double peak = 0;
-};
+constexpr std::size_t look_every = 10;  // steps; whatever is written, the peak is the same
 
 std::string likely_cause(const Plan& plan) {
     return plan.objection.empty() ? "its ends are stable; an amplitude may be too large for doubles"
@@ -44,140 +36,209 @@ std::string fastest_node(const nmbc::Chain& chain) {
     return name_of(std::size_t(fastest - chain.velocity().begin()), chain);
 }
 
-/// Steps the chain to the end. After its sources nothing feeds the chain any more: an energy that
-/// grows tenfold from there is as unstable as one that is not finite.
-Record simulate(Simulation& simulation, CsvFile& csv, bool quiet) {
-    const nmbc::Chain& chain = simulation.chain();
-    const Plan& plan = simulation.plan();
-    const std::size_t every = simulation.scene().every;
-    Progress progress(plan.steps, quiet);
-    Record record;
-    double driven_peak = simulation.energies().total();
-    record.peak = driven_peak;
-    const auto unstable = [&](const std::string& what) {
-        return Unstable(fmt::format("{} at step {} (t = {:.6g}): {}. Energies up to there: {}",
-                                    what, chain.steps(), chain.time(), likely_cause(plan),
-                                    csv.path().string()));
+/// All that a run with these keys and plan goes on from must have in common, the name of a key
+/// each; what changes no result is left out.
+std::map<std::string, std::string> identity(const Simulation& simulation) {
+    auto keys = simulation.scene().given;
+    keys.erase("title");
+    keys.erase("output.checkpoint");
+    keys["the version of nmbcrun"] = NMBC_VERSION;
+    keys["the time step"] = fmt::format("{:a}", simulation.plan().time_step);
+    keys["the number of steps"] = fmt::format("{}", simulation.plan().steps);
+    return keys;
+}
+
+void require_same(const std::map<std::string, std::string>& stored,
+                  const std::map<std::string, std::string>& given,
+                  const std::filesystem::path& checkpoint) {
+    const auto value = [](const auto& keys, const std::string& key) {
+        const auto found = keys.find(key);
+        return found == keys.end() ? std::string("not given") : found->second;
     };
-    while (!simulation.is_done()) {
-        simulation.step();
-        progress.update(chain.steps());
-        if (interrupted()) {
-            throw Interrupted(
-                fmt::format("stopped at step {} of {} (t = {:.6g}). Energies up to "
-                            "there: {}",
-                            chain.steps(), plan.steps, chain.time(), csv.path().string()));
-        }
-        if (!chain.is_finite()) {
-            throw unstable(name_of(chain.first_not_finite(), chain) + " is not finite");
-        }
-        const bool to_be_written = chain.steps() % every == 0 || simulation.is_done();
-        constexpr std::size_t look_every = 10;  // whatever is written, the peak is the same
-        if (!to_be_written && chain.steps() % look_every != 0) {
-            continue;
-        }
-        const double time = chain.time() - plan.time_step / 2;
-        const nmbc::Energies energies = simulation.energies();
-        if (to_be_written) {
-            record.samples.push_back({time, energies});
-            append_energies(csv, time, energies);
-        }
-        record.peak = std::max(record.peak, energies.total());
-        const double total = energies.total();
-        if (!std::isfinite(total)) {
-            throw unstable(fmt::format("the energy of {} is not finite", fastest_node(chain)));
-        }
-        if (simulation.is_driven(chain.time())) {
-            driven_peak = std::max(driven_peak, total);
-        } else if (driven_peak > 0 && total > 10 * driven_peak) {
-            throw unstable(
-                fmt::format("the energy has grown to {:.3g} times its peak before its sources "
-                            "ended, most at {},",
-                            total / driven_peak, fastest_node(chain)));
+    auto all = stored;
+    all.insert(given.begin(), given.end());
+    for (const auto& [key, unused] : all) {
+        if (value(stored, key) != value(given, key)) {
+            throw SceneError(fmt::format("{} is of another scene: there {} is {}, here {}",
+                                         checkpoint.string(), key, value(stored, key),
+                                         value(given, key)));
         }
     }
-    return record;
 }
 
-void print_heading(const Simulation& simulation) {
-    const Scene& scene = simulation.scene();
-    const Plan& plan = simulation.plan();
-    fmt::print("scene     {}\n", scene.title);
-    fmt::print("lattice   {} horizon {}, G = {}{}\n", scene.family, scene.horizon, scene.G,
-               is_damped(scene) ? ", tau = " + scene.tau : "");
-    if (scene.left == scene.right) {
-        fmt::print("boundary  {}\n", heading_of(scene.left));
-    } else {
-        fmt::print("left      {}\n", heading_of(scene.left));
-        fmt::print("right     {}\n", heading_of(scene.right));
+/// One run, from its start or from a checkpoint, to its end.
+class Run {
+  public:
+    Run(const Scene& scene, const RunOptions& options)
+        : simulation_(scene),
+          ledger_(simulation_.chain()),
+          quiet_(options.quiet),
+          checkpoint_(options.folder / (scene.name + ".checkpoint")) {
+        if (options.resume) {
+            const Checkpoint from = load_checkpoint(checkpoint_);
+            require_same(from.scene, identity(simulation_), checkpoint_);
+            recorder_.emplace(scene, options.folder, from.journals);
+            simulation_.resume(from.chain);
+            ledger_.resume(simulation_.chain(), from.ledger);
+            highlights_ = from.highlights;
+        } else {
+            recorder_.emplace(scene, simulation_.chain(), options.folder);
+            highlights_.driven_peak = simulation_.energies().total();
+            highlights_.peak = highlights_.driven_peak;
+        }
     }
-    fmt::print("chain     {} nodes, dX = {}, c = {:.6g}\n", scene.nodes, scene.spacing,
-               simulation.chain().parameters().wave_speed());
-    fmt::print("time      {} steps of {:.6g} (cfl = {:.3g}){}\n\n", plan.steps, plan.time_step,
-               plan.cfl, plan.limit.empty() ? "" : ": " + plan.limit);
+
+    void to_the_end();
+    void print() const;
+
+    const Simulation& simulation() const { return simulation_; }
+
+  private:
+    const nmbc::Chain& chain() const { return simulation_.chain(); }
+    void step();
+    void record();
+    void look_at(const Sample& sample);
+    void keep_for_report(const Sample& sample);
+    void store();
+    std::string place() const;
+    Unstable unstable(const std::string& what) const;
+
+    Simulation simulation_;
+    Ledger ledger_;
+    std::optional<Recorder> recorder_;
+    Highlights highlights_;
+    bool quiet_;
+    std::filesystem::path checkpoint_;
+};
+
+std::string Run::place() const {
+    return fmt::format("step {} (t = {:.6g})", chain().steps(), chain().time());
 }
 
-/// About twelve of the samples, and the last.
-void print_samples(const std::vector<Sample>& samples, double peak, bool damped) {
-    fmt::print("{:>10}  {:>12}  {:>12}  {:>14}  {:>12}  {:>10}{}\n", "time", "kinetic", "strain",
-               "stabilisation", "total", "of peak", damped ? "        damped" : "");
-    const std::size_t every = std::max<std::size_t>(1, samples.size() / 12);
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        if (i % every != 0 && i + 1 != samples.size()) {
-            continue;
-        }
-        const auto& [time, e] = samples[i];
-        fmt::print("{:10.4g}  {:12.4e}  {:12.4e}  {:14.4e}  {:12.4e}  {:10.2e}{}\n", time,
-                   e.kinetic, e.strain, e.stabilisation, e.total(), e.total() / peak,
-                   damped ? fmt::format("  {:12.4e}", e.damped) : "");
+Unstable Run::unstable(const std::string& what) const {
+    return Unstable(fmt::format("{} at {}: {}. Energies up to there: {}", what, place(),
+                                likely_cause(simulation_.plan()), recorder_->energies().string()));
+}
+
+/// After its sources nothing feeds the chain any more: an energy that grows tenfold from there is
+/// as unstable as one that is not finite.
+void Run::look_at(const Sample& sample) {
+    const double total = sample.energies.total();
+    highlights_.peak = std::max(highlights_.peak, total);
+    highlights_.drift = std::max(highlights_.drift, std::abs(sample.balance.drift));
+    if (!std::isfinite(total)) {
+        throw unstable(fmt::format("the energy of {} is not finite", fastest_node(chain())));
     }
-    fmt::print("\n");
+    double& driven_peak = highlights_.driven_peak;
+    if (simulation_.is_driven(chain().time())) {
+        driven_peak = std::max(driven_peak, total);
+    } else if (driven_peak > 0 && total > 10 * driven_peak) {
+        throw unstable(fmt::format(
+            "the energy has grown to {:.3g} times its peak before its sources ended, most "
+            "at {},",
+            total / driven_peak, fastest_node(chain())));
+    }
+}
+
+/// About twelve of a run's rows, and the last.
+void Run::keep_for_report(const Sample& sample) {
+    const std::size_t every = simulation_.scene().every;
+    const std::size_t rows = (simulation_.plan().steps + every - 1) / every;
+    const std::size_t row = (chain().steps() + every - 1) / every - 1;
+    if (row % std::max<std::size_t>(1, rows / 12) == 0 || simulation_.is_done()) {
+        highlights_.samples.push_back(sample);
+    }
+}
+
+void Run::record() {
+    const bool is_row = chain().steps() % simulation_.scene().every == 0 || simulation_.is_done();
+    if (!is_row && chain().steps() % look_every != 0) {
+        return;
+    }
+    Sample sample{chain().time() - simulation_.plan().time_step / 2, simulation_.energies(), {}};
+    if (is_row) {
+        sample.balance = ledger_.balance(chain());
+        keep_for_report(sample);
+        recorder_->record(sample, chain());
+    }
+    look_at(sample);
+}
+
+void Run::step() {
+    simulation_.step(ledger_);
+    if (!chain().is_finite()) {
+        throw unstable(name_of(chain().first_not_finite(), chain()) + " is not finite");
+    }
+    record();
+    recorder_->look(chain());
+}
+
+void Run::store() {
+    save_checkpoint(checkpoint_, {identity(simulation_), chain().state(), ledger_.totals(),
+                                  highlights_, recorder_->marks()});
+}
+
+void Run::to_the_end() {
+    using Clock = std::chrono::steady_clock;
+    const std::chrono::duration<double> pause(simulation_.scene().checkpoint);
+    Progress progress(simulation_.plan().steps, quiet_, chain().steps());
+    auto stored = Clock::now();
+    try {
+        while (!simulation_.is_done()) {
+            step();
+            progress.update(chain().steps());
+            if (simulation_.is_done()) {
+                break;
+            }
+            if (interrupted()) {
+                store();
+                recorder_->publish(chain(), false);
+                throw Interrupted(
+                    fmt::format("stopped at {} of {}. Energies up to there: {}. --resume goes on",
+                                place(), simulation_.plan().steps, recorder_->energies().string()));
+            }
+            if (chain().steps() % look_every == 0 && Clock::now() - stored > pause) {
+                store();
+                stored = Clock::now();
+            }
+        }
+    } catch (const Unstable&) {
+        recorder_->publish(chain(), false);  // the energies up to there
+        recorder_->finish();
+        remove_checkpoint(checkpoint_);
+        throw;
+    }
+    recorder_->publish(chain(), true);
+    recorder_->finish();
+    remove_checkpoint(checkpoint_);
+}
+
+void Run::print() const {
+    const Scene& scene = simulation_.scene();
+    if (highlights_.peak == 0) {
+        throw Unstable(fmt::format(
+            "there was no energy at any time, so nothing to compare with: {}. Energies: {}",
+            simulation_.why_no_energy(), recorder_->energies().string()));
+    }
+    if (!quiet_) {
+        print_samples(highlights_, is_damped(scene));
+    }
+    print_balance(highlights_, is_damped(scene));
+    fmt::print("{}", recorder_->files());
 }
 
 }  // namespace
 
-void run(const Scene& scene, const std::filesystem::path& folder, bool quiet) {
-    Simulation simulation(scene);
-    const nmbc::Chain& chain = simulation.chain();
-    if (!simulation.plan().objection.empty()) {
-        fmt::print(stderr, "nmbcrun: warning: {}\n", simulation.plan().objection);
+void run(const Scene& scene, const RunOptions& options) {
+    Run run(scene, options);
+    if (!run.simulation().plan().objection.empty()) {
+        fmt::print(stderr, "nmbcrun: warning: {}\n", run.simulation().plan().objection);
     }
-    CsvFile csv(folder / (scene.name + ".csv"), energies_header);
-    std::optional<CsvFile> field;
-    if (scene.field) {
-        field.emplace(folder / (scene.name + "_field.csv"), field_header);
+    if (!options.quiet) {
+        print_heading(run.simulation());
     }
-    if (!quiet) {
-        print_heading(simulation);
-    }
-    Record record;
-    try {
-        record = simulate(simulation, csv, quiet);
-    } catch (const Unstable&) {
-        csv.publish();  // the energies up to there
-        throw;
-    } catch (const Interrupted&) {
-        csv.publish();
-        throw;
-    }
-    csv.publish();
-    if (field) {
-        append_field(*field, chain);
-        field->publish();
-    }
-    if (record.peak == 0) {
-        throw Unstable(fmt::format(
-            "there was no energy at any time, so nothing to compare with: {}. Energies: {}",
-            simulation.why_no_energy(), csv.path().string()));
-    }
-    if (!quiet) {
-        print_samples(record.samples, record.peak, is_damped(scene));
-    }
-    fmt::print("energy left  {:.3e} of the peak\nenergies     {}\n",
-               record.samples.back().energies.total() / record.peak, csv.path().string());
-    if (field) {
-        fmt::print("field        {}\n", field->path().string());
-    }
+    run.to_the_end();
+    run.print();
 }
 
 }  // namespace nmbcrun

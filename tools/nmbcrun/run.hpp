@@ -9,12 +9,19 @@
 
 namespace nmbcrun {
 
-/// Runs the scene, writes FOLDER/NAME.csv (and NAME_field.csv where asked for) and prints a table
-/// of energies on stdout; with `quiet`, only the energy left and the files. Throws SceneError (no
-/// such table, a time step above the interior's limit), Unstable (before the run where its ends are
-/// not certified; after one without energy) and Interrupted (what was computed up to there is
-/// written), nmbc::CoefficientError, std::invalid_argument (parameters the runtime refuses),
-/// FileError.
-void run(const Scene& scene, const std::filesystem::path& folder, bool quiet);
+struct RunOptions {
+    std::filesystem::path folder;  ///< for what the run writes
+    bool quiet = false;            ///< only the last lines on stdout
+    bool resume = false;           ///< go on from the checkpoint in the folder
+};
+
+/// Runs the scene, writes what it asks for (Recorder) and prints a table of energies on stdout, and
+/// what was left, where it went and the files.
+/// Throws SceneError (no such table, a time step above the interior's limit, a checkpoint of
+/// another scene), Unstable (before the run where its ends are not certified; after one without
+/// energy), Interrupted (what was computed up to there is written, and a checkpoint),
+/// nmbc::CoefficientError, std::invalid_argument (parameters the runtime refuses), FileError (the
+/// last checkpoint is still there).
+void run(const Scene& scene, const RunOptions& options);
 
 }  // namespace nmbcrun

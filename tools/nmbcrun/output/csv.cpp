@@ -58,13 +58,6 @@ void CsvFile::fail() const {
     throw FileError(fmt::format("cannot write {}: {}", path_.string(), std::strerror(reason)));
 }
 
-void append_energies(CsvFile& csv, double time, const nmbc::Energies& energies) {
-    // The time is a rounded multiple of the step, which ten digits hide; the energies read back.
-    csv.append(fmt::format("{:.10g},{},{},{},{},{},{}", time, energies.kinetic, energies.strain,
-                           energies.stabilisation, energies.total(), energies.staggered,
-                           energies.damped));
-}
-
 void append_field(CsvFile& csv, const nmbc::Chain& chain) {
     const nmbc::ChainParameters& p = chain.parameters();
     for (std::size_t node = 1; node <= p.nodes; ++node) {

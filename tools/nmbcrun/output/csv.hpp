@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <nmbc/chain.hpp>
-#include <nmbc/energy.hpp>
 #include <string>
 
 namespace nmbcrun {
@@ -36,12 +35,7 @@ class CsvFile {
     std::ofstream stream_;
 };
 
-inline constexpr const char* energies_header =
-    "time,kinetic,strain,stabilisation,total,staggered,damped";
 inline constexpr const char* field_header = "node,x,u,v";
-
-/// A row of energies_header.
-void append_energies(CsvFile& csv, double time, const nmbc::Energies& energies);
 
 /// The interior nodes, a row of field_header each: node 1, 2, .. at x = node dX [length], u at t, v
 /// at t - dt/2.

@@ -28,8 +28,8 @@ int terminal_width() {
 
 }  // namespace
 
-Progress::Progress(std::size_t total, bool quiet)
-    : total_(total), shown_(!quiet && terminal_width() >= longest_line) {}
+Progress::Progress(std::size_t total, bool quiet, std::size_t first)
+    : total_(total), first_(first), shown_(!quiet && terminal_width() >= longest_line) {}
 
 Progress::~Progress() {
     if (shown_) {
@@ -43,7 +43,8 @@ void Progress::update(std::size_t done) {
     }
     const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
     const double fraction = double(done) / double(std::max<std::size_t>(total_, 1));
-    const double left = fraction > 0 ? elapsed * (1 - fraction) / fraction : 0;
+    const auto done_here = double(done - first_);
+    const double left = done_here > 0 ? elapsed * double(total_ - done) / done_here : 0;
     constexpr int width = 40;
     const int filled = int(fraction * width);
     fmt::print(stderr, "\r[{}{}] {:3.0f} %, {:.0f} s left \033[K",
@@ -51,7 +52,7 @@ void Progress::update(std::size_t done) {
                100 * fraction, left);
     std::fflush(stderr);
     // Aim for ten drawings a second by the speed so far, and for 100 in all at the start.
-    const double per_second = elapsed > 0.1 ? double(done) / elapsed : double(total_);
+    const double per_second = elapsed > 0.1 ? done_here / elapsed : double(total_);
     next_ =
         done + std::max<std::size_t>(1, std::min(total_ / 100 + 1, std::size_t(per_second / 10)));
 }

@@ -9,8 +9,8 @@ namespace nmbcrun {
 
 class Progress {
   public:
-    /// total: steps in all; quiet: show nothing.
-    Progress(std::size_t total, bool quiet);
+    /// total: steps in all; quiet: show nothing; first: steps done before, in another process.
+    Progress(std::size_t total, bool quiet, std::size_t first = 0);
     /// Clears the line.
     ~Progress();
     Progress(const Progress&) = delete;
@@ -22,6 +22,7 @@ class Progress {
   private:
     using Clock = std::chrono::steady_clock;
     std::size_t total_;
+    std::size_t first_;
     std::size_t next_ = 0;  // the step to look at the clock again
     bool shown_;
     Clock::time_point start_ = Clock::now();

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <nmbc/coefficients.hpp>
 #include <optional>
@@ -141,6 +142,24 @@ int read_horizon(SceneReader& reader, const std::string& family) {
                                    : reader.required("model.horizon", horizon));
 }
 
+/// The nodes nearest to the positions.
+std::vector<std::size_t> read_probes(SceneReader& reader, const Scene& scene) {
+    std::vector<std::size_t> probes;
+    for (const double X : reader.numbers("output.probes", any_number)) {
+        const double node = std::round(X / scene.spacing);
+        if (!(node >= 1 && node <= double(scene.nodes))) {
+            reader.fail("output.probes",
+                        fmt::format("has {}, but the nodes are at {} to {}", X, scene.spacing,
+                                    double(scene.nodes) * scene.spacing));
+        }
+        if (std::ranges::find(probes, std::size_t(node) - 1) != probes.end()) {
+            reader.fail("output.probes", fmt::format("has node {} twice", node));
+        }
+        probes.push_back(std::size_t(node) - 1);
+    }
+    return probes;
+}
+
 }  // namespace
 
 std::string_view name_of(BoundaryKind kind) {
@@ -236,6 +255,11 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
     scene.every =
         std::size_t(reader.whole_number("output.every", 1, most_nodes).value_or(long(scene.every)));
     scene.field = reader.truth("output.field").value_or(false);
+    scene.probes = read_probes(reader, scene);
+    scene.snapshots =
+        std::size_t(reader.whole_number("output.snapshots", 1, most_nodes).value_or(0));
+    scene.checkpoint = reader.number("output.checkpoint", positive).value_or(scene.checkpoint);
+    scene.given = reader.given();
     reader.refuse_unknown_keys();
     // An override of one replaces the other of the file.
     if (scene.step && scene.cfl &&

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <nmbc/boundary.hpp>
 #include <optional>
 #include <string>
@@ -83,7 +84,12 @@ struct Scene {
     std::optional<double> step;  ///< dt [time]; at most one of step and cfl is given;
     std::optional<double> cfl;   ///< dt omega_max / 2; neither: the largest certified one
     std::size_t every = 10;
-    bool field = false;  ///< whether u and v at the end are written
+    bool field = false;                 ///< whether u and v at the end are written
+    std::vector<std::size_t> probes{};  ///< interior nodes, from 0, whose u and v are written
+    std::size_t snapshots = 0;          ///< steps between two snapshots of all nodes; 0: none
+    double checkpoint = 60;             ///< seconds of the clock between two checkpoints
+    /// Every key that is given, by its dotted path, and its value as text, for comparison.
+    std::map<std::string, std::string> given{};
 };
 
 inline bool is_damped(const Scene& scene) {

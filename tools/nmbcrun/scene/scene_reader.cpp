@@ -47,6 +47,24 @@ std::string as_written(const toml::node& node) {
     return text.str();
 }
 
+bool is_within(double value, const Bounds& bounds) {
+    return std::isfinite(value) && value >= bounds.lowest && value <= bounds.highest &&
+           (value != bounds.lowest || bounds.lowest_allowed);
+}
+
+void add_given(const toml::table& table, const std::string& prefix,
+               std::map<std::string, std::string>& keys) {
+    for (const auto& [name, node] : table) {
+        const std::string key = prefix + std::string(name.str());
+        if (node.is_table()) {
+            add_given(*node.as_table(), key + ".", keys);
+        } else {  // 1 and 1.0 are the same number
+            keys[key] =
+                node.is_number() ? fmt::format("{}", *node.value<double>()) : as_written(node);
+        }
+    }
+}
+
 }  // namespace
 
 SceneReader::SceneReader(const std::string& path,
@@ -134,8 +152,7 @@ std::optional<double> SceneReader::number(std::string_view key, const Bounds& bo
         return std::nullopt;
     }
     const auto value = node->is_number() ? node->value<double>() : std::nullopt;
-    if (!value || !std::isfinite(*value) || *value < bounds.lowest || *value > bounds.highest ||
-        (*value == bounds.lowest && !bounds.lowest_allowed)) {
+    if (!value || !is_within(*value, bounds)) {
         fail(key, fmt::format("must be {}, not {}", bounds.words, as_written(*node)));
     }
     return value;
@@ -186,6 +203,33 @@ std::optional<bool> SceneReader::truth(std::string_view key) {
         fail(key, fmt::format("must be true or false, not {}", as_written(*node)));
     }
     return node == nullptr ? std::nullopt : node->value<bool>();
+}
+
+std::vector<double> SceneReader::numbers(std::string_view key, const Bounds& bounds) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return {};
+    }
+    if (!node->is_array()) {
+        fail(key, fmt::format("must be a list of numbers, [1, 2.5], not {}", as_written(*node)));
+    }
+    std::vector<double> values;
+    values.reserve(node->as_array()->size());
+    for (const toml::node& entry : *node->as_array()) {
+        const auto value = entry.is_number() ? entry.value<double>() : std::nullopt;
+        if (!value || !is_within(*value, bounds)) {
+            fail(key, fmt::format("must be a list of numbers, each {}; one of them is {}",
+                                  bounds.words, as_written(entry)));
+        }
+        values.push_back(*value);
+    }
+    return values;
+}
+
+std::map<std::string, std::string> SceneReader::given() const {
+    std::map<std::string, std::string> keys;
+    add_given(document_, "", keys);
+    return keys;
 }
 
 void SceneReader::refuse_unknown_keys() const {

@@ -6,6 +6,7 @@
 #define TOML_EXCEPTIONS 1
 #include <toml++/toml.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,6 +46,11 @@ class SceneReader {
     /// A string, or the shortest decimal that reads as the number.
     std::optional<std::string> number_or_text(std::string_view key);
     std::optional<bool> truth(std::string_view key);
+    /// A list of numbers; empty if the key is not there.
+    std::vector<double> numbers(std::string_view key, const Bounds& bounds);
+
+    /// Every key of the document that is no table, by its dotted path, and its value as text.
+    std::map<std::string, std::string> given() const;
 
     /// The value, which must be there.
     template <class Value>

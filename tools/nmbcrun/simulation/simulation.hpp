@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tools/nmbcrun/scene/scene.hpp"
+#include "tools/nmbcrun/simulation/ledger.hpp"
 #include "tools/nmbcrun/simulation/sources.hpp"
 
 namespace nmbcrun {
@@ -49,6 +50,11 @@ class Simulation {
         chain_.step(sources_, std::forward<Observe>(observe));
     }
     void step() { chain_.step(sources_); }
+    /// One step that is entered into the ledger of this chain.
+    void step(Ledger& ledger) { ledger.step(chain_, sources_); }
+
+    /// Goes on from the state of a simulation of the same scene.
+    void resume(const nmbc::ChainState<double>& state) { chain_.resume(state); }
 
     /// Of the interior nodes, at chain().time() - dt/2.
     nmbc::Energies energies() const { return nmbc::energies(chain_); }

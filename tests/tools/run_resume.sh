@@ -1,0 +1,181 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# A run that is killed or stopped anywhere and goes on from its checkpoint writes, byte for byte,
+# what it writes without that; and no damage to a checkpoint or a disk goes unnoticed.
+# Usage: run_resume.sh NMBCRUN SOURCE_FOLDER (absolute)
+source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
+scene=$2/tools/scenes/bar1d.toml
+# Everything a run can write.
+long=(--quiet --set time.end=700 --set domain.nodes=400 --set output.every=97
+    --set output.snapshots=1501 --set 'output.probes=[7,250]' --set output.field=true
+    --set model.G=1.1)
+outputs=(bar1d.csv bar1d_probes.csv bar1d.h5 bar1d_field.csv)
+
+expect_whole_run() { # FOLDER: as the run that was left alone, and nothing else
+    for file in "${outputs[@]}"; do expect_same "whole/$file" "$1/$file"; done
+    expect "the outputs only" test "$(files_in "$1")" -eq 4
+}
+
+try run "$scene" "${long[@]}" --out whole
+expect_exit 0
+cp "$scratch/stdout" "$scratch/report"
+expect "the outputs only" test "$(files_in whole)" -eq 4
+
+# The checkpoint of a folder, another one whenever it is replaced, or the growing files there.
+# shellcheck disable=SC2086  # a pattern
+written() { stat -c %i "$1"/bar1d.${awaited:-checkpoint} 2>/dev/null || true; }
+
+# start_and_stop SIGNAL FOLDER ARGUMENT..: ends the run at a random moment after its first
+# checkpoint, or whatever is awaited. Its exit code is in $code: 0 where it was faster.
+start_and_stop() {
+    local signal=$1 folder=$2
+    shift 2
+    tried="run --out $folder $* (stopped by $signal)"
+    local before
+    before=$(written "$folder")
+    "$program" run "$scene" "${long[@]}" --out "$folder" "$@" \
+        >"$scratch/stdout" 2>"$scratch/stderr" &
+    local run=$!
+    while [ "$(written "$folder")" = "$before" ] && kill -0 "$run" 2>/dev/null; do
+        sleep 0.01
+    done
+    sleep "0.0$((RANDOM % 10))"
+    kill "-$signal" "$run" 2>/dev/null || true
+    code=0
+    wait "$run" 2>/dev/null || code=$?
+}
+# A checkpoint every ten steps: such a run is slow, and mostly found storing one.
+busy=(--set output.checkpoint=1e-9)
+
+# Killed or stopped again and again, at last it goes on to its end.
+for signal in KILL TERM; do
+    start_and_stop "$signal" "$signal" "${busy[@]}"
+    expect "stopped on the way" test "$code" -gt 128
+    start_and_stop "$signal" "$signal" "${busy[@]}" --resume
+    for _ in 1 2 3; do
+        if [ "$code" -eq 0 ]; then break; fi
+        start_and_stop "$signal" "$signal" --set output.checkpoint=0.01 --resume
+    done
+    if [ "$code" -ne 0 ] && test ! -e "$signal/bar1d.checkpoint"; then
+        echo "ended by $signal when all was done" # and yet written
+        for file in "${outputs[@]}"; do expect_same "whole/$file" "$signal/$file"; done
+        continue
+    fi
+    if [ "$code" -ne 0 ]; then try run "$scene" "${long[@]}" --out "$signal" --resume; fi
+    expect_exit 0
+    expect_whole_run "$signal"
+    expect "the same last lines" diff <(sed "s/whole/$signal/" "$scratch/report") "$scratch/stdout"
+done
+
+start_and_stop TERM stopped "${busy[@]}"
+expect_exit 130
+expect_stderr "--resume goes on"
+expect "energies up to there" awk -F, 'END { exit NF != 12 }' stopped/bar1d.csv
+h5dump -d time stopped/bar1d.h5 >"$scratch/times" || fail "snapshots up to there"
+expect "the first of them" grep -qE '\(0\): 0(,|$)' "$scratch/times"
+
+# A checkpoint with all its journals, for what follows.
+fresh() { rm -rf results && cp -r stopped results; }
+refused() { # CODE TEXT ARGUMENT..: and nothing in the folder has changed
+    fresh
+    "${damage[@]}"
+    cp -r results before
+    try run "$scene" "${long[@]}" --resume "${@:3}"
+    expect_exit "$1"
+    expect_stderr "$2"
+    expect_stderr_lines 1
+    expect_no_stdout
+    expect "nothing changed" diff -r before results
+    rm -r before
+}
+checkpoint=results/bar1d.checkpoint
+size=$(stat -c %s stopped/bar1d.checkpoint)
+
+damage=(true)
+refused 2 "there model.G is 1.1, here 1.2" --set model.G=1.2
+refused 2 "there boundary.left.order is not given, here 1" --set boundary.left.order=1
+refused 2 "there output.every is 97, here 98" --set output.every=98
+for length in 0 7 24 100 $((size - 1)); do
+    damage=(truncate -s "$length" "$checkpoint")
+    refused 5 "cannot go on from results/bar1d.checkpoint: it is "
+done
+for place in 3 12 20 30 $((size / 2)) $((size - 1)); do
+    flip() {
+        local byte='\377'
+        if [ "$(od -An -tu1 -j "$place" -N 1 "$checkpoint")" -eq 255 ]; then byte='\0'; fi
+        printf '%b' "$byte" | dd of="$checkpoint" bs=1 seek="$place" conv=notrunc status=none
+    }
+    damage=(flip)
+    refused 5 "cannot go on from results/bar1d.checkpoint: it is "
+done
+damage=(rm "$checkpoint")
+refused 5 "cannot go on from results/bar1d.checkpoint: there is no such file"
+journal() { echo results/bar1d.csv.new-*; }
+shorten() { truncate -s 10 "$(journal)"; }
+damage=(shorten)
+refused 5 "it has become shorter since the checkpoint"
+edit() { printf 'x' | dd of="$(journal)" bs=1 seek=3 conv=notrunc status=none; }
+damage=(edit)
+refused 5 "it was changed since the checkpoint"
+lose() { rm "$(journal)"; }
+damage=(lose)
+refused 5 "No such file"
+
+# What does not change a result may differ: 1.1 or 1.10, the title, how often it is stored.
+fresh
+try run "$scene" "${long[@]}" --resume --set model.G=1.10 --set title=x --set output.checkpoint=9
+expect_exit 0
+expect_whole_run results
+
+# A run that starts anew leaves the old checkpoint alone until it has one of its own, and removes
+# it when it is done.
+fresh
+try run "$scene" "${long[@]}" --set time.end=2 --set output.checkpoint=1e9
+expect_exit 0
+expect "nothing of the old run" test "$(files_in results)" -eq 4
+fresh
+awaited='csv.new-*' start_and_stop KILL results --set output.checkpoint=1e9
+try run "$scene" "${long[@]}" --resume
+expect_exit 0
+for file in "${outputs[@]}"; do expect_same "whole/$file" "results/$file"; done
+fresh
+cp "$checkpoint" "$scratch/old"
+start_and_stop TERM results "${busy[@]}"
+expect "a checkpoint of its own" test "$(cmp -s "$scratch/old" "$checkpoint"; echo $?)" -eq 1
+expect "one run's journals" test "$(find results -name '*.new-*' | wc -l)" -eq 3
+try run "$scene" "${long[@]}" --resume
+expect_exit 0
+expect_whole_run results
+
+# Two at once: a run may not go on from files that another one has open, and locked.
+fresh
+for file in "$checkpoint" "$(journal)"; do
+    exec 9<>"$file"
+    flock -n 9 || fail "a lock"
+    try run "$scene" "${long[@]}" --resume
+    expect_exit 5
+    expect_stderr "a run that goes on has it open"
+    exec 9>&-
+done
+expect "nothing changed" diff -r stopped results
+
+# A full disk, as a limit of file size, on the way and at the end: the checkpoint goes on later.
+# The last of the limits is just below the size of the HDF5 file.
+for blocks in 1 20 60 $(($(stat -c %s whole/bar1d.h5) / 1024)); do # of 1024 bytes
+    fresh
+    cp "$checkpoint" "$scratch/old"
+    tried="run --resume on a disk of $blocks blocks a file"
+    code=0
+    (
+        ulimit -f "$blocks"
+        exec "$program" run "$scene" "${long[@]}" --resume --set output.checkpoint=1e9 
+    ) >"$scratch/stdout" 2>"$scratch/stderr" || code=$?
+    expect_exit 5
+    expect_stderr "File too large"
+    expect_stderr_lines 1
+    expect_same "$scratch/old" "$checkpoint"
+    try run "$scene" "${long[@]}" --resume
+    expect_exit 0
+    expect_whole_run results
+done
+finish

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/output/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+#include <type_traits>
+
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/checksum.hpp"
+
+namespace nmbcrun {
+namespace {
+
+// The file: magic, size and checksum of what follows, and that. Numbers are as this machine has
+// them: another byte order would not go on bit for bit anyway, and is no magic.
+constexpr std::uint64_t magic = 0x31307463626d6e;  // "nmbct01"; another layout, another number
+
+struct Header {
+    std::uint64_t magic_number = magic;
+    std::uint64_t size = 0;
+    std::uint64_t sum = 0;
+};
+
+class Writer {
+  public:
+    template <class Value>
+    requires std::is_trivially_copyable_v<Value>
+    void put(const Value& value) { append(&value, 1); }
+    void put(const std::string& text) {
+        put(text.size());
+        append(text.data(), text.size());
+    }
+    void put(const Journal::Mark& mark) {
+        put(mark.name);
+        put(mark.size);
+        put(mark.checksum);
+    }
+    void put(const std::pair<const std::string, std::string>& pair) {
+        put(pair.first);
+        put(pair.second);
+    }
+    template <class Value>
+    requires std::is_trivially_copyable_v<Value>
+    void put_all(const std::vector<Value>& values) {
+        put(values.size());
+        append(values.data(), values.size());
+    }
+    template <class List>
+    void put_all(const List& values) {
+        put(values.size());
+        for (const auto& value : values) {
+            put(value);
+        }
+    }
+    const std::string& bytes() const { return bytes_; }
+
+  private:
+    template <class Value>
+    void append(const Value* values, std::size_t count) {
+        if (count > 0) {
+            const std::size_t before = bytes_.size();
+            bytes_.resize(before + count * sizeof(Value));
+            std::memcpy(bytes_.data() + before, values, count * sizeof(Value));
+        }
+    }
+    std::string bytes_;
+};
+
+/// Takes the values out in the same order. Throws FileError where there are too few bytes.
+class Reader {
+  public:
+    Reader(std::string_view bytes, const std::filesystem::path& path)
+        : bytes_(bytes), path_(path) {}
+
+    template <class Value>
+    requires std::is_trivially_copyable_v<Value>
+    void get(Value& value) { std::memcpy(&value, take(sizeof(Value)).data(), sizeof(Value)); }
+    void get(std::string& text) {
+        std::size_t size = 0;
+        get(size);
+        text = take(size);
+    }
+    void get(Journal::Mark& mark) {
+        get(mark.name);
+        get(mark.size);
+        get(mark.checksum);
+    }
+    template <class Value>
+    requires std::is_trivially_copyable_v<Value>
+    void get_all(std::vector<Value>& values) {
+        std::size_t size = 0;
+        get(size);
+        require(size <= bytes_.size() / sizeof(Value));
+        values.resize(size);
+        const std::string_view taken = take(size * sizeof(Value));
+        if (size > 0) {
+            std::memcpy(values.data(), taken.data(), taken.size());
+        }
+    }
+    void get_all(std::vector<Journal::Mark>& marks) {
+        std::size_t size = 0;
+        get(size);
+        for (std::size_t i = 0; i < size; ++i) {
+            get(marks.emplace_back());
+        }
+    }
+    void get_all(std::map<std::string, std::string>& pairs) {
+        std::size_t size = 0;
+        get(size);
+        for (std::size_t i = 0; i < size; ++i) {
+            std::string key;
+            get(key);
+            get(pairs[key]);
+        }
+    }
+
+  private:
+    void require(bool enough) const {
+        if (!enough) {
+            throw FileError(fmt::format("{} is no checkpoint of this nmbcrun", path_.string()));
+        }
+    }
+    std::string_view take(std::size_t size) {
+        require(size <= bytes_.size());
+        const std::string_view taken = bytes_.substr(0, size);
+        bytes_.remove_prefix(size);
+        return taken;
+    }
+    std::string_view bytes_;
+    const std::filesystem::path& path_;
+};
+
+/// Whatever archive it is: `each` takes every part of the checkpoint that is a value, `all` every
+/// one that is a list.
+template <class Part, class Each, class All>
+void visit(Part& checkpoint, Each each, All all) {
+    all(checkpoint.scene);
+    each(checkpoint.chain.steps);
+    all(checkpoint.chain.displacement);
+    all(checkpoint.chain.velocity);
+    all(checkpoint.chain.damped);
+    all(checkpoint.chain.left);
+    all(checkpoint.chain.right);
+    each(checkpoint.ledger);
+    each(checkpoint.highlights.peak);
+    each(checkpoint.highlights.driven_peak);
+    each(checkpoint.highlights.drift);
+    all(checkpoint.highlights.samples);
+    all(checkpoint.journals);
+}
+
+std::string pack(const Checkpoint& checkpoint) {
+    Writer writer;
+    visit(
+        checkpoint, [&](const auto& value) { writer.put(value); },
+        [&](const auto& list) { writer.put_all(list); });
+    return writer.bytes();
+}
+
+/// Of the checkpoint that is there; none where it cannot be read at all.
+std::vector<Journal::Mark> journals_of(const std::filesystem::path& path) {
+    try {
+        return load_checkpoint(path).journals;
+    } catch (const FileError&) {
+        return {};
+    }
+}
+
+/// What runs have left that were killed while they stored a checkpoint.
+void remove_leftovers(const std::filesystem::path& path) {
+    const std::string start = path.filename().string() + ".new-";
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(path.parent_path(), error)) {
+        if (entry.path().filename().string().starts_with(start)) {
+            remove_unless_open(entry.path());
+        }
+    }
+}
+
+void remove_journals(const std::filesystem::path& path, const std::vector<Journal::Mark>& marks) {
+    for (const Journal::Mark& mark : marks) {
+        remove_unless_open(path.parent_path() / mark.name);
+    }
+}
+
+}  // namespace
+
+void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+    const auto replaced = journals_of(path);
+    const std::string body = pack(checkpoint);
+    const Header header{magic, body.size(), checksum(body)};
+    std::string head(sizeof(header), '\0');
+    std::memcpy(head.data(), &header, sizeof(header));
+    PosixFile file = PosixFile::create_beside(path);
+    try {
+        file.write(head);
+        file.write(body);
+        file.sync();
+        replace(file.path(), path);
+    } catch (const FileError&) {
+        std::error_code ignored;
+        std::filesystem::remove(file.path(), ignored);
+        throw;
+    }
+    remove_leftovers(path);
+    remove_journals(path, replaced);  // less those of this run, which are open
+}
+
+Checkpoint load_checkpoint(const std::filesystem::path& path) {
+    const auto refuse = [&](const char* why) {
+        return FileError(fmt::format("cannot go on from {}: {}", path.string(), why));
+    };
+    if (!std::filesystem::exists(path)) {
+        throw refuse("there is no such file");
+    }
+    const PosixFile file = PosixFile::open(path);
+    Header header;
+    std::string head(sizeof(header), '\0');
+    const std::size_t got = file.read(0, head.data(), head.size());
+    std::memcpy(&header, head.data(), sizeof(header));
+    if (got < sizeof(header) || header.magic_number != magic) {
+        throw refuse("it is no checkpoint, or one of another version of nmbcrun");
+    }
+    if (header.size != std::filesystem::file_size(path) - sizeof(header)) {
+        throw refuse("it is not whole");
+    }
+    std::string body(header.size, '\0');
+    if (file.read(sizeof(header), body.data(), body.size()) != body.size() ||
+        checksum(body) != header.sum) {
+        throw refuse("it is garbled");
+    }
+    Checkpoint checkpoint;
+    Reader reader(body, path);
+    visit(
+        checkpoint, [&](auto& value) { reader.get(value); },
+        [&](auto& list) { reader.get_all(list); });
+    return checkpoint;
+}
+
+void remove_checkpoint(const std::filesystem::path& path) {
+    const auto journals = journals_of(path);
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+    remove_leftovers(path);
+    remove_journals(path, journals);
+}
+
+}  // namespace nmbcrun

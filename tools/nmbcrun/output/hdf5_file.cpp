@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/output/hdf5_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/posix_file.hpp"
+
+namespace nmbcrun {
+namespace {
+
+/// Closes an identifier of HDF5.
+class Closing {
+  public:
+    Closing(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+    ~Closing() { close_(id_); }
+    Closing(const Closing&) = delete;
+    Closing& operator=(const Closing&) = delete;
+    hid_t operator*() const { return id_; }
+
+  private:
+    hid_t id_;
+    herr_t (*close_)(hid_t);
+};
+
+}  // namespace
+
+Hdf5File::Hdf5File(std::filesystem::path path) : path_(std::move(path)) {
+    // After a write that failed the library crashes in what it does at the end of the program
+    // (h5py, issue 914); everything is closed here.
+    H5dont_atexit();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what fails is reported by exceptions
+    temporary_ = PosixFile::create_beside(path_).path();
+    try {
+        file_ = checked(H5Fcreate(temporary_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+    } catch (const FileError&) {
+        close();
+        throw;
+    }
+}
+
+Hdf5File::~Hdf5File() {
+    close();
+}
+
+void Hdf5File::close() {
+    for (const auto& [name, dataset] : datasets_) {
+        H5Dclose(dataset);
+    }
+    datasets_.clear();
+    if (file_ >= 0) {
+        H5Fclose(file_);
+        file_ = H5I_INVALID_HID;
+    }
+    std::error_code ignored;
+    std::filesystem::remove(temporary_, ignored);
+}
+
+hid_t Hdf5File::checked(hid_t result) const {
+    if (result < 0) {
+        const int reason = errno;  // HDF5 passes it on from where it failed, as a rule
+        throw FileError(fmt::format("cannot write {}: {}", path_.string(),
+                                    reason == 0 ? "HDF5 refuses" : std::strerror(reason)));
+    }
+    return result;
+}
+
+void Hdf5File::attach(hid_t object, const Attributes& attributes) const {
+    for (const auto& [name, text] : attributes) {
+        const Closing type(checked(H5Tcopy(H5T_C_S1)), H5Tclose);
+        checked(H5Tset_size(*type, text.size() + 1));
+        const Closing space(checked(H5Screate(H5S_SCALAR)), H5Sclose);
+        const Closing attribute(
+            checked(H5Acreate2(object, name.c_str(), *type, *space, H5P_DEFAULT, H5P_DEFAULT)),
+            H5Aclose);
+        checked(H5Awrite(*attribute, *type, text.c_str()));
+    }
+}
+
+void Hdf5File::describe(const Attributes& attributes) {
+    attach(file_, attributes);
+}
+
+void Hdf5File::add(const std::string& name, const std::vector<std::size_t>& extents,
+                   const Attributes& attributes) {
+    const std::vector<hsize_t> sizes(extents.begin(), extents.end());
+    const Closing space(checked(H5Screate_simple(int(sizes.size()), sizes.data(), nullptr)),
+                        H5Sclose);
+    const Closing properties(checked(H5Pcreate(H5P_DATASET_CREATE)), H5Pclose);
+    checked(H5Pset_obj_track_times(*properties, false));  // no dates: the same run, the same file
+    checked(H5Pset_fill_time(*properties, H5D_FILL_TIME_NEVER));
+    const hid_t dataset = checked(H5Dcreate2(file_, name.c_str(), H5T_IEEE_F64LE, *space,
+                                             H5P_DEFAULT, *properties, H5P_DEFAULT));
+    datasets_[name] = dataset;
+    attach(dataset, attributes);
+}
+
+void Hdf5File::write(const std::string& name, std::size_t row, std::span<const double> values) {
+    const hid_t dataset = datasets_.at(name);
+    const Closing space(checked(H5Dget_space(dataset)), H5Sclose);
+    const std::vector<hsize_t> start{row, 0};
+    const std::vector<hsize_t> count{1, values.size()};
+    checked(
+        H5Sselect_hyperslab(*space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr));
+    const hsize_t size = values.size();
+    const Closing memory(checked(H5Screate_simple(1, &size, nullptr)), H5Sclose);
+    checked(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, *memory, *space, H5P_DEFAULT, values.data()));
+}
+
+void Hdf5File::write(const std::string& name, std::span<const double> values) {
+    checked(H5Dwrite(datasets_.at(name), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                     values.data()));
+}
+
+void Hdf5File::publish() {
+    for (const auto& [name, dataset] : datasets_) {
+        checked(H5Dclose(dataset));
+    }
+    datasets_.clear();
+    checked(H5Fclose(std::exchange(file_, H5I_INVALID_HID)));
+    PosixFile::open(temporary_).sync();
+    replace(temporary_, path_);
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+/// An HDF5 file of datasets of doubles.
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nmbcrun {
+
+/// Appears under its name when it is published. The same calls make the same file, byte by byte.
+/// Every member throws FileError.
+class Hdf5File {
+  public:
+    using Attributes = std::vector<std::pair<std::string, std::string>>;
+
+    explicit Hdf5File(std::filesystem::path path);
+    /// Removes the file unless it was published.
+    ~Hdf5File();
+    Hdf5File(const Hdf5File&) = delete;
+    Hdf5File& operator=(const Hdf5File&) = delete;
+
+    /// Of the file as a whole.
+    void describe(const Attributes& attributes);
+
+    /// A dataset of one extent or two (rows, columns).
+    void add(const std::string& name, const std::vector<std::size_t>& extents,
+             const Attributes& attributes);
+
+    /// Writes one row, or one value of a dataset of one extent.
+    void write(const std::string& name, std::size_t row, std::span<const double> values);
+
+    /// Writes a whole dataset, row by row.
+    void write(const std::string& name, std::span<const double> values);
+
+    void publish();
+
+  private:
+    hid_t checked(hid_t result) const;
+    void attach(hid_t object, const Attributes& attributes) const;
+    void close();
+
+    std::filesystem::path path_;
+    std::filesystem::path temporary_;
+    hid_t file_ = H5I_INVALID_HID;
+    std::map<std::string, hid_t> datasets_;
+};
+
+}  // namespace nmbcrun

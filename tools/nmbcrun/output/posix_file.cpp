@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/output/posix_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "tools/nmbcrun/errors.hpp"
+
+namespace nmbcrun {
+namespace {
+
+[[noreturn]] void fail(const char* what, const std::filesystem::path& path) {
+    const int reason = errno;
+    throw FileError(fmt::format("cannot {} {}: {}", what, path.string(), std::strerror(reason)));
+}
+
+}  // namespace
+
+PosixFile::PosixFile(std::filesystem::path path, int descriptor)
+    : path_(std::move(path)), descriptor_(descriptor) {}
+
+PosixFile::PosixFile(PosixFile&& other) noexcept
+    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+PosixFile::~PosixFile() {
+    if (descriptor_ >= 0) {
+        ::close(descriptor_);
+    }
+}
+
+PosixFile PosixFile::create_beside(const std::filesystem::path& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path.parent_path(), error);
+    if (error) {
+        throw FileError(fmt::format("cannot make the folder {}: {}", path.parent_path().string(),
+                                    error.message()));
+    }
+    for (int number = 0;; ++number) {  // a process of the same number may have left one
+        auto name = std::filesystem::path(path).concat(
+            fmt::format(".new-{}{}", ::getpid(), number == 0 ? "" : fmt::format("-{}", number)));
+        constexpr mode_t for_all = 0666;  // less the user's umask, as every other file
+        const int descriptor =
+            ::open(name.c_str(), O_RDWR | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC, for_all);
+        if (descriptor >= 0) {
+            PosixFile file(std::move(name), descriptor);
+            file.lock();
+            return file;
+        }
+        if (errno != EEXIST) {
+            fail("write", path);
+        }
+    }
+}
+
+PosixFile PosixFile::open(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC);
+    if (descriptor < 0) {
+        fail("open", path);
+    }
+    PosixFile file(path, descriptor);
+    if (!file.lock()) {
+        throw FileError(
+            fmt::format("cannot open {}: a run that goes on has it open", path.string()));
+    }
+    return file;
+}
+
+/// Whether nobody else has it; true, too, where the file system knows no locks.
+bool PosixFile::lock() const {
+    return ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+}
+
+void PosixFile::write(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR) {
+            fail("write", path_);
+        }
+        bytes.remove_prefix(std::size_t(std::max<ssize_t>(written, 0)));
+    }
+}
+
+std::size_t PosixFile::read(std::uint64_t offset, char* buffer, std::size_t size) const {
+    std::size_t done = 0;
+    while (done < size) {
+        const ssize_t got = ::pread(descriptor_, buffer + done, size - done, off_t(offset + done));
+        if (got == 0) {
+            break;
+        }
+        if (got < 0 && errno != EINTR) {
+            fail("read", path_);
+        }
+        done += std::size_t(std::max<ssize_t>(got, 0));
+    }
+    return done;
+}
+
+void PosixFile::cut_to(std::uint64_t size) {
+    if (::ftruncate(descriptor_, off_t(size)) != 0) {
+        fail("write", path_);
+    }
+}
+
+void PosixFile::sync() {
+    if (::fsync(descriptor_) != 0) {
+        fail("write", path_);
+    }
+}
+
+void replace(const std::filesystem::path& by, const std::filesystem::path& path) {
+    if (::rename(by.c_str(), path.c_str()) != 0) {
+        fail("write", path);
+    }
+    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor >= 0) {  // as far as the file system can do that
+        ::fsync(descriptor);
+        ::close(descriptor);
+    }
+}
+
+void remove_unless_open(const std::filesystem::path& path) {
+    try {
+        const PosixFile file = PosixFile::open(path);
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
+    } catch (const FileError&) {  // not there, somebody else's, or open
+    }
+}
+
+}  // namespace nmbcrun

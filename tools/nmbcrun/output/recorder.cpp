@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/output/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/csv.hpp"
+#include "tools/nmbcrun/output/snapshots.hpp"
+
+namespace nmbcrun {
+namespace {
+
+std::string energies_row(const Sample& sample) {
+    const auto& [time, e, balance] = sample;
+    // The time is a rounded multiple of the step, which ten digits hide; the energies read back.
+    return fmt::format("{:.10g},{},{},{},{},{},{},{},{},{},{},{}\n", time, e.kinetic, e.strain,
+                       e.stabilisation, e.total(), e.staggered, e.damped, balance.energy,
+                       balance.work, balance.left, balance.right, balance.drift);
+}
+
+std::string probes_header(const std::vector<std::size_t>& probes) {
+    std::string header = "time";
+    for (const std::size_t node : probes) {
+        header += fmt::format(",u{0},v{0}", node + 1);
+    }
+    return header + "\n";
+}
+
+}  // namespace
+
+Recorder::Recorder(Scene scene, const nmbc::Chain& chain, std::filesystem::path folder)
+    : scene_(std::move(scene)), folder_(std::move(folder)) {
+    energies_ = std::make_unique<Journal>(path(".csv"));
+    energies_->append(fmt::format("{}\n", energies_header));
+    if (!scene_.probes.empty()) {
+        probed_ = std::make_unique<Journal>(path("_probes.csv"));
+        probed_->append(probes_header(scene_.probes));
+    }
+    if (scene_.snapshots > 0) {
+        snapshots_ = std::make_unique<Journal>(path(".h5"));
+        append_snapshot(*snapshots_, chain);
+    }
+    for (Journal* const journal : journals()) {
+        journal->source();  // what cannot be written is known before the first step
+    }
+}
+
+Recorder::Recorder(Scene scene, std::filesystem::path folder,
+                   const std::vector<Journal::Mark>& marks)
+    : scene_(std::move(scene)), folder_(std::move(folder)) {
+    auto mark = marks.begin();
+    const auto next = [&](const char* ending) {
+        if (mark == marks.end()) {
+            throw FileError("the checkpoint has fewer files than its scene");
+        }
+        return std::make_unique<Journal>(path(ending), *mark++);
+    };
+    energies_ = next(".csv");
+    if (!scene_.probes.empty()) {
+        probed_ = next("_probes.csv");
+    }
+    if (scene_.snapshots > 0) {
+        snapshots_ = next(".h5");
+    }
+}
+
+std::filesystem::path Recorder::path(const char* ending) const {
+    return folder_ / (scene_.name + ending);
+}
+
+std::vector<Journal*> Recorder::journals() const {
+    std::vector<Journal*> all{energies_.get()};
+    for (Journal* const journal : {probed_.get(), snapshots_.get()}) {
+        if (journal != nullptr) {
+            all.push_back(journal);
+        }
+    }
+    return all;
+}
+
+void Recorder::record(const Sample& sample, const nmbc::Chain& chain) {
+    energies_->append(energies_row(sample));
+    if (!probed_) {
+        return;
+    }
+    std::string row = fmt::format("{:.10g}", chain.time());
+    for (const std::size_t node : scene_.probes) {
+        const std::size_t entry = chain.first_interior() + node;
+        row += fmt::format(",{},{}", chain.displacement()[entry], chain.velocity()[entry]);
+    }
+    probed_->append(row + "\n");
+}
+
+void Recorder::look(const nmbc::Chain& chain) {
+    if (snapshots_ && chain.steps() % scene_.snapshots == 0) {
+        append_snapshot(*snapshots_, chain);
+    }
+}
+
+std::vector<Journal::Mark> Recorder::marks() {
+    std::vector<Journal::Mark> marks;
+    for (Journal* const journal : journals()) {
+        marks.push_back(journal->mark());
+        journal->keep(true);
+    }
+    return marks;
+}
+
+void Recorder::finish() {
+    for (Journal* const journal : journals()) {
+        journal->keep(false);
+    }
+}
+
+void Recorder::publish(const nmbc::Chain& chain, bool at_end) {
+    energies_->publish();
+    if (probed_) {
+        probed_->publish();
+    }
+    if (snapshots_) {
+        publish_snapshots(*snapshots_, *energies_, chain.parameters());
+    }
+    if (at_end && scene_.field) {
+        CsvFile field(path("_field.csv"), field_header);
+        append_field(field, chain);
+        field.publish();
+    }
+}
+
+std::string Recorder::files() const {
+    std::string lines = fmt::format("energies     {}\n", energies_->path().string());
+    if (probed_) {
+        lines += fmt::format("probes       {}\n", probed_->path().string());
+    }
+    if (snapshots_) {
+        lines += fmt::format("snapshots    {}\n", snapshots_->path().string());
+    }
+    if (scene_.field) {
+        lines += fmt::format("field        {}\n", path("_field.csv").string());
+    }
+    return lines;
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+/// The files of a run.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <nmbc/chain.hpp>
+#include <string>
+#include <vector>
+
+#include "tools/nmbcrun/output/journal.hpp"
+#include "tools/nmbcrun/output/sample.hpp"
+#include "tools/nmbcrun/scene/scene.hpp"
+
+namespace nmbcrun {
+
+/// FOLDER/NAME.csv, the energies; NAME_probes.csv and NAME.h5 (the snapshots) where the scene has
+/// some; NAME_field.csv where it asks for it. They grow under temporary names, and what is
+/// published of them is whole. Every member throws FileError.
+class Recorder {
+  public:
+    /// Of a run that starts.
+    Recorder(Scene scene, const nmbc::Chain& chain, std::filesystem::path folder);
+    /// Of one that goes on from these marks.
+    Recorder(Scene scene, std::filesystem::path folder, const std::vector<Journal::Mark>& marks);
+
+    /// A row of energies and of the probes.
+    void record(const Sample& sample, const nmbc::Chain& chain);
+
+    /// To be called at every step: takes a snapshot where one is due.
+    void look(const nmbc::Chain& chain);
+
+    /// All that was recorded is on the disk: where to go on from. From here on the growing files
+    /// stay there, unless finish() is called.
+    std::vector<Journal::Mark> marks();
+
+    /// Publishes what is there; of a run that has reached its end the field, too.
+    void publish(const nmbc::Chain& chain, bool at_end);
+
+    /// The growing files are not needed any more.
+    void finish();
+
+    /// The files of a whole run, a line each.
+    std::string files() const;
+    const std::filesystem::path& energies() const { return energies_->path(); }
+
+  private:
+    std::filesystem::path path(const char* ending) const;
+    std::vector<Journal*> journals() const;
+
+    Scene scene_;
+    std::filesystem::path folder_;
+    std::unique_ptr<Journal> energies_;
+    std::unique_ptr<Journal> probed_;     // none without probes
+    std::unique_ptr<Journal> snapshots_;  // nor without snapshots
+};
+
+}  // namespace nmbcrun
