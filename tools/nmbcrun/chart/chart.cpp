@@ -112,7 +112,9 @@ std::vector<Point> measure(const Scene& scene, const std::vector<Rung>& rungs,
             Point point{.rung = &rungs[i], .cfl = cfl, .step_cost = costs[i]};
             point.trial = run_trial(own, same_steps, fine);
             work.done();
-            point.endurance = endure(own, endurance);
+            // An exact end remembers all of a run: the scene's is long enough.
+            const bool is_exact = rungs[i].boundary.kind == BoundaryKind::exact;
+            point.endurance = endure(own, is_exact ? point.trial.steps : endurance);
             work.done();
             points.push_back(std::move(point));
         }

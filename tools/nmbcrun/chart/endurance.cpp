@@ -8,6 +8,7 @@
 #include <nmbc/chain.hpp>
 #include <nmbc/energy.hpp>
 #include <random>
+#include <span>
 
 #include "tools/nmbcrun/chart/chains.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
@@ -19,8 +20,13 @@ void start_randomly(nmbc::Chain& chain) {
     std::mt19937_64 random(20180417);
     std::normal_distribution<double> normal;
     std::vector<double> u(chain.nodes());
-    // The standard deviation of displacements is 1; at rest, so that nothing moves as a whole.
-    std::ranges::generate(u, [&] { return normal(random); });
+    // The standard deviation of displacements is 1; at rest, so that nothing moves as a whole, and
+    // still next to the ends, where an exact one wants it to be.
+    const auto inside = std::span(u)
+                            .subspan(chain.first_interior(), chain.parameters().nodes)
+                            .subspan(2 * chain.ghosts());
+    std::ranges::generate(inside.first(inside.size() - 2 * chain.ghosts()),
+                          [&] { return normal(random); });
     chain.start(u, std::vector<double>(u.size()));
 }
 
@@ -47,7 +53,8 @@ std::string_view name_of(Fate fate) {
     return "steady";
 }
 
-Endurance endure(const Scene& scene, std::size_t steps) {
+Endurance endure(Scene scene, std::size_t steps) {
+    scene.end = double(steps) * scene.step.value();
     nmbc::Chain chain =
         chain_between(scene, chain_end(scene, scene.left), chain_end(scene, scene.right));
     start_randomly(chain);

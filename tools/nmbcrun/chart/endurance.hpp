@@ -26,6 +26,6 @@ struct Endurance {
 };
 
 /// Runs the scene's chain, with its ends and in its step, for so many steps from random data.
-Endurance endure(const Scene& scene, std::size_t steps);
+Endurance endure(Scene scene, std::size_t steps);
 
 }  // namespace nmbcrun

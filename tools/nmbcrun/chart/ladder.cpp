@@ -17,6 +17,23 @@ std::vector<Rung> ladder(const Scene& scene) {
                              {.order = table->order, .stride = table->stride}});
         }
     }
+    for (const int order : {1, 2, 3, 4}) {
+        rungs.push_back(
+            {fmt::format("higdon {}", order), {.kind = BoundaryKind::higdon, .order = order}});
+    }
+    for (const BoundaryKind kind : {BoundaryKind::sponge, BoundaryKind::pml}) {
+        for (const std::size_t layer : {5U, 10U, 20U, 50U, 100U}) {
+            rungs.push_back(
+                {fmt::format("{} {}", name_of(kind), layer), {.kind = kind, .layer = layer}});
+        }
+    }
+    if (scene.family == "nopd1d" && !is_damped(scene)) {
+        rungs.push_back({"mbc 1", {.kind = BoundaryKind::mbc, .order = 1}});
+    }
+    rungs.push_back({"extended", {.kind = BoundaryKind::extended}});
+    if (!scene.incoming && !scene.preload) {
+        rungs.push_back({"exact", {.kind = BoundaryKind::exact}});
+    }
     return rungs;
 }
 

@@ -5,20 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "tools/nmbcrun/simulation/silent_layer.hpp"
-
 namespace nmbcrun {
 
 Scene endless(const Simulation& simulation) {
-    const nmbc::Chain& chain = simulation.chain();
-    const double unit = chain.parameters().spacing / chain.parameters().wave_speed();
-    const double step = simulation.plan().time_step / unit;
     Scene scene = simulation.scene();
     scene.step = simulation.plan().time_step;
     scene.cfl.reset();
-    scene.left = {
-        .kind = BoundaryKind::extended,
-        .layer = silent_layer(chain.lattice(), step, double(simulation.plan().steps) * step)};
+    scene.left = {.kind = BoundaryKind::extended};
     scene.right = scene.left;
     return scene;
 }

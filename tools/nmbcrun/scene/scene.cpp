@@ -20,8 +20,6 @@
 namespace nmbcrun {
 namespace {
 
-constexpr long most_nodes = 100'000'000;
-
 constexpr double sponge_target = 1e-2;
 constexpr double pml_target = 1e-4;
 
@@ -197,7 +195,8 @@ double target_of(const Boundary& boundary) {
 std::string heading_of(const Boundary& boundary) {
     switch (boundary.kind) {
         case BoundaryKind::extended:
-            return fmt::format("extended by {} nodes", boundary.layer);
+            return boundary.layer > 0 ? fmt::format("extended by {} nodes", boundary.layer)
+                                      : "extended until nothing returns";
         case BoundaryKind::sponge:
         case BoundaryKind::pml:
             return fmt::format("{} of {} nodes, profile {}, target {}", name_of(boundary.kind),
@@ -241,7 +240,8 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
     scene.right = read_boundary(reader, "boundary.right", both);
     for (const auto& [group, boundary] :
          {std::pair("boundary.left", scene.left), {"boundary.right", scene.right}}) {
-        if (has_layer(boundary.kind) && boundary.layer == 0) {
+        const bool finds_its_own = boundary.kind == BoundaryKind::extended;
+        if (has_layer(boundary.kind) && boundary.layer == 0 && !finds_its_own) {
             reader.fail(group, "is of a kind that needs boundary.layer, the nodes of its layer");
         }
     }

@@ -15,6 +15,9 @@
 
 namespace nmbcrun {
 
+/// Of an interior or a layer.
+inline constexpr long most_nodes = 100'000'000;
+
 enum class BoundaryKind {
     nmbc,      ///< (60) on all ghost layers
     fixed,     ///< ghosts held at u = 0
@@ -36,7 +39,7 @@ struct Boundary {
     nmbc::GhostRule ghosts = nmbc::GhostRule::midpoint;
     std::string matched_step = "0";  ///< dt its table is matched in [dX/c], "p/q"; "0": none
     // Of those that put a layer outside of the interior:
-    std::size_t layer = 0;  ///< nodes of it
+    std::size_t layer = 0;  ///< nodes of it; of an extended end 0: as many as it takes
     // Of a sponge or pml:
     double profile = 2;              ///< exponent of the loss in the depth
     std::optional<double> target{};  ///< what the continuum sends back; nothing: the kind's own

@@ -15,6 +15,7 @@
 #include "tools/nmbcrun/ends/pml.hpp"
 #include "tools/nmbcrun/ends/sponge.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/simulation/silent_layer.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
 #include "tools/nmbcrun/simulation/time_step.hpp"
 
@@ -41,6 +42,25 @@ struct ExactEndOfRun {
     }
 };
 
+/// An extended end so wide that nothing returns before the run ends.
+struct ExtendedEndOfRun {
+    double end = 0;  ///< [time]
+
+    std::unique_ptr<nmbc::EndCondition<double>> make(const nmbc::Lattice& lattice,
+                                                     const nmbc::ChainParameters& parameters,
+                                                     std::type_identity<double> precision) const {
+        const double unit = parameters.spacing / parameters.wave_speed();
+        const std::size_t layer = silent_layer(lattice, parameters.time_step / unit, end / unit);
+        if (layer > most_nodes) {
+            throw SceneError(
+                fmt::format("nothing would return from {} nodes beyond the end, and {} "
+                            "are allowed: give boundary.layer, or another kind",
+                            layer, most_nodes));
+        }
+        return nmbc::FixedEnd{layer}.make(lattice, parameters, precision);
+    }
+};
+
 nmbc::BoundaryCoefficients coefficients_of(const Scene& scene, const Boundary& boundary) {
     return nmbc::boundary_coefficients(table_of(scene, boundary), scene.G, nmbc::allow_unstable);
 }
@@ -62,7 +82,8 @@ nmbc::ChainEnd chain_end(const Scene& scene, const Boundary& boundary) {
         case BoundaryKind::free:
             return nmbc::FreeEnd{};
         case BoundaryKind::extended:
-            return nmbc::FixedEnd{boundary.layer};
+            return boundary.layer > 0 ? nmbc::ChainEnd(nmbc::FixedEnd{boundary.layer})
+                                      : nmbc::ChainEnd(ExtendedEndOfRun{scene.end});
         case BoundaryKind::exact:
             return ExactEndOfRun{scene.end};
         case BoundaryKind::sponge:
