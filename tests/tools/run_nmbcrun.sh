@@ -192,7 +192,7 @@ setting 2 "above the interior's limit" time.step=0.6
 setting 2 "select no node" drive.centre=-99
 refuses 2 "a run of 250000 steps is too long for an \"exact\" end, which is made for 200000 at most" \
     "$scene" --set boundary.kind=exact --set time.end=5000
-refuses 4 "NMBC1 opposite an exact end is certified at n = 2, G = 1 at no time step, and cfl is 0.0668" \
+refuses 4 "NMBC1 is certified against an exact end at no time step at n = 2, G = 1; cfl = 0.0668" \
     "$scene" --set boundary.left.kind=exact --set model.G=1
 setting 2 "must not be 0" drive.amplitude=0
 setting 2 "whole number from 1 to 100000000, not 0" domain.nodes=0

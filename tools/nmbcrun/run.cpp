@@ -155,9 +155,9 @@ void Run::record() {
     if (!is_row && chain().steps() % look_every != 0) {
         return;
     }
-    Sample sample{chain().time() - simulation_.plan().time_step / 2, simulation_.energies(), {}};
+    const Sample sample{chain().time() - simulation_.plan().time_step / 2, simulation_.energies(),
+                        ledger_.balance(chain())};
     if (is_row) {
-        sample.balance = ledger_.balance(chain());
         keep_for_report(sample);
         recorder_->record(sample, chain());
     }

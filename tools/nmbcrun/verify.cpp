@@ -60,11 +60,13 @@ std::string cell(std::optional<double> value) {
 /// Measured and predicted, of one end.
 std::string reflection_cells(const Scene& scene, const Boundary& boundary, const Packet& packet,
                              double step) {
+    Scene of_packet = scene;  // the length of whose run some ends want to know
+    of_packet.end = double(packet.steps(boundary.layer)) * step;
     // The packet does not get as far as the far end of an extended one.
     const bool has_end = boundary.kind != BoundaryKind::extended;
     const auto measured =
         packet.is_measurable() && has_end
-            ? std::optional(packet.reflected_by(chain_end(scene, boundary), boundary.layer))
+            ? std::optional(packet.reflected_by(chain_end(of_packet, boundary), boundary.layer))
             : std::nullopt;
     return "  " + cell(measured) + "  " + cell(predicted_reflection(scene, boundary, packet, step));
 }
