@@ -30,6 +30,14 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
     return row.back();
 }
 
+std::string as_written(const toml::node& node) {
+    std::ostringstream text;
+    node.visit([&text](const auto& value) { text << value; });
+    return text.str();
+}
+
+}  // namespace
+
 std::string read_text(const std::string& path) {
     std::ifstream stream(path, std::ios::binary);
     std::ostringstream text;
@@ -41,19 +49,11 @@ std::string read_text(const std::string& path) {
     return text.str();
 }
 
-std::string as_written(const toml::node& node) {
-    std::ostringstream text;
-    node.visit([&text](const auto& value) { text << value; });
-    return text.str();
-}
-
-}  // namespace
-
-SceneReader::SceneReader(const std::string& path,
+SceneReader::SceneReader(const std::string& text, const std::string& path,
                          const std::vector<std::pair<std::string, std::string>>& overrides)
     : path_(path) {
     try {
-        document_ = toml::parse(read_text(path), path);
+        document_ = toml::parse(text, path);
     } catch (const toml::parse_error& error) {
         throw SceneError(fmt::format("{}:{}: {}", path, error.source().begin.line,
                                      std::string_view(error.description())));

@@ -28,10 +28,13 @@ inline constexpr Bounds positive{0, 1e300, false, "a positive number"};
 inline constexpr Bounds not_negative{0, 1e300, true, "a number not below 0"};
 inline constexpr Bounds any_number{-1e300, 1e300, true, "a number"};
 
+/// Of the file. Throws FileError where it cannot be read.
+std::string read_text(const std::string& path);
+
 class SceneReader {
   public:
-    /// Parses the file and puts KEY=VALUE pairs over it.
-    SceneReader(const std::string& path,
+    /// Parses the text and puts KEY=VALUE pairs over it. path: of its file, for messages.
+    SceneReader(const std::string& text, const std::string& path,
                 const std::vector<std::pair<std::string, std::string>>& overrides);
 
     // Each marks its key (a dotted path such as "model.horizon") as known and returns the value
