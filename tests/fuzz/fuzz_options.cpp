@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// The values of nmbcgen's options, each parser given the whole input, and its command line, an
-/// argument a line.
+/// nmbcgen's command line, an argument a line; one line alone is given to every parser of a value.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -94,7 +93,10 @@ void parse_lines(const std::string& text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(data, data + size);
-    parse_values(text);
-    parse_lines(text);
+    if (text.find('\n') == std::string::npos) {
+        parse_values(text);
+    } else {
+        parse_lines(text);
+    }
     return 0;
 }
