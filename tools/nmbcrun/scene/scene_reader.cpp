@@ -35,10 +35,13 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
     return row.back();
 }
 
+/// The beginning of it, where it is long.
 std::string as_written(const toml::node& node) {
-    std::ostringstream text;
-    node.visit([&text](const auto& value) { text << value; });
-    return text.str();
+    constexpr std::size_t longest = 60;
+    std::ostringstream stream;
+    node.visit([&stream](const auto& value) { stream << value; });
+    const std::string text = stream.str();
+    return text.size() <= longest ? text : text.substr(0, longest) + "..";
 }
 
 }  // namespace
