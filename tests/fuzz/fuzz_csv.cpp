@@ -42,6 +42,7 @@ void read(const std::string& text, const std::vector<std::string>& names) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's own
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(data, data + size);
     read(text, {"node", "u", "v"});

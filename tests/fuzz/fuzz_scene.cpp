@@ -30,6 +30,7 @@ void read(const std::string& text, const std::vector<std::string>& settings) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's own
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string all(data, data + size);
     const std::string mark = "\n--set ";
