@@ -9,8 +9,8 @@
 
 namespace nmbcgen {
 
-/// The items of a list with commas between. Throws std::invalid_argument, with a message for
-/// people, where one is empty.
+/// The items of a list with commas between, a thousand at most. Throws std::invalid_argument, with
+/// a message for people, where one is empty or there are more.
 inline std::vector<std::string> items_of(const std::string& text) {
     std::vector<std::string> items;
     std::size_t begin = 0;
@@ -21,6 +21,11 @@ inline std::vector<std::string> items_of(const std::string& text) {
         if (item.empty()) {
             throw std::invalid_argument("'" + text.substr(0, 60) +
                                         "' has an empty item; values go with one comma between");
+        }
+        constexpr std::size_t most_items = 1000;
+        if (items.size() == most_items) {
+            throw std::invalid_argument("'" + text.substr(0, 60) + "' has more than " +
+                                        std::to_string(most_items) + " items");
         }
         items.push_back(item);
         begin = comma + 1;

@@ -44,6 +44,9 @@ MatchingPoint parse_point(const std::string& text) {
             point.wave_number = parse_rational(text);
         } else {
             const std::string rest = text.substr(pi + 2);
+            if (!rest.empty() && rest.front() != '/') {
+                throw std::invalid_argument(rest);
+            }
             point.of_pi = true;
             point.wave_number = (pi == 0 ? Rational(1) : parse_rational(text.substr(0, pi))) *
                                 (rest.empty() ? Rational(1) : parse_rational("1" + rest));

@@ -50,13 +50,16 @@ for option in --G --damping --time-step; do
     refuses $option "At Most 1" -- --order 1 --horizon 1 $option 1 $option 1
 done
 
-for bad in "" nan -1 1e3 pipi pi/0 1/0 pi/1.5; do
+for bad in "" nan -1 1e3 pipi pi/0 1/0 pi/1.5 0.01pi5 0.1pi.5; do
     refuses --match "'$bad' is not a wave number such as 6/5, 1.2 or 2pi/3" -- \
         --horizon 1 --G 1/2 --match "0:3,$bad:1"
 done
 for bad in "" "," "0:3," ",0:3" "0:3,,1:1"; do
     refuses --match "empty item" -- --horizon 1 --G 1/2 --match "$bad"
 done
+refuses --match "'0:3,1/2:1,1/3:1" "has more than 1000 items" -- --horizon 1 --G 1/2 \
+    --match "0:3$(printf ',1/%d:1' {2..1001})"
+refuses --match "makes the order 1000" -- --horizon 1 --G 1/2 --match "0:3$(printf ',1/%d:1' {2..1000})"
 for bad in "0" "0:3,1:0" "0:3,1:-1" "0:3,1:1:1" "0:3,1:" "0:3,1" "0:3,1:200" "0:3,1:one"; do
     refuses --match "whole number from 1 to 199" -- --horizon 1 --G 1/2 --match "$bad"
 done

@@ -426,6 +426,19 @@ refuses 2 "garbled.toml:1:" "$scratch/garbled.toml"
 : >"$scratch/empty.toml"
 refuses 2 "model.horizon is missing" "$scratch/empty.toml"
 
+# Tables in tables are on the stack, so there is an end to them; the deepest that is read.
+deep=$(printf 'a.%.0s' {1..20000})
+printf '%sa=1' "${deep:0:32764}" >"$scratch/deep.toml"
+refuses 2 "model.horizon is missing" "$scratch/deep.toml"
+printf '%sa=1' "${deep:0:32766}" >"$scratch/deep.toml"
+refuses 2 "deep.toml: a scene has at most 32768 bytes" "$scratch/deep.toml"
+refuses 2 "/dev/zero: a scene has at most 32768 bytes" /dev/zero
+refuses 2 "is not a key of a scene" "$scene" --set "${deep:0:4094}a=1"
+refuses 2 "a key and its value have at most 4096 bytes" "$scene" --set "${deep:0:4096}=1"
+refuses 2 "a key and its value have at most 4096 bytes" "$scene" --set "title={${deep:0:4090}a=1}"
+refuses 2 "title must be a string in quotes, not { a = { a = " "$scene" --set "title={${deep:0:4080}a=1}"
+expect "it is quoted in part" test "$(wc -c <"$scratch/stderr")" -lt 200
+
 # Files that cannot be written; a full disk is a limit of file size here.
 refuses 5 "cannot" "$scene" "${short[@]}" --out /proc/nowhere
 refuses 5 "cannot" "$scene" "${short[@]}" --out /dev/null/folder

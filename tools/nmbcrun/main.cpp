@@ -37,20 +37,8 @@ struct Arguments {
     bool resume = false;
 };
 
-nmbcrun::Overrides split_settings(const std::vector<std::string>& settings) {
-    nmbcrun::Overrides overrides;
-    for (const std::string& setting : settings) {
-        const std::size_t mark = setting.find('=');
-        if (mark == 0 || mark == std::string::npos) {
-            throw nmbcrun::SceneError("--set needs KEY=VALUE, not '" + setting + "'");
-        }
-        overrides.emplace_back(setting.substr(0, mark), setting.substr(mark + 1));
-    }
-    return overrides;
-}
-
 nmbcrun::Scene scene_of(const Arguments& arguments) {
-    return nmbcrun::read_scene(arguments.scene, split_settings(arguments.settings));
+    return nmbcrun::read_scene(arguments.scene, nmbcrun::split_settings(arguments.settings));
 }
 
 /// The exit code of a command, errors told.

@@ -219,8 +219,25 @@ std::string heading_of(const Boundary& boundary) {
                                      : ", matched in steps of " + boundary.matched_step + " dX/c");
 }
 
+Overrides split_settings(const std::vector<std::string>& settings) {
+    Overrides overrides;
+    for (const std::string& setting : settings) {
+        const std::size_t mark = setting.find('=');
+        if (mark == 0 || mark == std::string::npos) {
+            throw SceneError("--set needs KEY=VALUE, not '" + setting + "'");
+        }
+        overrides.emplace_back(setting.substr(0, mark), setting.substr(mark + 1));
+    }
+    return overrides;
+}
+
 Scene read_scene(const std::string& path, const Overrides& overrides) {
-    SceneReader reader(path, overrides);
+    return read_scene_text(read_text(path), path, overrides);
+}
+
+Scene read_scene_text(const std::string& text, const std::string& path,
+                      const Overrides& overrides) {
+    SceneReader reader(text, path, overrides);
     Scene scene;
     scene.name = read_name(reader, path);
     scene.title = reader.text("title").value_or(scene.name);

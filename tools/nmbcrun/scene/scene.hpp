@@ -102,9 +102,16 @@ inline bool is_damped(const Scene& scene) {
 /// KEY=VALUE of --set, not parsed yet.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
+/// KEY=VALUE texts at their first '='. Throws SceneError where one has none, or no key.
+Overrides split_settings(const std::vector<std::string>& settings);
+
 /// Reads a scene file, with overrides applied. Throws SceneError naming the
 /// file and line, or the override, what is wrong and what is allowed; FileError where the file
 /// cannot be read.
 Scene read_scene(const std::string& path, const Overrides& overrides);
+
+/// Likewise, of a text that is read already; path: for messages, and the folder and name it
+/// implies.
+Scene read_scene_text(const std::string& text, const std::string& path, const Overrides& overrides);
 
 }  // namespace nmbcrun

@@ -15,6 +15,11 @@
 namespace nmbcrun {
 namespace {
 
+// toml++ leaves nested tables level by level on the stack, of which 8 MiB do for 20 000 levels, and
+// a level is two bytes, "a.". No scene is near these lengths: long data are in CSV files.
+constexpr std::size_t longest_scene = 32768;
+constexpr std::size_t longest_override = 4096;
+
 /// Levenshtein distance.
 std::size_t edit_distance(std::string_view left, std::string_view right) {
     std::vector<std::size_t> row(right.size() + 1);
@@ -30,21 +35,13 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
     return row.back();
 }
 
-std::string read_text(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    std::ostringstream text;
-    if (!stream || std::filesystem::is_directory(path)) {  // which a stream opens without a word
-        throw FileError(fmt::format("cannot read the scene {}: {}", path,
-                                    std::strerror(stream ? EISDIR : errno)));
-    }
-    text << stream.rdbuf();
-    return text.str();
-}
-
+/// The beginning of it, where it is long.
 std::string as_written(const toml::node& node) {
-    std::ostringstream text;
-    node.visit([&text](const auto& value) { text << value; });
-    return text.str();
+    constexpr std::size_t longest = 60;
+    std::ostringstream stream;
+    node.visit([&stream](const auto& value) { stream << value; });
+    const std::string text = stream.str();
+    return text.size() <= longest ? text : text.substr(0, longest) + "..";
 }
 
 bool is_within(double value, const Bounds& bounds) {
@@ -67,11 +64,29 @@ void add_given(const toml::table& table, const std::string& prefix,
 
 }  // namespace
 
-SceneReader::SceneReader(const std::string& path,
+std::string read_text(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream || std::filesystem::is_directory(path)) {  // which a stream opens without a word
+        throw FileError(fmt::format("cannot read the scene {}: {}", path,
+                                    std::strerror(stream ? EISDIR : errno)));
+    }
+    // No more than shows that it is too long: some files, such as /dev/zero, never end.
+    std::string text(longest_scene + 1, '\0');
+    stream.read(text.data(), std::streamsize(text.size()));
+    text.resize(std::size_t(stream.gcount()));
+    return text;
+}
+
+SceneReader::SceneReader(const std::string& text, const std::string& path,
                          const std::vector<std::pair<std::string, std::string>>& overrides)
     : path_(path) {
+    if (text.size() > longest_scene) {
+        throw SceneError(
+            fmt::format("{}: a scene has at most {} bytes; longer data belong in CSV files", path,
+                        longest_scene));
+    }
     try {
-        document_ = toml::parse(read_text(path), path);
+        document_ = toml::parse(text, path);
     } catch (const toml::parse_error& error) {
         throw SceneError(fmt::format("{}:{}: {}", path, error.source().begin.line,
                                      std::string_view(error.description())));
@@ -82,6 +97,10 @@ SceneReader::SceneReader(const std::string& path,
 }
 
 void SceneReader::apply_override(const std::string& key, const std::string& value) {
+    if (key.size() + value.size() > longest_override) {
+        throw SceneError(fmt::format("--set {}..: a key and its value have at most {} bytes",
+                                     key.substr(0, 60), longest_override));
+    }
     overridden_.push_back(key);
     toml::table* table = &document_;
     std::string_view rest = key;

@@ -32,10 +32,13 @@ inline constexpr Bounds between_0_and_1{0, 1 - 0x1p-53, false,
                                         "a number between 0 and 1, neither of them"};
 inline constexpr Bounds any_number{-1e300, 1e300, true, "a number"};
 
+/// Of the file. Throws FileError where it cannot be read.
+std::string read_text(const std::string& path);
+
 class SceneReader {
   public:
-    /// Parses the file and puts KEY=VALUE pairs over it.
-    SceneReader(const std::string& path,
+    /// Parses the text and puts KEY=VALUE pairs over it. path: of its file, for messages.
+    SceneReader(const std::string& text, const std::string& path,
                 const std::vector<std::pair<std::string, std::string>>& overrides);
 
     // Each marks its key (a dotted path such as "model.horizon") as known and returns the value

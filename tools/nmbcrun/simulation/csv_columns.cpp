@@ -54,6 +54,11 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& path,
         throw FileError(fmt::format("cannot read {}: {}", path.string(),
                                     std::strerror(stream ? EISDIR : errno)));
     }
+    return read_columns(stream, path.string(), names);
+}
+
+std::vector<std::vector<double>> read_columns(std::istream& stream, const std::string& name,
+                                              const std::vector<std::string>& names) {
     std::vector<std::vector<double>> columns(names.size());
     std::vector<std::size_t> places;
     std::string line;
@@ -61,7 +66,7 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& path,
         if (trimmed(line).empty() || trimmed(line).front() == '#') {
             continue;
         }
-        const std::string where = fmt::format("{}:{}", path.string(), number);
+        const std::string where = fmt::format("{}:{}", name, number);
         const std::vector<std::string_view> entries = entries_of(line);
         const bool is_header = places.empty();
         for (std::size_t i = 0; i < names.size(); ++i) {
@@ -80,7 +85,7 @@ std::vector<std::vector<double>> read_columns(const std::filesystem::path& path,
         }
     }
     if (columns.front().empty()) {
-        throw SceneError(path.string() + " has no row of numbers");
+        throw SceneError(name + " has no row of numbers");
     }
     return columns;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <istream>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,10 @@ namespace nmbcrun {
 /// Throws FileError where the file cannot be read, SceneError, with the line, where it has no such
 /// column, a row is too short, an entry is no finite number, or there is no row.
 std::vector<std::vector<double>> read_columns(const std::filesystem::path& path,
+                                              const std::vector<std::string>& names);
+
+/// Likewise, of an open stream; name: for messages.
+std::vector<std::vector<double>> read_columns(std::istream& stream, const std::string& name,
                                               const std::vector<std::string>& names);
 
 }  // namespace nmbcrun
