@@ -66,8 +66,8 @@ nmbc::ChainParameters parameters_of(const nmbc::Lattice& lattice, double cfl,
     return p;
 }
 
-/// A step changes dt v by up to 4 cfl^2 u and rounds that, and a wave that stands still is carried on
-/// by each such rounding to the end of the run: steps^(3/2) of them where they are random.
+/// A step changes dt v by up to 4 cfl^2 u and rounds that, and a wave that stands still is carried
+/// on by each such rounding to the end of the run: steps^(3/2) of them where they are random.
 double roundings_of(double cfl, std::size_t steps) {
     return std::pow(double(steps), 1.5) * 4 * cfl * cfl * std::numeric_limits<double>::epsilon();
 }

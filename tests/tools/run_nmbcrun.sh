@@ -395,9 +395,9 @@ sed 's/^order.*/kind = "fixed"\n&/' "$scene" >"$scratch/idle.toml"
 refuses 2 'idle.toml:26: boundary.order does not count for kind "fixed"' "$scratch/idle.toml"
 stable --set boundary.order=1 --set boundary.right.kind=free
 rm -r results
-for value in 0 1 -1 nan '"x"'; do
+for value in 0 1 -1 nan \"x\"; do
     idle "boundary.target must be a number between 0 and 1, neither of them" \
-        "${layer[@]}" --set boundary.kind=pml --set boundary.target=$value
+        "${layer[@]}" --set boundary.kind=pml --set "boundary.target=$value"
 done
 idle "boundary.profile must be a number from 0 to 10, not 11" \
     "${layer[@]}" --set boundary.kind=pml --set boundary.profile=11

@@ -17,6 +17,8 @@ namespace {
 constexpr int half_count = 24;
 constexpr double per_sigma = 4;
 constexpr double cut_off = 6.44;  ///< [sigma], 1e-9 of the height
+/// Nodes at rest beside the end, in reaches of the lattice: an exact one wants some.
+constexpr std::size_t gap_beside_end = 4;
 
 /// sigma [dX]: 30, and more where the packet would reach xi = 0.
 double width_about(double middle) {
@@ -65,22 +67,24 @@ bool Packet::is_measurable() const {
 }
 
 std::size_t Packet::steps(std::size_t layer) const {
-    return std::size_t(std::ceil((2 * reach_ + 2 * double(layer)) / slowest_ / time_step_));
+    const double way = 2 * reach_ + double(gap_beside_end * lattice_.reach() + 2 * layer);
+    return std::size_t(std::ceil(way / slowest_ / time_step_));
 }
 
 double Packet::reflected_by(const nmbc::ChainEnd& end, std::size_t layer) const {
     const auto length = std::size_t(2 * reach_);
+    const std::size_t gap = gap_beside_end * lattice_.reach();
     const double duration = double(steps(layer)) * time_step_;
-    nmbc::Chain chain(
-        lattice_, end, nmbc::FixedEnd{},
-        {.nodes = std::size_t(double(length) + fastest_ * duration), .time_step = time_step_});
+    nmbc::Chain chain(lattice_, end, nmbc::FixedEnd{},
+                      {.nodes = gap + std::size_t(double(length) + fastest_ * duration),
+                       .time_step = time_step_});
     std::vector<double> u(chain.nodes());
     std::vector<double> v(chain.nodes());
     for (std::size_t i = 0; i <= length; ++i) {
         for (const Wave& wave : waves_) {
             const double phase = wave.xi * (double(i) - reach_);
-            u[chain.first_interior() + i] += wave.amplitude * std::cos(phase);
-            v[chain.first_interior() + i] -=
+            u[chain.first_interior() + gap + i] += wave.amplitude * std::cos(phase);
+            v[chain.first_interior() + gap + i] -=
                 wave.amplitude * wave.omega * std::sin(phase) * std::cos(wave.half_angle);
         }
     }
