@@ -11,6 +11,35 @@
 namespace nmbcrun {
 namespace {
 
+/// The scene as advised: boundaries and time step.
+Scene advised(Scene scene, const Candidate& candidate) {
+    scene.left = candidate.boundary;
+    scene.right = candidate.boundary;
+    scene.allow_unstable = false;
+    if (!scene.step && !scene.cfl && candidate.boundary.matched_step == "0") {
+        scene.cfl = candidate.cfl;
+    }
+    return scene;
+}
+
+/// The settings that make a scene the advised one, as --set takes them.
+std::string settings_of(const Candidate& candidate) {
+    const Boundary& boundary = candidate.boundary;
+    std::string settings = fmt::format("--set boundary.kind={}", name_of(boundary.kind));
+    if (boundary.kind == BoundaryKind::nmbc) {
+        settings += fmt::format(" --set boundary.order={} --set boundary.stride={}", boundary.order,
+                                boundary.stride);
+        if (boundary.matched_step != "0") {
+            return settings +
+                   fmt::format(" --set boundary.matched_step='\"{}\"'", boundary.matched_step);
+        }
+    }
+    if (boundary.layer > 0) {
+        settings += fmt::format(" --set boundary.layer={}", boundary.layer);
+    }
+    return settings + fmt::format(" --set time.cfl={:.4g}", candidate.cfl);
+}
+
 void measure_costs(const Scene& scene, std::vector<Candidate>& candidates) {
     std::vector<Scene> scenes;
     scenes.reserve(candidates.size());
@@ -40,30 +69,13 @@ Advice advice_for(const Scene& scene, double tolerance) {
     return {std::move(candidates.meet), std::move(candidates.left_out), candidates.is_silent};
 }
 
-Scene advised(Scene scene, const Candidate& candidate) {
-    scene.left = candidate.boundary;
-    scene.right = candidate.boundary;
-    if (!scene.step && !scene.cfl && candidate.boundary.matched_step == "0") {
-        scene.cfl = candidate.cfl;
-    }
-    return scene;
-}
-
-std::string settings_of(const Candidate& candidate) {
-    const Boundary& boundary = candidate.boundary;
-    std::string settings = fmt::format("--set boundary.kind={}", name_of(boundary.kind));
-    if (boundary.kind == BoundaryKind::nmbc) {
-        settings += fmt::format(" --set boundary.order={} --set boundary.stride={}", boundary.order,
-                                boundary.stride);
-        if (boundary.matched_step != "0") {
-            return settings +
-                   fmt::format(" --set boundary.matched_step='\"{}\"'", boundary.matched_step);
-        }
-    }
-    if (boundary.layer > 0) {
-        settings += fmt::format(" --set boundary.layer={}", boundary.layer);
-    }
-    return settings + fmt::format(" --set time.cfl={:.4g}", candidate.cfl);
+Scene as_advised(const Scene& scene, double tolerance) {
+    const Candidate best = advice_for(scene, tolerance).ranked.front();
+    const std::string settings = settings_of(best);
+    fmt::print("advice     {}\n", settings);
+    Scene result = advised(scene, best);
+    result.given["the advice"] = settings;  // a checkpoint is for this, too
+    return result;
 }
 
 void advise(const Scene& scene, double tolerance, bool quiet) {
