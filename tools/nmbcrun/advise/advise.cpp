@@ -30,8 +30,7 @@ std::string settings_of(const Candidate& candidate) {
         settings += fmt::format(" --set boundary.order={} --set boundary.stride={}", boundary.order,
                                 boundary.stride);
         if (boundary.matched_step != "0") {
-            return settings +
-                   fmt::format(" --set boundary.matched_step='\"{}\"'", boundary.matched_step);
+            return settings + fmt::format(" --set boundary.matched_step={}", boundary.matched_step);
         }
     }
     if (boundary.layer > 0) {
@@ -66,7 +65,7 @@ Advice advice_for(const Scene& scene, double tolerance) {
     }
     measure_costs(scene, candidates.meet);
     std::ranges::sort(candidates.meet, {}, &Candidate::cost);
-    return {std::move(candidates.meet), std::move(candidates.left_out), candidates.is_silent};
+    return {std::move(candidates.meet), std::move(candidates.left_out)};
 }
 
 Scene as_advised(const Scene& scene, double tolerance) {

@@ -10,7 +10,6 @@ namespace nmbcrun {
 struct Advice {
     std::vector<Candidate> ranked;  ///< by cost, the cheapest first; not empty
     std::vector<LeftOut> left_out;
-    bool is_silent = false;
 };
 
 /// What meets the tolerance, its cost measured here and now. Throws as Simulation does, and

@@ -15,7 +15,6 @@
 
 #include "tools/nmbcrun/advise/outgoing.hpp"
 #include "tools/nmbcrun/advise/predicted_error.hpp"
-#include "tools/nmbcrun/simulation/silent_layer.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
 #include "tools/nmbcrun/simulation/time_step.hpp"
 
@@ -51,7 +50,6 @@ class Search {
           reflection_error_(scene, outgoing_) {}
 
     Candidates all() {
-        result_.is_silent = is_silent();
         add_ends_of_the_lattice();
         for (const nmbc::MatchingTable* table : nmbc::generated::tables) {
             if (table->family == scene_.family && table->horizon == scene_.horizon &&
@@ -72,12 +70,6 @@ class Search {
 
     std::optional<double> given_cfl() const {
         return scene_.step ? *scene_.step / unit_ * omega_max_ / 2 : scene_.cfl;
-    }
-
-    bool is_silent() const {
-        const double step = step_of(given_cfl().value_or(probing_cfl));
-        const std::size_t way = silent_layer(lattice_, step, 2 * outgoing_.remaining);
-        return std::min(outgoing_.from_left, outgoing_.from_right) > way;
     }
 
     double time_error_at(double cfl) {
@@ -133,15 +125,9 @@ class Search {
     void add_ends_of_the_lattice() {
         const auto none = [](double) { return 0.0; };
         const double highest = largest_cfl * nmbc::interior_cfl(lattice_);
-        const std::string silent = "no boundary (fixed)";
-        if (result_.is_silent) {
-            add(silent, {.kind = BoundaryKind::fixed}, highest, none);
-        } else {
-            leave_out(silent, "waves get to the ends in time");
-        }
-        const std::size_t layer =
-            silent_layer(lattice_, step_of(given_cfl().value_or(probing_cfl)), scene_.end / unit_);
-        add("extended", {.kind = BoundaryKind::extended, .layer = layer}, highest, none);
+        add("no boundary (fixed)", {.kind = BoundaryKind::fixed}, highest,
+            [&](double cfl) { return reflection_error_.of_fixed_ends(step_of(cfl)); });
+        add("extended", {.kind = BoundaryKind::extended}, highest, none);
         if (!scene_.incoming && !scene_.preload) {
             add("exact", {.kind = BoundaryKind::exact}, highest, none);
         }

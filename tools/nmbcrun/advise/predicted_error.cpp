@@ -121,6 +121,15 @@ double ReflectionError::of(const Boundary& boundary, double time_step) {
     return error / outgoing_.largest;
 }
 
+double ReflectionError::of_fixed_ends(double time_step) const {
+    double error = 0;
+    for (const nmbc::End end : {nmbc::End::left, nmbc::End::right}) {
+        error = std::max(error, largest_sum(arrivals(outgoing_, end, scene_.nodes),
+                                            outgoing_.remaining, time_step));
+    }
+    return error / outgoing_.largest;
+}
+
 double time_error(const Outgoing& outgoing, std::size_t nodes, double time_step) {
     constexpr int times = 40;
     constexpr std::size_t most_nodes_looked_at = 256;

@@ -23,6 +23,9 @@ class ReflectionError {
     /// Of an nmbc at both ends, in steps of time_step [dX/c].
     double of(const Boundary& boundary, double time_step);
 
+    /// Of fixed ends, which send everything back: nothing, where nothing gets there in time.
+    double of_fixed_ends(double time_step) const;
+
   private:
     struct Modes;
 
