@@ -85,18 +85,18 @@ void advise(const Scene& scene, double tolerance, bool quiet) {
         fmt::print("tolerance  {:g} of max |u|, {}\n\n", tolerance,
                    scene.step || scene.cfl ? "in the scene's own time step"
                                            : "of the ends and of the time step together");
-        fmt::print("{:<44}  {:>5}  {:>8}  {:>10}  {:>10}  {:>8}\n", "meets it by prediction", "cfl",
+        fmt::print("{:<36}  {:>5}  {:>8}  {:>10}  {:>10}  {:>8}\n", "meets it by prediction", "cfl",
                    "steps", "ends", "time step", "cost");
         for (const Candidate& one : advice.ranked) {
-            fmt::print("{:<44}  {:5.3f}  {:8}  {:10.1e}  {:10.1e}  {:8.2f}\n", one.name, one.cfl,
+            fmt::print("{:<36}  {:5.3f}  {:8}  {:10.1e}  {:10.1e}  {:8.2f}\n", one.name, one.cfl,
                        one.steps, one.boundary_error, one.time_error, one.cost() / best.cost());
         }
         fmt::print("cost: time of the run over that of the first, measured now\n\nleft out\n");
         for (const LeftOut& one : advice.left_out) {
-            fmt::print("  {:<44}  {}\n", one.name, one.reason);
+            fmt::print("  {:<36}  {}\n", one.name, one.reason);
         }
         if (!scene.field) {
-            fmt::print("  {:<44}  {}\n", "stored fields", "nobody asked for them (output.field)");
+            fmt::print("  {:<36}  {}\n", "stored fields", "nobody asked for them (output.field)");
         }
         fmt::print("\n");
     }

@@ -137,7 +137,10 @@ class Search {
         const Boundary boundary{.order = table.order,
                                 .stride = table.stride,
                                 .matched_step = std::string(table.time_step)};
-        const std::string name = heading_of(boundary);
+        const std::string name = fmt::format(
+            "NMBC{}, stride {}{}", table.order, table.stride,
+            table.time_step == "0" ? std::string()
+                                   : fmt::format(", in steps of {} dX/c", table.time_step));
         const double highest = nmbc::certified_cfl(table, scene_.G);
         if (highest == 0) {
             leave_out(name, "not certified at this G");
