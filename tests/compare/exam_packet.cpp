@@ -25,14 +25,19 @@ nmbcrun::Scene scene_with(int horizon, double G) {
 
 TEST_CASE("measured and predicted agree, long waves and short ones") {
     constexpr double step = 0.4;
-    for (const auto& [horizon, order, stride, G] :
-         {std::tuple(1, 1, 1, 0.5), {1, 2, 1, 0.5}, {2, 2, 2, 1.0}, {3, 2, 3, 2.0}}) {
-        const auto scene = scene_with(horizon, G);
-        const Boundary boundary{.order = order, .stride = stride};
-        const auto lattice = nmbc::make_lattice(table_of(scene, boundary), G);
+    struct Case {
+        int horizon;
+        int order;
+        int stride;
+        double G;
+    };
+    for (const Case& one : {Case{1, 1, 1, 0.5}, {1, 2, 1, 0.5}, {2, 2, 2, 1.0}, {3, 2, 3, 2.0}}) {
+        const auto scene = scene_with(one.horizon, one.G);
+        const Boundary boundary{.order = one.order, .stride = one.stride};
+        const auto lattice = nmbc::make_lattice(table_of(scene, boundary), one.G);
         for (const double xi : {0.05, 0.3, 0.5}) {
-            CAPTURE(horizon);
-            CAPTURE(order);
+            CAPTURE(one.horizon);
+            CAPTURE(one.order);
             CAPTURE(xi);
             const nmbcrun::Packet packet(lattice, xi, step);
             REQUIRE(packet.is_measurable());

@@ -131,7 +131,7 @@ TEST_CASE("fields written to in a hook are a new start to the ends, at once") {
 TEST_CASE_TEMPLATE("rest stays rest, wherever it is", Real, double, float) {
     // No constant here is a sum of few powers of 2, and float has its own ones.
     for (int horizon = 1; horizon <= 5; ++horizon) {
-        nmbc::BasicChain<Real> chain(nmbc::make_lattice(table_of(horizon), Real(0.7)),
+        nmbc::BasicChain<Real> chain(nmbc::make_lattice(table_of(horizon), double(Real(0.7))),
                                      nmbc::FreeEnd{},
                                      {.nodes = 50, .spacing = 0.3, .time_step = 0.1});
         const std::vector<Real> u(chain.nodes(), 3);

@@ -94,8 +94,13 @@ int main(int argc, char** argv) {
     };
     auto* const run = add_command("run", "run a scene and report its energies");
     run->add_option("--out", arguments.folder, "folder for the results (default results)");
-    run->add_flag("--resume", arguments.resume,
-                  "go on from the checkpoint of a run that was stopped");
+    auto* const resume = run->add_flag("--resume", arguments.resume,
+                                       "go on from the checkpoint of a run that was stopped");
+    run->add_option("--tolerance", arguments.tolerance,
+                    "take the cheapest ends and time step that advise finds for it, instead of the "
+                    "scene's ends")
+        ->check(tools::number_between(1e-16, 1e16))
+        ->excludes(resume);
     auto* const verify =
         add_command("verify", "compare a scene with the same one without ends (docs/verify.md)");
     verify
@@ -133,8 +138,11 @@ int main(int argc, char** argv) {
     nmbcrun::note_interrupts();
     if (run->parsed()) {
         return exit_code_of([&] {
-            nmbcrun::run(scene_of(arguments),
-                         {arguments.folder, arguments.quiet, arguments.resume});
+            nmbcrun::Scene scene = scene_of(arguments);
+            if (arguments.tolerance > 0) {
+                scene = nmbcrun::as_advised(scene, arguments.tolerance);
+            }
+            nmbcrun::run(scene, {arguments.folder, arguments.quiet, arguments.resume});
             return done;
         });
     }

@@ -11,6 +11,34 @@
 namespace nmbcrun {
 namespace {
 
+/// The scene as advised: boundaries and time step.
+Scene advised(Scene scene, const Candidate& candidate) {
+    scene.left = candidate.boundary;
+    scene.right = candidate.boundary;
+    scene.allow_unstable = false;
+    if (!scene.step && !scene.cfl && candidate.boundary.matched_step == "0") {
+        scene.cfl = candidate.cfl;
+    }
+    return scene;
+}
+
+/// The settings that make a scene the advised one, as --set takes them.
+std::string settings_of(const Candidate& candidate) {
+    const Boundary& boundary = candidate.boundary;
+    std::string settings = fmt::format("--set boundary.kind={}", name_of(boundary.kind));
+    if (boundary.kind == BoundaryKind::nmbc) {
+        settings += fmt::format(" --set boundary.order={} --set boundary.stride={}", boundary.order,
+                                boundary.stride);
+        if (boundary.matched_step != "0") {
+            return settings + fmt::format(" --set boundary.matched_step={}", boundary.matched_step);
+        }
+    }
+    if (boundary.layer > 0) {
+        settings += fmt::format(" --set boundary.layer={}", boundary.layer);
+    }
+    return settings + fmt::format(" --set time.cfl={:.4g}", candidate.cfl);
+}
+
 void measure_costs(const Scene& scene, std::vector<Candidate>& candidates) {
     std::vector<Scene> scenes;
     scenes.reserve(candidates.size());
@@ -37,33 +65,16 @@ Advice advice_for(const Scene& scene, double tolerance) {
     }
     measure_costs(scene, candidates.meet);
     std::ranges::sort(candidates.meet, {}, &Candidate::cost);
-    return {std::move(candidates.meet), std::move(candidates.left_out), candidates.is_silent};
+    return {std::move(candidates.meet), std::move(candidates.left_out)};
 }
 
-Scene advised(Scene scene, const Candidate& candidate) {
-    scene.left = candidate.boundary;
-    scene.right = candidate.boundary;
-    if (!scene.step && !scene.cfl && candidate.boundary.matched_step == "0") {
-        scene.cfl = candidate.cfl;
-    }
-    return scene;
-}
-
-std::string settings_of(const Candidate& candidate) {
-    const Boundary& boundary = candidate.boundary;
-    std::string settings = fmt::format("--set boundary.kind={}", name_of(boundary.kind));
-    if (boundary.kind == BoundaryKind::nmbc) {
-        settings += fmt::format(" --set boundary.order={} --set boundary.stride={}", boundary.order,
-                                boundary.stride);
-        if (boundary.matched_step != "0") {
-            return settings +
-                   fmt::format(" --set boundary.matched_step='\"{}\"'", boundary.matched_step);
-        }
-    }
-    if (boundary.layer > 0) {
-        settings += fmt::format(" --set boundary.layer={}", boundary.layer);
-    }
-    return settings + fmt::format(" --set time.cfl={:.4g}", candidate.cfl);
+Scene as_advised(const Scene& scene, double tolerance) {
+    const Candidate best = advice_for(scene, tolerance).ranked.front();
+    const std::string settings = settings_of(best);
+    fmt::print("advice     {}\n", settings);
+    Scene result = advised(scene, best);
+    result.given["the advice"] = settings;  // a checkpoint is for this, too
+    return result;
 }
 
 void advise(const Scene& scene, double tolerance, bool quiet) {
@@ -74,18 +85,18 @@ void advise(const Scene& scene, double tolerance, bool quiet) {
         fmt::print("tolerance  {:g} of max |u|, {}\n\n", tolerance,
                    scene.step || scene.cfl ? "in the scene's own time step"
                                            : "of the ends and of the time step together");
-        fmt::print("{:<44}  {:>5}  {:>8}  {:>10}  {:>10}  {:>8}\n", "meets it by prediction", "cfl",
+        fmt::print("{:<36}  {:>5}  {:>8}  {:>10}  {:>10}  {:>8}\n", "meets it by prediction", "cfl",
                    "steps", "ends", "time step", "cost");
         for (const Candidate& one : advice.ranked) {
-            fmt::print("{:<44}  {:5.3f}  {:8}  {:10.1e}  {:10.1e}  {:8.2f}\n", one.name, one.cfl,
+            fmt::print("{:<36}  {:5.3f}  {:8}  {:10.1e}  {:10.1e}  {:8.2f}\n", one.name, one.cfl,
                        one.steps, one.boundary_error, one.time_error, one.cost() / best.cost());
         }
         fmt::print("cost: time of the run over that of the first, measured now\n\nleft out\n");
         for (const LeftOut& one : advice.left_out) {
-            fmt::print("  {:<44}  {}\n", one.name, one.reason);
+            fmt::print("  {:<36}  {}\n", one.name, one.reason);
         }
         if (!scene.field) {
-            fmt::print("  {:<44}  {}\n", "stored fields", "nobody asked for them (output.field)");
+            fmt::print("  {:<36}  {}\n", "stored fields", "nobody asked for them (output.field)");
         }
         fmt::print("\n");
     }

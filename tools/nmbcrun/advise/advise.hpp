@@ -10,18 +10,14 @@ namespace nmbcrun {
 struct Advice {
     std::vector<Candidate> ranked;  ///< by cost, the cheapest first; not empty
     std::vector<LeftOut> left_out;
-    bool is_silent = false;
 };
 
 /// What meets the tolerance, its cost measured here and now. Throws as Simulation does, and
 /// SceneError where nothing meets it.
 Advice advice_for(const Scene& scene, double tolerance);
 
-/// The scene as advised: boundaries and time step.
-Scene advised(Scene scene, const Candidate& candidate);
-
-/// The settings that make a scene the advised one, as --set takes them.
-std::string settings_of(const Candidate& candidate);
+/// The scene with the cheapest of them, and a line that says which.
+Scene as_advised(const Scene& scene, double tolerance);
 
 /// Prints the advice, ranked, and what was left out and why.
 void advise(const Scene& scene, double tolerance, bool quiet);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <nmbc/certificate.hpp>
 #include <nmbc/coefficients.hpp>
 #include <nmbc/lattice.hpp>
@@ -13,7 +15,6 @@
 
 #include "tools/nmbcrun/advise/outgoing.hpp"
 #include "tools/nmbcrun/advise/predicted_error.hpp"
-#include "tools/nmbcrun/simulation/silent_layer.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
 #include "tools/nmbcrun/simulation/time_step.hpp"
 
@@ -24,6 +25,18 @@ namespace {
 constexpr double probing_cfl = 0.2;
 constexpr double largest_cfl = 0.99;  // of ends that do not limit it
 constexpr double smallest_cfl = 0.01;
+/// What predictions leave out: second round trips, and what the sources' own steps are off by.
+constexpr double margin = 1.1;
+
+/// The next of cfl 0.99, 0.99 * 0.95, .. below: near enough to the longest for any use.
+double next_shorter(double cfl) {
+    constexpr double shorter = 0.95;
+    double next = largest_cfl;
+    while (next > cfl * (1 - 1e-9)) {
+        next *= shorter;
+    }
+    return next;
+}
 
 class Search {
   public:
@@ -37,7 +50,6 @@ class Search {
           reflection_error_(scene, outgoing_) {}
 
     Candidates all() {
-        result_.is_silent = is_silent();
         add_ends_of_the_lattice();
         for (const nmbc::MatchingTable* table : nmbc::generated::tables) {
             if (table->family == scene_.family && table->horizon == scene_.horizon &&
@@ -60,18 +72,19 @@ class Search {
         return scene_.step ? *scene_.step / unit_ * omega_max_ / 2 : scene_.cfl;
     }
 
-    bool is_silent() const {
-        const double step = step_of(given_cfl().value_or(probing_cfl));
-        const std::size_t way = silent_layer(lattice_, step, 2 * outgoing_.remaining);
-        return std::min(outgoing_.from_left, outgoing_.from_right) > way;
-    }
-
-    double time_error_at(double cfl) const {
-        return given_cfl() ? 0 : time_error(outgoing_, scene_.nodes, step_of(cfl));
+    double time_error_at(double cfl) {
+        if (given_cfl()) {
+            return 0;
+        }
+        const auto [known, is_new] = time_errors_.try_emplace(cfl, 0.0);
+        if (is_new) {
+            known->second = time_error(outgoing_, scene_.nodes, step_of(cfl));
+        }
+        return known->second;
     }
 
     Candidate candidate(const std::string& name, const Boundary& boundary, double cfl,
-                        double boundary_error) const {
+                        double boundary_error) {
         return {.name = name,
                 .boundary = boundary,
                 .cfl = cfl,
@@ -94,17 +107,14 @@ class Search {
             }
             highest = *given;
         }
-        constexpr double shorter = 0.85;  // near enough to the longest for any use
-        double best = 0;
-        for (double cfl = highest; cfl >= smallest_cfl; cfl *= shorter) {
+        double best = std::numeric_limits<double>::infinity();
+        for (double cfl = highest; cfl >= smallest_cfl; cfl = next_shorter(cfl)) {
             const Candidate one = candidate(name, boundary, cfl, error_at(cfl));
-            if (one.error() <= tolerance_) {
+            if (one.error() * margin <= tolerance_) {
                 result_.meet.push_back(one);
                 return;
             }
-            if (best == 0 || one.error() < best) {
-                best = one.error();
-            }
+            best = std::min(best, one.error());
             if (given_cfl() || one.boundary_error > 100 * tolerance_) {
                 break;  // shorter steps change little of what the condition reflects
             }
@@ -115,15 +125,9 @@ class Search {
     void add_ends_of_the_lattice() {
         const auto none = [](double) { return 0.0; };
         const double highest = largest_cfl * nmbc::interior_cfl(lattice_);
-        const std::string silent = "no boundary (fixed)";
-        if (result_.is_silent) {
-            add(silent, {.kind = BoundaryKind::fixed}, highest, none);
-        } else {
-            leave_out(silent, "waves get to the ends in time");
-        }
-        const std::size_t layer =
-            silent_layer(lattice_, step_of(given_cfl().value_or(probing_cfl)), scene_.end / unit_);
-        add("extended", {.kind = BoundaryKind::extended, .layer = layer}, highest, none);
+        add("no boundary (fixed)", {.kind = BoundaryKind::fixed}, highest,
+            [&](double cfl) { return reflection_error_.of_fixed_ends(step_of(cfl)); });
+        add("extended", {.kind = BoundaryKind::extended}, highest, none);
         if (!scene_.incoming && !scene_.preload) {
             add("exact", {.kind = BoundaryKind::exact}, highest, none);
         }
@@ -133,7 +137,10 @@ class Search {
         const Boundary boundary{.order = table.order,
                                 .stride = table.stride,
                                 .matched_step = std::string(table.time_step)};
-        const std::string name = heading_of(boundary);
+        const std::string name = fmt::format(
+            "NMBC{}, stride {}{}", table.order, table.stride,
+            table.time_step == "0" ? std::string()
+                                   : fmt::format(", in steps of {} dX/c", table.time_step));
         const double highest = nmbc::certified_cfl(table, scene_.G);
         if (highest == 0) {
             leave_out(name, "not certified at this G");
@@ -158,7 +165,7 @@ class Search {
             return;
         }
         const Candidate one = candidate(name, boundary, own_cfl, error_at(own_cfl));
-        if (one.error() <= tolerance_) {
+        if (one.error() * margin <= tolerance_) {
             result_.meet.push_back(one);
         } else {
             leave_out(name, fmt::format("predicted error {:.2g} in its step", one.error()));
@@ -176,6 +183,7 @@ class Search {
     double unit_;
     Outgoing outgoing_;
     ReflectionError reflection_error_;
+    std::map<double, double> time_errors_;  // by cfl
     Candidates result_;
 };
 

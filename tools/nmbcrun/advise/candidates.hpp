@@ -33,7 +33,6 @@ struct LeftOut {
 struct Candidates {
     std::vector<Candidate> meet;  ///< the tolerance, in no order
     std::vector<LeftOut> left_out;
-    bool is_silent = false;  ///< nothing gets to an end in time
 };
 
 /// Every boundary that a scene's lattice can be certified with, each in the longest steps in which

@@ -49,6 +49,10 @@ TwoWaves two_waves(std::complex<double> u, std::complex<double> before, double t
 
 }  // namespace
 
+double angle_of_step(double omega, double time_step) {
+    return 2 * std::asin(std::min(omega * time_step / 2, 1.0));
+}
+
 Outgoing outgoing_waves(const Scene& scene, double cfl) {
     Scene fixed = scene;
     fixed.left = {.kind = BoundaryKind::fixed};
@@ -78,17 +82,17 @@ Outgoing outgoing_waves(const Scene& scene, double cfl) {
     for (std::size_t band = 0; band < band_count; ++band) {
         const double xi = std::numbers::pi * (double(band) + 0.5) / band_count;
         const double omega = std::sqrt(std::max(nmbc::omega_squared(chain.lattice(), xi), 0.0));
-        const double theta = 2 * std::asin(std::min(omega * step / 2, 1.0));
+        const double theta = angle_of_step(omega, step);
         if (std::sin(theta) < 1e-6) {
             continue;  // stands still
         }
         const double velocity = group_velocity(chain.lattice(), xi, omega);
         const TwoWaves waves = two_waves(fourier_sum(u, xi), fourier_sum(before, xi), theta);
-        // u(x) = 1/(2 pi) integral over -pi .. pi, and real.
-        const double part = 1.0 / band_count;
-        const double right = std::abs(velocity > 0 ? waves.forwards : waves.backwards) * part;
-        const double left = std::abs(velocity > 0 ? waves.backwards : waves.forwards) * part;
-        result.bands.push_back({xi, omega, std::abs(velocity), left, right});
+        // u(x) = 1/(2 pi) integral over -pi .. pi, and real: Re of twice the half above 0.
+        const auto from_first_interior =
+            std::polar(1.0 / band_count, xi * double(chain.first_interior()));
+        result.bands.push_back({xi, omega, std::abs(velocity), waves.forwards * from_first_interior,
+                                std::conj(waves.backwards * from_first_interior), velocity < 0});
     }
     const auto field = interior(chain);
     const auto is_moving = [&](double value) { return std::abs(value) > moves * result.largest; };

@@ -2,6 +2,7 @@
 /// The waves that a scene's sources send to its ends.
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <nmbc/lattice.hpp>
 #include <vector>
@@ -10,13 +11,16 @@
 
 namespace nmbcrun {
 
-/// Waves about one wave number, on their way to either end. Units dX = c = 1.
+/// Waves about one wave number xi, on their way in both directions. Units dX = c = 1; amplitudes
+/// are those of Re a exp(i(kappa x - omega t)), |kappa| = xi, x counted from the outermost interior
+/// node at the left.
 struct WaveBand {
-    double xi;        ///< in (0, pi)
-    double omega;     ///< of the lattice in continuous time
-    double speed;     ///< |group velocity|
-    double to_left;   ///< what the band adds to |u| at most, of the waves whose energy goes left
-    double to_right;  ///< and right
+    double xi;                       ///< in (0, pi)
+    double omega;                    ///< of the lattice in continuous time
+    double speed;                    ///< |group velocity|
+    std::complex<double> forwards;   ///< a of kappa = xi
+    std::complex<double> backwards;  ///< a of kappa = -xi
+    bool is_backward;                ///< energy goes against the phase
 };
 
 /// What is under way when the sources have ended, as if there were no ends.
@@ -33,5 +37,8 @@ struct Outgoing {
 /// Steps the scene without ends, in steps of this cfl, until its sources have ended.
 /// Throws as Simulation does.
 Outgoing outgoing_waves(const Scene& scene, double cfl);
+
+/// theta of leapfrog's step for a wave of frequency omega, sin(theta/2) = omega dt/2.
+double angle_of_step(double omega, double time_step);
 
 }  // namespace nmbcrun

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "generator/stability/half_space.hpp"
@@ -13,89 +14,149 @@
 namespace nmbcrun {
 namespace {
 
-/// Whether waves of the band come to an end that is so many nodes away.
-bool arrives(const Outgoing& outgoing, const WaveBand& band, std::size_t nodes) {
-    return double(nodes) <= band.speed * outgoing.remaining;
+using Complex = std::complex<double>;
+
+/// A wave that has come to an end, as Re amplitude exp(-i omega t) at its outermost interior node.
+struct Arrival {
+    const WaveBand* band;
+    Complex amplitude;
+};
+
+/// The waves on their way to an end that may get there in time.
+std::vector<Arrival> arrivals(const Outgoing& outgoing, nmbc::End end, std::size_t nodes) {
+    const bool left = end == nmbc::End::left;
+    const double way = double(left ? outgoing.from_left : outgoing.from_right);
+    std::vector<Arrival> result;
+    for (const WaveBand& band : outgoing.bands) {
+        const bool forwards = left == band.is_backward;  // the phase goes right
+        const Complex amplitude = forwards ? band.forwards : band.backwards;
+        const bool counts = std::abs(amplitude) > 1e-12 * outgoing.largest;
+        if (counts && band.speed * outgoing.remaining >= way) {
+            const double x = left ? 0 : double(nodes) - 1;
+            result.push_back({&band, amplitude * std::polar(1.0, (forwards ? x : -x) * band.xi)});
+        }
+    }
+    return result;
 }
 
-/// What a band brings to both ends in time.
-double arriving(const Outgoing& outgoing, const WaveBand& band) {
-    return (arrives(outgoing, band, outgoing.from_left) ? band.to_left : 0) +
-           (arrives(outgoing, band, outgoing.from_right) ? band.to_right : 0);
-}
-
-/// The amplitudes, where the interior begins, of all that an incident wave of unit amplitude is
-/// sent back as.
-double sent_back(const nmbcgen::Reflection& reflection, double xi, std::size_t ghosts) {
+/// All that an incident wave is sent back as, over what it is itself at the outermost interior
+/// node. Nodes are counted inwards from the innermost ghost, and time goes as exp(+i omega t).
+Complex sent_back(const nmbcgen::Reflection& reflection, double xi) {
     const auto& outgoing = reflection.outgoing;
     const auto distance = [&](Eigen::Index column) {
-        const std::complex<double> k = outgoing[std::size_t(column)].k;
+        const Complex k = outgoing[std::size_t(column)].k;
         return std::abs(std::polar(1.0, xi) - k) * std::abs(std::polar(1.0, -xi) - k);
     };
     Eigen::Index incident = 0;
     for (Eigen::Index column = 1; column < reflection.matrix.cols(); ++column) {
         incident = distance(column) < distance(incident) ? column : incident;
     }
-    double sum = 0;
+    const Complex inverse_incident = outgoing[std::size_t(incident)].k;
+    Complex sum = 0;
     for (std::size_t o = 0; o < outgoing.size(); ++o) {
-        const double inside = std::pow(std::abs(outgoing[o].k), double(ghosts));
-        sum += std::abs(reflection.amplitudes(Eigen::Index(o), incident)) * inside;
+        sum += reflection.amplitudes(Eigen::Index(o), incident) * outgoing[o].k;
     }
-    return sum;
+    return sum * inverse_incident;
+}
+
+/// max over 0 <= t <= duration of |Re sum amplitude exp(-i omega' t)|, omega' in time steps.
+double largest_sum(std::vector<Arrival> waves, double duration, double time_step) {
+    constexpr double between = 0.5;  // [dX/c]: 1/5 of the shortest period of nopd1d at G <= 1
+    constexpr double most = 4000;
+    std::vector<Complex> turns;
+    turns.reserve(waves.size());
+    for (const Arrival& wave : waves) {
+        const double omega = angle_of_step(wave.band->omega, time_step) / time_step;
+        turns.push_back(std::polar(1.0, -omega * between));
+    }
+    double largest = 0;
+    for (double time = 0; time <= std::min(duration, most * between); time += between) {
+        double sum = 0;
+        for (std::size_t i = 0; i < waves.size(); ++i) {
+            sum += waves[i].amplitude.real();
+            waves[i].amplitude *= turns[i];
+        }
+        largest = std::max(largest, std::abs(sum));
+    }
+    return largest;
 }
 
 }  // namespace
 
-/// Waves of the lattice, which all its boundaries share.
+/// Waves of an undamped lattice, which all its boundaries share.
 struct ReflectionError::Modes {
-    std::optional<nmbcgen::HalfSpace> half_space;
-    std::optional<nmbcgen::KnownModes> known;
+    explicit Modes(nmbcgen::HalfSpace any) : half_space(std::move(any)), known(half_space) {}
+
+    nmbcgen::HalfSpace half_space;
+    nmbcgen::KnownModes known;
 };
 
 ReflectionError::ReflectionError(const Scene& scene, const Outgoing& outgoing)
-    : scene_(scene), outgoing_(outgoing), modes_(std::make_unique<Modes>()) {}
+    : scene_(scene), outgoing_(outgoing) {}
 
 ReflectionError::~ReflectionError() = default;
 
 double ReflectionError::of(const Boundary& boundary, double time_step) {
-    const auto half_space =
+    auto half_space =
         make_half_space(exact_table(table_of(scene_, boundary)), nmbcgen::Rational(scene_.G));
-    if (!modes_->known) {
-        modes_->half_space = half_space;
-        modes_->known.emplace(*modes_->half_space);
+    if (modes_ == nullptr) {
+        modes_ = std::make_unique<Modes>(half_space);
     }
     const auto in_steps =
-        stepped(half_space, time_step,
+        stepped(std::move(half_space), time_step,
                 boundary.ghosts == nmbc::GhostRule::midpoint ? nmbcgen::GhostLevel::midpoint
                                                              : nmbcgen::GhostLevel::old);
     double error = 0;
-    for (const WaveBand& band : outgoing_.bands) {
-        const double amplitude = arriving(outgoing_, band);
-        if (amplitude > 1e-16 * outgoing_.largest) {
-            const auto reflection =
-                nmbcgen::reflection(in_steps, band.omega, modes_->known->at(band.omega));
-            error += amplitude * sent_back(reflection, band.xi, in_steps.reach());
+    for (const nmbc::End end : {nmbc::End::left, nmbc::End::right}) {
+        std::vector<Arrival> waves = arrivals(outgoing_, end, scene_.nodes);
+        for (Arrival& wave : waves) {
+            const auto reflection = in_steps.is_damped()
+                                        ? nmbcgen::reflection(in_steps, wave.band->omega)
+                                        : nmbcgen::reflection(in_steps, wave.band->omega,
+                                                              modes_->known.at(wave.band->omega));
+            wave.amplitude *= std::conj(sent_back(reflection, wave.band->xi));
         }
+        error = std::max(error, largest_sum(std::move(waves), outgoing_.remaining, time_step));
     }
     return error / outgoing_.largest;
 }
 
-double ReflectionError::of_everything() const {
+double ReflectionError::of_fixed_ends(double time_step) const {
     double error = 0;
-    for (const WaveBand& band : outgoing_.bands) {
-        error += arriving(outgoing_, band);
+    for (const nmbc::End end : {nmbc::End::left, nmbc::End::right}) {
+        error = std::max(error, largest_sum(arrivals(outgoing_, end, scene_.nodes),
+                                            outgoing_.remaining, time_step));
     }
     return error / outgoing_.largest;
 }
 
 double time_error(const Outgoing& outgoing, std::size_t nodes, double time_step) {
+    constexpr int times = 40;
+    constexpr std::size_t most_nodes_looked_at = 256;
+    const std::size_t every = 1 + nodes / most_nodes_looked_at;
     double error = 0;
-    for (const WaveBand& band : outgoing.bands) {
-        const double half = std::min(band.omega * time_step / 2, 1.0);
-        const double late = std::abs(2 * std::asin(half) / time_step - band.omega);
-        const double crossing = double(nodes) / std::max(band.speed, 1e-12);
-        const double time = outgoing.duration + std::min(outgoing.remaining, crossing);
-        error += (band.to_left + band.to_right) * std::min(2.0, late * time);
+    for (int i = 1; i <= times; ++i) {
+        const double time = outgoing.duration / 2 + outgoing.remaining * i / times;
+        // Re b exp(-i xi x) = Re conj(b) exp(i xi x)
+        std::vector<Complex> differences;
+        std::vector<Complex> turns;  // from one node looked at to the next
+        differences.reserve(outgoing.bands.size());
+        turns.reserve(outgoing.bands.size());
+        for (const WaveBand& band : outgoing.bands) {
+            const double omega = angle_of_step(band.omega, time_step) / time_step;
+            const Complex late =
+                std::polar(1.0, -omega * time) - std::polar(1.0, -band.omega * time);
+            differences.push_back(band.forwards * late + std::conj(band.backwards * late));
+            turns.push_back(std::polar(1.0, band.xi * double(every)));
+        }
+        for (std::size_t node = 0; node < nodes; node += every) {
+            double sum = 0;
+            for (std::size_t b = 0; b < differences.size(); ++b) {
+                sum += differences[b].real();
+                differences[b] *= turns[b];
+            }
+            error = std::max(error, std::abs(sum));
+        }
     }
     return error / outgoing.largest;
 }

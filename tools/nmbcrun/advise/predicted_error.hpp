@@ -9,12 +9,12 @@
 
 namespace nmbcrun {
 
-/// max |u - u_ref| / max |u_ref| by what the ends send back once: for every wave number what its
-/// waves add to |u| at most, times the amplitudes of all waves that the end makes of them, summed
-/// over both ends. So it is too large where waves of different wave number do not meet in phase,
-/// and knows nothing of second round trips. Only waves that get to an end in time count.
+/// max |u - u_ref| / max |u_ref| by what the ends send back once: the outgoing waves, each times
+/// what the end makes of it, added up where the interior begins at times up to the end of the run.
+/// The larger of the two ends. Second round trips and waves that meet from both ends are left out.
 class ReflectionError {
   public:
+    /// Both live as long as this.
     ReflectionError(const Scene& scene, const Outgoing& outgoing);
     ~ReflectionError();
     ReflectionError(const ReflectionError&) = delete;
@@ -23,8 +23,8 @@ class ReflectionError {
     /// Of an nmbc at both ends, in steps of time_step [dX/c].
     double of(const Boundary& boundary, double time_step);
 
-    /// Of anything that sends back every wave once as large as it came: what there is to lose.
-    double of_everything() const;
+    /// Of fixed ends, which send everything back: nothing, where nothing gets there in time.
+    double of_fixed_ends(double time_step) const;
 
   private:
     struct Modes;
@@ -34,8 +34,9 @@ class ReflectionError {
     std::unique_ptr<Modes> modes_;
 };
 
-/// Likewise what leapfrog in such steps makes of waves in continuous time: each is late by
-/// |omega' - omega| t, t the time it spends between the ends.
+/// Likewise what leapfrog in such steps makes of waves in continuous time, |u - u_ref| of the
+/// interior nodes at 40 times of the run, in half of the sources' own time, too. What the
+/// sources themselves are off by is left out.
 double time_error(const Outgoing& outgoing, std::size_t nodes, double time_step);
 
 }  // namespace nmbcrun

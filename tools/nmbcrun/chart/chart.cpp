@@ -123,10 +123,11 @@ std::vector<Point> measure(const Scene& scene, const std::vector<Rung>& rungs,
     return points;
 }
 
-void write(const std::vector<Point>& points, const std::filesystem::path& path) {
-    CsvFile csv(path,
-                "boundary,kind,cfl,steps,certified,fate,rate,step_cost,total_cost,boundary_error,"
-                "total_error,energy_left,on_step_front,on_front");
+constexpr const char* header =
+    "boundary,kind,cfl,steps,certified,fate,rate,step_cost,total_cost,boundary_error,total_error,"
+    "energy_left,on_step_front,on_front";
+
+void write(const std::vector<Point>& points, CsvFile& csv) {
     for (const Point& point : points) {
         const Trial& trial = point.trial;
         csv.append(fmt::format(
@@ -172,14 +173,14 @@ void chart(const Scene& scene, const std::filesystem::path& folder, std::size_t 
     std::vector<double> steps;
     std::ranges::copy_if(cfls, std::back_inserter(steps),
                          [&](double cfl) { return cfl <= nmbc::interior_cfl(lattice); });
+    CsvFile csv(folder / (scene.name + "_chart.csv"), header);  // which may not be possible
     const std::vector<Rung> rungs = ladder(scene);
     const std::vector<Point> points = measure(scene, rungs, steps, endurance, quiet);
-    const std::filesystem::path path = folder / (scene.name + "_chart.csv");
-    write(points, path);
+    write(points, csv);
     if (!quiet) {
         print(points, endurance);
     }
-    fmt::print("chart        {}\n", path.string());
+    fmt::print("chart        {}\n", csv.path().string());
 }
 
 }  // namespace nmbcrun

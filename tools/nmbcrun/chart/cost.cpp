@@ -58,17 +58,18 @@ double median(std::vector<double> values) {
 
 std::vector<double> relative_costs(const std::vector<Scene>& scenes,
                                    const std::function<void()>& after_round) {
-    nmbc::Chain bare = chain_between(scenes.front(), NoEnd{}, NoEnd{});
-    std::vector<nmbc::Chain> chains;
-    chains.reserve(scenes.size());
-    for (const Scene& scene : scenes) {
-        chains.push_back(
-            chain_between(scene, chain_end(scene, scene.left), chain_end(scene, scene.right)));
-    }
     // A twentieth of a millisecond or so: mostly undisturbed where other programs run, too.
     constexpr double node_steps = 5e4;
     const auto steps =
         std::size_t(std::max(10.0, std::ceil(node_steps / double(scenes.front().nodes))));
+    nmbc::Chain bare = chain_between(scenes.front(), NoEnd{}, NoEnd{});
+    std::vector<nmbc::Chain> chains;
+    chains.reserve(scenes.size());
+    for (Scene scene : scenes) {
+        scene.end = std::max(scene.end, double(steps) * scene.step.value());
+        chains.push_back(
+            chain_between(scene, chain_end(scene, scene.left), chain_end(scene, scene.right)));
+    }
     std::vector<std::vector<double>> ratios(chains.size());
     for (std::size_t round = 0; round < cost_rounds; ++round) {
         for (std::size_t i = 0; i < chains.size(); ++i) {

@@ -3,16 +3,30 @@
 
 #include <fmt/format.h>
 
+#include <nmbc/coefficients.hpp>
 #include <nmbc/tables/tables.hpp>
 
 namespace nmbcrun {
+
+namespace {
+
+bool exists(const nmbc::MatchingTable& table, double G) {
+    try {
+        nmbc::boundary_coefficients(table, G, nmbc::allow_unstable);
+        return true;
+    } catch (const nmbc::CoefficientError&) {
+        return false;
+    }
+}
+
+}  // namespace
 
 std::vector<Rung> ladder(const Scene& scene) {
     std::vector<Rung> rungs{{"fixed", {.kind = BoundaryKind::fixed}},
                             {"free", {.kind = BoundaryKind::free}}};
     for (const nmbc::MatchingTable* table : nmbc::generated::tables) {
         if (table->family == scene.family && table->horizon == scene.horizon &&
-            table->tau == scene.tau && table->time_step == "0") {
+            table->tau == scene.tau && table->time_step == "0" && exists(*table, scene.G)) {
             rungs.push_back({fmt::format("NMBC{} s{}", table->order, table->stride),
                              {.order = table->order, .stride = table->stride}});
         }

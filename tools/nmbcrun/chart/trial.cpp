@@ -21,13 +21,17 @@ template <class Look>
 Samples run_sampled(Simulation& simulation, Look look) {
     const std::size_t every = simulation.plan().steps / sample_count;
     Samples samples;
-    samples.reserve(sample_count);
+    samples.reserve(sample_count + 1);
+    const auto sample = [&] {
+        const auto u = interior(simulation.chain());
+        samples.emplace_back(u.begin(), u.end());
+    };
+    sample();
     while (!simulation.is_done()) {
         simulation.step();
         look(simulation);
         if (simulation.chain().steps() % every == 0) {
-            const auto u = interior(simulation.chain());
-            samples.emplace_back(u.begin(), u.end());
+            sample();
         }
     }
     return samples;

@@ -9,7 +9,7 @@
 
 namespace nmbcrun {
 
-/// Interior displacements at equal parts of the run's time.
+/// Interior displacements at t = 0 and after each of equal parts of the run's time.
 using Samples = std::vector<std::vector<double>>;
 
 /// Sampling times of a run; time steps are chosen such that they are whole numbers of steps.
