@@ -52,6 +52,30 @@ void measure_costs(const Scene& scene, std::vector<Candidate>& candidates) {
     }
 }
 
+/// What a boundary reads: the smaller, the simpler.
+std::size_t size_of(const Candidate& candidate) {
+    switch (candidate.boundary.kind) {
+        case BoundaryKind::fixed:
+            return 0;
+        case BoundaryKind::nmbc:
+            return std::size_t(candidate.boundary.order) * std::size_t(candidate.boundary.stride);
+        default:
+            return candidate.steps;  // of history, or as many nodes
+    }
+}
+
+/// By cost, but among those that cannot be told from the cheapest the simplest comes first.
+void rank(std::vector<Candidate>& candidates) {
+    std::ranges::sort(candidates, {}, &Candidate::cost);
+    constexpr double told_apart = 1.05;
+    const double alike = told_apart * candidates.front().cost();
+    const auto end = std::ranges::find_if(
+        candidates, [alike](const Candidate& one) { return one.cost() > alike; });
+    std::stable_sort(candidates.begin(), end, [](const Candidate& one, const Candidate& other) {
+        return size_of(one) < size_of(other);
+    });
+}
+
 }  // namespace
 
 Advice advice_for(const Scene& scene, double tolerance) {
@@ -64,7 +88,7 @@ Advice advice_for(const Scene& scene, double tolerance) {
         throw SceneError(fmt::format("nothing meets the tolerance {:g}:{}", tolerance, reasons));
     }
     measure_costs(scene, candidates.meet);
-    std::ranges::sort(candidates.meet, {}, &Candidate::cost);
+    rank(candidates.meet);
     return {std::move(candidates.meet), std::move(candidates.left_out)};
 }
 

@@ -8,7 +8,7 @@
 namespace nmbcrun {
 
 struct Advice {
-    std::vector<Candidate> ranked;  ///< by cost, the cheapest first; not empty
+    std::vector<Candidate> ranked;  ///< by cost, of those within 5 % the simplest first; not empty
     std::vector<LeftOut> left_out;
 };
 
