@@ -25,7 +25,7 @@ struct Arrival {
 /// The waves on their way to an end that may get there in time.
 std::vector<Arrival> arrivals(const Outgoing& outgoing, nmbc::End end, std::size_t nodes) {
     const bool left = end == nmbc::End::left;
-    const double way = double(left ? outgoing.from_left : outgoing.from_right);
+    const auto way = double(left ? outgoing.from_left : outgoing.from_right);
     std::vector<Arrival> result;
     for (const WaveBand& band : outgoing.bands) {
         const bool forwards = left == band.is_backward;  // the phase goes right

@@ -75,6 +75,7 @@ void mark_front(std::vector<Point*> points, Cost cost, Error error, bool Point::
 
 void mark_fronts(std::vector<Point>& points) {
     std::vector<Point*> all;
+    all.reserve(points.size());
     for (Point& point : points) {
         all.push_back(&point);
     }
@@ -116,7 +117,7 @@ std::vector<Point> measure(const Scene& scene, const std::vector<Rung>& rungs,
             const bool is_exact = rungs[i].boundary.kind == BoundaryKind::exact;
             point.endurance = endure(own, is_exact ? point.trial.steps : endurance);
             work.done();
-            points.push_back(std::move(point));
+            points.push_back(point);
         }
     }
     mark_fronts(points);

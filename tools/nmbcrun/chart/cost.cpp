@@ -18,9 +18,9 @@ struct NoEnd {
         void after_kick(nmbc::Inwards<const double> /*u*/, nmbc::Inwards<double> /*v*/,
                         std::size_t /*step*/) override {}
     };
-    std::unique_ptr<nmbc::EndCondition<double>> make(
+    static std::unique_ptr<nmbc::EndCondition<double>> make(
         const nmbc::Lattice& /*lattice*/, const nmbc::ChainParameters& /*parameters*/,
-        std::type_identity<double> /*precision*/) const {
+        std::type_identity<double> /*precision*/) {
         return std::make_unique<Condition>();
     }
 };

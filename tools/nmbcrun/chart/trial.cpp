@@ -62,7 +62,10 @@ double relative_difference(const Samples& u, const Samples& v) {
     for (std::size_t sample = 0; sample < v.size(); ++sample) {
         for (std::size_t node = 0; node < v[sample].size(); ++node) {
             const double one = std::abs(u[sample][node] - v[sample][node]);
-            difference = std::isfinite(one) ? std::max(difference, one) : infinity;
+            if (!std::isfinite(one)) {
+                return infinity;
+            }
+            difference = std::max(difference, one);
             largest = std::max(largest, std::abs(v[sample][node]));
         }
     }
