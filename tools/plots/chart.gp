@@ -70,7 +70,7 @@ do for [kind in "svg png"] {
                         failed(strcol("fate"), column(error_column)) ? \
                         x(column("step_cost"), column("total_cost"), column("cfl")) : NaN): \
                        (clip(column(error_column))) \
-                 with points pointtype 2 linewidth 2 linecolor rgb word(colours, i) notitle, \
+                 with points pointtype 2 pointsize 1.3 linewidth 1.5 linecolor rgb word(colours, i) notitle, \
              ARG1 using (column(front_column) == 1 ? \
                         x(column("step_cost"), column("total_cost"), column("cfl")) : NaN): \
                        (clip(column(error_column))) \
