@@ -436,7 +436,7 @@ refuses 2 "/dev/zero: a scene has at most 32768 bytes" /dev/zero
 refuses 2 "is not a key of a scene" "$scene" --set "${deep:0:4094}a=1"
 refuses 2 "a key and its value have at most 4096 bytes" "$scene" --set "${deep:0:4096}=1"
 refuses 2 "a key and its value have at most 4096 bytes" "$scene" --set "title={${deep:0:4090}a=1}"
-refuses 2 "title must be a string in quotes, not { a = { a = " "$scene" --set "title={${deep:0:4080}a=1}"
+refuses 2 "title must be a string in quotes, not {a = {a = " "$scene" --set "title={${deep:0:4080}a=1}"
 expect "it is quoted in part" test "$(wc -c <"$scratch/stderr")" -lt 200
 
 # Files that cannot be written; a full disk is a limit of file size here.
@@ -532,5 +532,10 @@ expect "and to go on from, a checkpoint and a growing file" test "$(files_in res
 # The shortest run is one step.
 try run "$scene" --set time.end=1e-9
 expect_exit 0
+
+# An infinity deep in a value that is none.
+try run "$scene" --set 'model.horizon=[[1], {d = inf}]'
+expect_exit 2
+expect_stderr 'model.horizon must be a whole number from 1 to 1000, not [[1], {d = inf}]'
 
 finish
