@@ -533,6 +533,10 @@ expect "and to go on from, a checkpoint and a growing file" test "$(files_in res
 try run "$scene" --set time.end=1e-9
 expect_exit 0
 
+# A whole number that no double is.
+try run "$scene" --set material.youngs_modulus=9223372036854775807
+expect_exit 2
+expect_stderr 'material.youngs_modulus must be a positive number, not 9223372036854775807'
 # An infinity deep in a value that is none.
 try run "$scene" --set 'model.horizon=[[1], {d = inf}]'
 expect_exit 2

@@ -56,8 +56,9 @@ std::string text_of(const toml::node& node, int levels = 16) {
         }
         return "{" + text + "}";
     }
-    if (node.is_number()) {
-        return fmt::format("{}", *node.value<double>());  // 1 and 1.0 are the same number
+    // 1 and 1.0 are the same number, but not every whole number is a double.
+    if (const auto number = node.value<double>(); number && node.is_number()) {
+        return fmt::format("{}", *number);
     }
     std::ostringstream stream;
     node.visit([&stream](const auto& value) { stream << value; });
@@ -239,7 +240,7 @@ std::optional<std::string> SceneReader::number_or_text(std::string_view key) {
         fail(key, fmt::format("must be a number, or one as a string in quotes, not {}",
                               as_written(*node)));
     }
-    return fmt::format("{}", *node->value<double>());
+    return text_of(*node);
 }
 
 std::optional<bool> SceneReader::truth(std::string_view key) {
