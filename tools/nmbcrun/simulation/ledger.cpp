@@ -5,6 +5,17 @@
 #include <nmbc/energy.hpp>
 
 namespace nmbcrun {
+namespace {
+
+/// Without the zeros at both ends, of which squares that are not their own mirror image have some:
+/// so none reaches beyond the ghosts.
+void trim(std::vector<double>& stencil) {
+    const auto is_there = [](double entry) { return entry != 0; };
+    stencil.erase(std::find_if(stencil.rbegin(), stencil.rend(), is_there).base(), stencil.end());
+    stencil.erase(stencil.begin(), std::ranges::find_if(stencil, is_there));
+}
+
+}  // namespace
 
 Ledger::Ledger(const nmbc::Chain& chain)
     : squares_(chain.lattice().energy),
@@ -16,7 +27,7 @@ Ledger::Ledger(const nmbc::Chain& chain)
       kicked_(old_) {
     for (nmbc::Lattice::Square& square : squares_) {
         square.weight *= chain.parameters().youngs_modulus / chain.parameters().spacing;
-        reach_ = std::max(reach_, square.stencil.size() / 2);
+        trim(square.stencil);
     }
     totals_.start = energy(chain.displacement(), chain.velocity());
 }
@@ -63,8 +74,8 @@ void Ledger::enter(std::span<const double> u, std::span<const double> v) {
     totals_.work += work;
 
     const double half = time_step_ / 2;
-    double left = half * power(u, v, begin_ - reach_, begin_ + reach_, 0, begin_);
-    double right = half * power(u, v, end_ - reach_, end_ + reach_, end_, v.size());
+    double left = half * power(u, v, begin_, 0, begin_);
+    double right = half * power(u, v, end_, end_, v.size());
     for (std::size_t node = begin_; node < end_; ++node) {
         if (v[node] != kicked_[node]) {  // an end has corrected it
             (node - begin_ < end_ - 1 - node ? left : right) +=
@@ -76,17 +87,12 @@ void Ledger::enter(std::span<const double> u, std::span<const double> v) {
     std::ranges::copy(v, old_.begin());
 }
 
-double Ledger::power(std::span<const double> u, std::span<const double> v, std::size_t first_centre,
-                     std::size_t last_centre, std::size_t first, std::size_t last) const {
+double Ledger::power(std::span<const double> u, std::span<const double> v, std::size_t edge,
+                     std::size_t first, std::size_t last) const {
     double sum = 0;
     for (const auto& [part, weight, stencil] : squares_) {
-        const std::size_t half_width = stencil.size() / 2;
-        for (std::size_t centre = first_centre; centre < last_centre; ++centre) {
-            const std::size_t from = centre - half_width;
+        for (std::size_t from = edge + 1 - stencil.size(); from < edge; ++from) {
             const std::size_t to = from + stencil.size();
-            if (to <= begin_ || from >= end_) {
-                continue;  // a narrower square that no interior node takes part in
-            }
             double outside = 0;
             for (std::size_t i = std::max(from, first); i < std::min(to, last); ++i) {
                 outside += stencil[i - from] * (v[i] + old_[i]);
@@ -105,12 +111,9 @@ double Ledger::energy(std::span<const double> u, std::span<const double> v) cons
     }
     double potential = 0;
     for (const auto& [part, weight, stencil] : squares_) {
-        const std::size_t half_width = stencil.size() / 2;
-        for (std::size_t centre = begin_ - half_width; centre < end_ + half_width; ++centre) {
-            const double now =
-                nmbc::detail::apply(std::span<const double>(stencil), &u[centre - half_width]);
-            const double rate =
-                nmbc::detail::apply(std::span<const double>(stencil), &v[centre - half_width]);
+        for (std::size_t from = begin_ + 1 - stencil.size(); from < end_; ++from) {
+            const double now = nmbc::detail::apply(std::span<const double>(stencil), &u[from]);
+            const double rate = nmbc::detail::apply(std::span<const double>(stencil), &v[from]);
             potential += weight / 2 * now * (now - time_step_ * rate);
         }
     }

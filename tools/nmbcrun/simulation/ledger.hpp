@@ -70,14 +70,14 @@ class Ledger {
     void find_driven(std::span<const double> v);
     void enter(std::span<const double> u, std::span<const double> v);
     double energy(std::span<const double> u, std::span<const double> v) const;
-    /// sum_i F_i (v_i + old v_i) over the nodes from `first` to `last`-1, all outside, of squares
-    /// whose centres are from `first_centre` to `last_centre`-1.
-    double power(std::span<const double> u, std::span<const double> v, std::size_t first_centre,
-                 std::size_t last_centre, std::size_t first, std::size_t last) const;
+    /// sum_i F_i (v_i + old v_i) over the nodes from `first` to `last`-1, all outside, of the
+    /// squares that have a node before `edge` and one from there on.
+    double power(std::span<const double> u, std::span<const double> v, std::size_t edge,
+                 std::size_t first, std::size_t last) const;
 
-    std::vector<nmbc::Lattice::Square> squares_;  // weights in the user's units
-    std::size_t reach_ = 0;                       // of the widest square, to each side
-    std::size_t begin_;                           // of the interior
+    /// Weights in the user's units; stencils from the first entry that is not 0 to the last.
+    std::vector<nmbc::Lattice::Square> squares_;
+    std::size_t begin_;  // of the interior
     std::size_t end_;
     double mass_;  // rho dX
     double time_step_;
