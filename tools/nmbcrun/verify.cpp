@@ -108,7 +108,7 @@ void print_reflections(const Simulation& simulation, const nmbc::Chain& endless)
 
 bool verify(const Scene& scene, double tolerance, bool quiet) {
     Simulation simulation(scene);
-    Simulation reference(endless(simulation));
+    Simulation reference(endless(scene, simulation.plan().time_step));
     if (!quiet) {
         fmt::print("scene      {}\n", scene.title);
         fmt::print("ends       {}; {}\n", heading_of(scene.left), heading_of(scene.right));

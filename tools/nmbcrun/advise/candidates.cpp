@@ -43,7 +43,7 @@ class Search {
     Search(const Scene& scene, double tolerance)
         : scene_(scene),
           tolerance_(tolerance),
-          lattice_(nmbc::make_lattice(table_of(scene, {.kind = BoundaryKind::fixed}), scene.G)),
+          lattice_(lattice_of(scene)),
           omega_max_(nmbc::maximum_frequency(lattice_)),
           unit_(scene.spacing / std::sqrt(scene.youngs_modulus / scene.density)),
           outgoing_(outgoing_waves(scene, given_cfl().value_or(probing_cfl))),

@@ -8,22 +8,16 @@
 #include <span>
 
 #include "tools/nmbcrun/compare/reference.hpp"
+#include "tools/nmbcrun/compare/spectrum.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
+#include "tools/nmbcrun/simulation/tables.hpp"
+#include "tools/nmbcrun/simulation/time_step.hpp"
 
 namespace nmbcrun {
 namespace {
 
 constexpr std::size_t band_count = 2048;
 constexpr double moves = 1e-13;  // of the largest |u|: what less reaches an end is a rounding
-
-std::complex<double> fourier_sum(std::span<const double> field, double xi) {
-    const std::complex<double> factor = std::polar(1.0, -xi);
-    std::complex<double> sum = 0;
-    for (std::size_t j = field.size(); j-- > 0;) {  // Horner
-        sum = sum * factor + field[j];
-    }
-    return sum;
-}
 
 /// d(omega)/d(xi), signed.
 double group_velocity(const nmbc::Lattice& lattice, double xi, double omega) {
@@ -54,12 +48,8 @@ double angle_of_step(double omega, double time_step) {
 }
 
 Outgoing outgoing_waves(const Scene& scene, double cfl) {
-    Scene fixed = scene;
-    fixed.left = {.kind = BoundaryKind::fixed};
-    fixed.right = fixed.left;
-    fixed.step.reset();
-    fixed.cfl = cfl;
-    Simulation simulation(endless(Simulation(fixed)));
+    const double time_step = 2 * cfl / highest_frequency(scene, lattice_of(scene));
+    Simulation simulation(endless(scene, time_step));
     const nmbc::Chain& chain = simulation.chain();
     const nmbc::ChainParameters& p = chain.parameters();
     const double unit = p.spacing / p.wave_speed();

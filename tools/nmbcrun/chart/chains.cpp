@@ -7,7 +7,7 @@ namespace nmbcrun {
 
 nmbc::Chain chain_between(const Scene& scene, const nmbc::ChainEnd& left,
                           const nmbc::ChainEnd& right) {
-    return {nmbc::make_lattice(table_of(scene, {.kind = BoundaryKind::fixed}), scene.G),
+    return {lattice_of(scene),
             left,
             right,
             {.nodes = scene.nodes,

@@ -169,8 +169,7 @@ void print(const std::vector<Point>& points, std::size_t endurance) {
 
 void chart(const Scene& scene, const std::filesystem::path& folder, std::size_t endurance,
            bool quiet) {
-    const auto lattice =
-        nmbc::make_lattice(table_of(scene, {.kind = BoundaryKind::fixed}), scene.G);
+    const auto lattice = lattice_of(scene);
     std::vector<double> steps;
     std::ranges::copy_if(cfls, std::back_inserter(steps),
                          [&](double cfl) { return cfl <= nmbc::interior_cfl(lattice); });

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nmbc/lattice.hpp>
 
-#include "tools/nmbcrun/chart/ladder.hpp"
 #include "tools/nmbcrun/compare/reference.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
+#include "tools/nmbcrun/simulation/time_step.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -40,10 +39,7 @@ Samples run_sampled(Simulation& simulation, Look look) {
 }  // namespace
 
 Scene in_steps_of(Scene scene, double cfl) {
-    const auto lattice =
-        nmbc::make_lattice(table_of(scene, {.kind = BoundaryKind::fixed}), scene.G);
-    const double omega_max = nmbc::maximum_frequency(lattice) *
-                             std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
+    const double omega_max = highest_frequency(scene, lattice_of(scene));
     const double part = scene.end / double(sample_count);
     const double steps = std::ceil(part * omega_max / (2 * cfl) * (1 - 1e-12));
     scene.step = part / steps;
@@ -52,7 +48,7 @@ Scene in_steps_of(Scene scene, double cfl) {
 }
 
 Samples samples_without_ends(const Scene& scene) {
-    Simulation simulation(endless(Simulation(with_ends(scene, {.kind = BoundaryKind::fixed}))));
+    Simulation simulation(endless(scene, scene.step.value()));
     return run_sampled(simulation, [](const Simulation&) {});
 }
 

@@ -7,9 +7,8 @@
 
 namespace nmbcrun {
 
-Scene endless(const Simulation& simulation) {
-    Scene scene = simulation.scene();
-    scene.step = simulation.plan().time_step;
+Scene endless(Scene scene, double time_step) {
+    scene.step = time_step;
     scene.cfl.reset();
     scene.left = {.kind = BoundaryKind::extended};
     scene.right = scene.left;

@@ -9,9 +9,9 @@
 
 namespace nmbcrun {
 
-/// The scene of a simulation, in the same time steps, with both ends so far away that nothing
-/// returns from them.
-Scene endless(const Simulation& simulation);
+/// The scene in steps of time_step [time], with both ends so far away that nothing returns from
+/// them.
+Scene endless(Scene scene, double time_step);
 
 /// Interior displacements of a chain.
 std::span<const double> interior(const nmbc::Chain& chain);

@@ -3,24 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <nmbc/lattice.hpp>
 #include <numbers>
 
 namespace nmbcrun {
-namespace {
 
-/// sum_j field_j exp(-i xi j), squared.
-double fourier_sum_squared(std::span<const double> field, double xi) {
+std::complex<double> fourier_sum(std::span<const double> field, double xi) {
     const std::complex<double> factor = std::polar(1.0, -xi);
     std::complex<double> sum = 0;
     for (std::size_t j = field.size(); j-- > 0;) {  // Horner
         sum = sum * factor + field[j];
     }
-    return std::norm(sum);
+    return sum;
 }
-
-}  // namespace
 
 Spectrum::Spectrum(const nmbc::Chain& chain, std::size_t parts) : shares_(parts) {
     const nmbc::ChainParameters& p = chain.parameters();
@@ -30,8 +25,8 @@ Spectrum::Spectrum(const nmbc::Chain& chain, std::size_t parts) : shares_(parts)
         const double xi = wave_number(part);
         const double squared =
             rate * rate * std::max(nmbc::omega_squared(chain.lattice(), xi), 0.0);
-        shares_[part] = fourier_sum_squared(chain.velocity(), xi) +
-                        squared * fourier_sum_squared(chain.displacement(), xi);
+        shares_[part] = std::norm(fourier_sum(chain.velocity(), xi)) +
+                        squared * std::norm(fourier_sum(chain.displacement(), xi));
         sum += shares_[part];
     }
     for (double& share : shares_) {

@@ -2,10 +2,15 @@
 /// How the energy of a field is spread over wave numbers.
 #pragma once
 
+#include <complex>
 #include <nmbc/chain.hpp>
+#include <span>
 #include <vector>
 
 namespace nmbcrun {
+
+/// sum_j field_j exp(-i xi j), j counted from 0.
+std::complex<double> fourier_sum(std::span<const double> field, double xi);
 
 /// Energy of a field in equal parts of 0 .. pi, as shares of 1; all 0 where there is no energy.
 class Spectrum {

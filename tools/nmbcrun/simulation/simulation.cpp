@@ -29,8 +29,7 @@ void require_room(const Scene& scene) {
 
 Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
     require_room(scene);
-    const double omega_max = nmbc::maximum_frequency(lattice) *
-                             std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
+    const double omega_max = highest_frequency(scene, lattice);
     const auto automatic =
         scene.step || scene.cfl ? AutomaticStep{} : automatic_step(scene, lattice, omega_max);
     const double time_step =

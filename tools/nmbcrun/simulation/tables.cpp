@@ -76,4 +76,8 @@ const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary
         what_there_is(scene)));
 }
 
+nmbc::Lattice lattice_of(const Scene& scene) {
+    return nmbc::make_lattice(table_of(scene, {.kind = BoundaryKind::fixed}), scene.G);
+}
+
 }  // namespace nmbcrun

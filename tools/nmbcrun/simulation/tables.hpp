@@ -2,6 +2,7 @@
 /// The table of a scene's end among the committed ones.
 #pragma once
 
+#include <nmbc/lattice.hpp>
 #include <nmbc/table.hpp>
 
 #include "tools/nmbcrun/scene/scene.hpp"
@@ -13,5 +14,8 @@ namespace nmbcrun {
 /// or says which there are, where there is none, and where the scene has a G and the family has no
 /// stabilisation.
 const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary);
+
+/// The scene's lattice. Throws as above.
+nmbc::Lattice lattice_of(const Scene& scene);
 
 }  // namespace nmbcrun

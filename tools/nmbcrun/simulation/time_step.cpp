@@ -82,6 +82,11 @@ std::optional<AutomaticStep> matched_step(const Scene& scene, const nmbc::Lattic
 
 }  // namespace
 
+double highest_frequency(const Scene& scene, const nmbc::Lattice& lattice) {
+    return nmbc::maximum_frequency(lattice) * std::sqrt(scene.youngs_modulus / scene.density) /
+           scene.spacing;
+}
+
 void require_matched(const Scene& scene, double time_step) {
     const double unit = scene.spacing / std::sqrt(scene.youngs_modulus / scene.density);
     for (const Boundary* boundary : {&scene.left, &scene.right}) {

@@ -10,6 +10,9 @@
 
 namespace nmbcrun {
 
+/// The top of the band of a scene's lattice, in the scene's units [1/time].
+double highest_frequency(const Scene& scene, const nmbc::Lattice& lattice);
+
 struct AutomaticStep {
     double cfl = 0;       ///< dt omega_max / 2
     std::string limit{};  ///< what does not allow a longer one, in words
