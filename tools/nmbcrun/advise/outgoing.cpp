@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "tools/nmbcrun/compare/packet.hpp"
 #include "tools/nmbcrun/compare/reference.hpp"
 #include "tools/nmbcrun/compare/spectrum.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
@@ -18,15 +19,6 @@ namespace {
 
 constexpr std::size_t band_count = 2048;
 constexpr double moves = 1e-13;  // of the largest |u|: what less reaches an end is a rounding
-
-/// d(omega)/d(xi), signed.
-double group_velocity(const nmbc::Lattice& lattice, double xi, double omega) {
-    double slope = 0;  // of omega^2
-    for (std::size_t m = 1; m < lattice.symbol.size(); ++m) {
-        slope -= 2 * double(m) * lattice.symbol[m] * std::sin(double(m) * xi);
-    }
-    return slope / (2 * omega);
-}
 
 /// u^k and u^{k-1} as waves a exp(i(xi x - theta k)) + b exp(i(xi x + theta k)): a and b.
 struct TwoWaves {
@@ -76,7 +68,7 @@ Outgoing outgoing_waves(const Scene& scene, double cfl) {
         if (std::sin(theta) < 1e-6) {
             continue;  // stands still
         }
-        const double velocity = group_velocity(chain.lattice(), xi, omega);
+        const double velocity = group_velocity(chain.lattice(), xi, 0);
         const TwoWaves waves = two_waves(fourier_sum(u, xi), fourier_sum(before, xi), theta);
         // u(x) = 1/(2 pi) integral over -pi .. pi, and real: Re of twice the half above 0.
         const auto from_first_interior =

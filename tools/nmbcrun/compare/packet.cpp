@@ -25,7 +25,8 @@ double width_about(double middle) {
     return std::max(30.0, 1.1 * half_count / per_sigma / middle);
 }
 
-/// omega' of the lattice in steps of dt, by xi.
+}  // namespace
+
 double group_velocity(const nmbc::Lattice& lattice, double xi, double time_step) {
     double slope = 0;  // of omega^2
     for (std::size_t m = 1; m < lattice.symbol.size(); ++m) {
@@ -35,8 +36,6 @@ double group_velocity(const nmbc::Lattice& lattice, double xi, double time_step)
     const double cosine = std::sqrt(std::max(1 - squared * time_step * time_step / 4, 1e-12));
     return squared > 0 ? slope / (2 * std::sqrt(squared)) / cosine : 0;
 }
-
-}  // namespace
 
 double Wave::energy() const {
     return std::pow(amplitude * omega * std::cos(half_angle), 2);

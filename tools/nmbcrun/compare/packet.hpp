@@ -8,6 +8,10 @@
 
 namespace nmbcrun {
 
+/// d(omega')/d(xi) [c], signed, omega' what leapfrog in steps of time_step [dX/c] makes of omega;
+/// 0: in continuous time. 0 where omega is.
+double group_velocity(const nmbc::Lattice& lattice, double xi, double time_step);
+
 /// One wave of a packet, Re amplitude exp i(xi x + theta t/dt), xi signed so that it travels to the
 /// left. Units dX = c = 1.
 struct Wave {
