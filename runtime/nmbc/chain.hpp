@@ -49,8 +49,10 @@ class BasicChain {
             throw std::invalid_argument("the chain needs at least " + std::to_string(least) +
                                         " interior nodes for these ends");
         }
-        displacement_.resize(nodes(), 0);
-        velocity_.resize(nodes(), 0);
+        const std::size_t second = detail::second_field<Real>(nodes());
+        memory_.resize(second + nodes(), 0);
+        displacement_ = std::span(memory_).first(nodes());
+        velocity_ = std::span(memory_).subspan(second);
         if (is_damped()) {
             braking_.resize(nodes(), 0);
             damped_.resize(nodes(), 0);
@@ -149,7 +151,7 @@ class BasicChain {
 
     ChainState<Real> state() const {
         const auto copy = [](auto values) { return std::vector(values.begin(), values.end()); };
-        return {steps_,  displacement_,         velocity_,
+        return {steps_,  copy(displacement_),   copy(velocity_),
                 damped_, copy(left_->memory()), copy(right_->memory())};
     }
 
@@ -162,8 +164,8 @@ class BasicChain {
             throw std::invalid_argument("the stored state is that of another chain");
         }
         steps_ = state.steps;
-        displacement_ = state.displacement;
-        velocity_ = state.velocity;
+        std::ranges::copy(state.displacement, displacement_.begin());
+        std::ranges::copy(state.velocity, velocity_.begin());
         damped_ = state.damped;
         left_->remember(state.left);
         right_->remember(state.right);
@@ -198,7 +200,7 @@ class BasicChain {
         return p;
     }
 
-    std::span<Real> to_be_written(std::vector<Real>& field) {
+    std::span<Real> to_be_written(std::span<Real> field) {
         is_written_to_ = true;
         return field;
     }
@@ -295,8 +297,9 @@ class BasicChain {
     std::unique_ptr<EndCondition<Real>> right_;
     std::unique_ptr<const detail::Kick<Real>> force_;  // of one time step
     std::unique_ptr<const detail::Kick<Real>> brake_;  // of the damping; none where undamped
-    std::vector<Real> displacement_;
-    std::vector<Real> velocity_;
+    std::vector<Real> memory_;                         // of the two fields
+    std::span<Real> displacement_;
+    std::span<Real> velocity_;
     std::vector<Real> braking_;  // what the damping changes v by in this step; empty where undamped
     std::vector<double> damped_;
     std::size_t steps_ = 0;

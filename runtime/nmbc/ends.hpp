@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The ends of the runtime: a matching boundary, and two that keep the energy.
+/// The ends of the runtime: a matching boundary, two that keep the energy, and one that does
+/// nothing.
 #pragma once
 
 #include <cstddef>
@@ -83,6 +84,13 @@ class FreeCondition final : public EndCondition<Real> {
     std::size_t ghosts_;
 };
 
+template <class Real>
+class IdleCondition final : public EndCondition<Real> {
+  public:
+    void after_kick(Inwards<const Real> /*u*/, Inwards<Real> /*v*/, std::size_t /*step*/) override {
+    }
+};
+
 }  // namespace detail
 
 /// (60) on every ghost layer.
@@ -132,6 +140,17 @@ struct FreeEnd {
     std::unique_ptr<EndCondition<Real>> make(const Lattice& lattice, const ChainParameters& /*p*/,
                                              std::type_identity<Real> /*precision*/) const {
         return std::make_unique<detail::FreeCondition<Real>>(lattice.reach());
+    }
+};
+
+/// The ghosts go on as they are, with whatever velocity they have: the least that an end can cost,
+/// for others to be measured against.
+struct IdleEnd {
+    template <class Real>
+    std::unique_ptr<EndCondition<Real>> make(const Lattice& /*lattice*/,
+                                             const ChainParameters& /*p*/,
+                                             std::type_identity<Real> /*precision*/) const {
+        return std::make_unique<detail::IdleCondition<Real>>();
     }
 };
 

@@ -11,25 +11,24 @@ namespace nmbc {
 enum class End { left, right };
 
 /// Entries of a field counted inwards from an end: 0 is the outermost ghost node there. The same
-/// code then does for both ends.
+/// code then does for both ends. It does not know the field's size: an object of two members is
+/// passed in registers, and a larger one through memory, which takes longer than most ends.
 template <class Value>
 class Inwards {
   public:
     Inwards(std::span<Value> field, End end)
         : first_(field.data() + (end == End::left || field.empty() ? 0 : field.size() - 1)),
-          step_(end == End::left ? 1 : -1),
-          size_(field.size()) {}
+          step_(end == End::left ? 1 : -1) {}
 
     /// Of entries that may be written, those that may only be read.
     template <class Writable>
     requires(std::is_same_v<const Writable, Value> && !std::is_same_v<Writable, Value>)
         Inwards(const Inwards<Writable>& other)  // NOLINT(google-explicit-constructor): as in span
-        : first_(&other[0]), step_(other.step_), size_(other.size()) {}
+        : first_(&other[0]), step_(other.step_) {}
 
     Value& operator[](std::size_t j) const {
         return first_[step_ * static_cast<std::ptrdiff_t>(j)];
     }
-    std::size_t size() const { return size_; }
 
   private:
     template <class Other>
@@ -37,7 +36,6 @@ class Inwards {
 
     Value* first_;
     std::ptrdiff_t step_;
-    std::size_t size_;
 };
 
 }  // namespace nmbc

@@ -69,6 +69,15 @@ class AnyReachStencil {
     std::span<const Real> constants_;
 };
 
+/// Where the second of two fields of so many nodes begins, in entries from the first: half a page
+/// and whole pages on. Processors take a load for one of what was just stored whole pages away,
+/// and wait.
+template <class Real>
+std::size_t second_field(std::size_t nodes) {
+    constexpr std::size_t page = 4096 / sizeof(Real);
+    return (nodes + page / 2 - 1) / page * page + page / 2;
+}
+
 /// Nodes of a block that is drifted and then kicked: in a cache of first level, and short enough
 /// for a processor to fetch the next one from memory while it works on this one.
 inline constexpr std::size_t block_nodes = 192;

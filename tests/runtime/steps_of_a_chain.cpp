@@ -3,28 +3,11 @@
 /// Usage: steps_of_a_chain double|float HORIZON ORDER STEPS; order 0: ends that do nothing
 #include <cstdlib>
 #include <iostream>
-#include <memory>
 #include <nmbc/nmbc.hpp>
 #include <nmbc/tables/tables.hpp>
 #include <string>
-#include <type_traits>
 
 namespace {
-
-struct NoEnd {
-    template <class Real>
-    class Condition final : public nmbc::EndCondition<Real> {
-        void after_kick(nmbc::Inwards<const Real> /*u*/, nmbc::Inwards<Real> /*v*/,
-                        std::size_t /*step*/) override {}
-    };
-
-    template <class Real>
-    std::unique_ptr<nmbc::EndCondition<Real>> make(const nmbc::Lattice& /*lattice*/,
-                                                   const nmbc::ChainParameters& /*p*/,
-                                                   std::type_identity<Real> /*precision*/) const {
-        return std::make_unique<Condition<Real>>();
-    }
-};
 
 template <class Real>
 void run(int horizon, int order, std::size_t steps) {
@@ -34,7 +17,7 @@ void run(int horizon, int order, std::size_t steps) {
     if (table == nullptr) {
         throw std::runtime_error("no such table");
     }
-    nmbc::BasicChainEnd<Real> end = NoEnd{};
+    nmbc::BasicChainEnd<Real> end = nmbc::IdleEnd{};
     if (order > 0) {
         end = nmbc::MatchingEnd{nmbc::boundary_coefficients(*table, G, nmbc::allow_unstable)};
     }

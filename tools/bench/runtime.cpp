@@ -8,13 +8,11 @@
 #include <cstddef>
 #include <ctime>
 #include <limits>
-#include <memory>
 #include <nmbc/nmbc.hpp>
 #include <nmbc/tables/tables.hpp>
 #include <random>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,22 +28,6 @@ const nmbc::MatchingTable& table_of(int horizon, int order) {
     }
     return *table;
 }
-
-/// The cheapest end there can be: its ghosts stay at rest.
-struct NoEnd {
-    template <class Real>
-    class Condition final : public nmbc::EndCondition<Real> {
-        void after_kick(nmbc::Inwards<const Real> /*u*/, nmbc::Inwards<Real> /*v*/,
-                        std::size_t /*step*/) override {}
-    };
-
-    template <class Real>
-    std::unique_ptr<nmbc::EndCondition<Real>> make(const nmbc::Lattice& /*lattice*/,
-                                                   const nmbc::ChainParameters& /*p*/,
-                                                   std::type_identity<Real> /*precision*/) const {
-        return std::make_unique<Condition<Real>>();
-    }
-};
 
 /// A chain that is nowhere at rest: numbers so small that they have few digits are slow.
 template <class Real>
@@ -105,7 +87,7 @@ std::pair<double, double> compare(benchmark::State& state, const Clock& clock, c
 template <class Real>
 void memory(benchmark::State& state, int horizon) {
     constexpr std::size_t steps = 4;
-    auto chain = moving_chain<Real>(horizon, memory_nodes, NoEnd{});
+    auto chain = moving_chain<Real>(horizon, memory_nodes, nmbc::IdleEnd{});
     std::vector<Real> a(memory_nodes);
     std::vector<Real> b(memory_nodes, 1);
     std::vector<Real> c(memory_nodes, 2);
@@ -127,7 +109,7 @@ void memory(benchmark::State& state, int horizon) {
 template <class Real>
 void cache(benchmark::State& state, int horizon, std::size_t nodes) {
     const std::size_t steps = 2'000'000 / nodes;
-    auto chain = moving_chain<Real>(horizon, nodes, NoEnd{});
+    auto chain = moving_chain<Real>(horizon, nodes, nmbc::IdleEnd{});
     const auto [time, quotient] = compare(
         state, processor_seconds, [&] { chain.advance(steps); },
         [&] {
@@ -161,7 +143,7 @@ void boundary(benchmark::State& state, int horizon, int order) {
     std::vector<double> without;
     for ([[maybe_unused]] auto _ : state) {
         with.push_back(time_of(matching));
-        without.push_back(time_of(NoEnd{}));
+        without.push_back(time_of(nmbc::IdleEnd{}));
         state.SetIterationTime(with.back());
     }
     state.counters["step_ns"] = 1e9 * median(with) / steps;
@@ -177,7 +159,7 @@ double wall_seconds() {
 /// As many threads as there are beside one.
 void threads(benchmark::State& state, std::size_t nodes) {
     const std::size_t steps = std::max<std::size_t>(20'000'000 / nodes, 2);
-    auto chain = moving_chain<double>(1, nodes, NoEnd{});
+    auto chain = moving_chain<double>(1, nodes, nmbc::IdleEnd{});
     const auto advance_threaded_from = [&](std::size_t least) {
         nmbc::detail::threaded_nodes = least;
         chain.advance(steps);

@@ -5,25 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <nmbc/chain.hpp>
+#include <nmbc/ends.hpp>
 
 #include "tools/nmbcrun/chart/chains.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 
 namespace nmbcrun {
 namespace {
-
-/// Leaves its ghosts as they are: what a step costs without an end.
-struct NoEnd {
-    class Condition final : public nmbc::EndCondition<double> {
-        void after_kick(nmbc::Inwards<const double> /*u*/, nmbc::Inwards<double> /*v*/,
-                        std::size_t /*step*/) override {}
-    };
-    static std::unique_ptr<nmbc::EndCondition<double>> make(
-        const nmbc::Lattice& /*lattice*/, const nmbc::ChainParameters& /*parameters*/,
-        std::type_identity<double> /*precision*/) {
-        return std::make_unique<Condition>();
-    }
-};
 
 /// A field that is nowhere near the smallest doubles, which are slow, and 0 where an exact end
 /// wants it to be. Too few steps follow for it to fade, or to grow beyond all doubles.
@@ -62,7 +50,7 @@ std::vector<double> relative_costs(const std::vector<Scene>& scenes,
     constexpr double node_steps = 5e4;
     const auto steps =
         std::size_t(std::max(10.0, std::ceil(node_steps / double(scenes.front().nodes))));
-    nmbc::Chain bare = chain_between(scenes.front(), NoEnd{}, NoEnd{});
+    nmbc::Chain bare = chain_between(scenes.front(), nmbc::IdleEnd{}, nmbc::IdleEnd{});
     std::vector<nmbc::Chain> chains;
     chains.reserve(scenes.size());
     for (Scene scene : scenes) {

@@ -23,6 +23,7 @@ class ExactCondition final : public nmbc::EndCondition<double> {
         : convolution_(std::move(convolution)),
           time_step_(p.time_step),
           unit_of_time_(p.spacing / p.wave_speed()),
+          interior_nodes_(p.nodes),
           near_(convolution_.inputs()),
           ghosts_(convolution_.reach()) {}
 
@@ -60,7 +61,7 @@ class ExactCondition final : public nmbc::EndCondition<double> {
             return std::max(std::abs(u[node]), std::abs(v[node]) * unit_of_time_);
         };
         double largest = 0;
-        for (std::size_t node = 0; node < u.size(); ++node) {
+        for (std::size_t node = 0; node < convolution_.reach() + interior_nodes_; ++node) {
             largest = std::max(largest, size_at(node));
         }
         constexpr double negligible = 1e-12;  // what the kernel is right to
@@ -79,6 +80,7 @@ class ExactCondition final : public nmbc::EndCondition<double> {
     OnlineConvolution convolution_;
     double time_step_;
     double unit_of_time_;  // dX/c
+    std::size_t interior_nodes_;
     std::vector<double> near_;
     std::vector<double> ghosts_;
 };
