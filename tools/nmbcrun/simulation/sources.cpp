@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/simulation/sources.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -128,10 +126,6 @@ bool Sources::is_driven(double time) const {
 
 std::string Sources::why_no_energy() const {
     std::string why;
-    if (scene_.drive) {
-        why = fmt::format("the time step of {:.6g} is too long for drive.duration = {:.6g}, or ",
-                          time_step_, scene_.drive->duration);
-    }
     if (scene_.force || scene_.incoming) {
         why += "a force or an incoming wave acts at no time of the run, or ";
     }
