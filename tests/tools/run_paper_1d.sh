@@ -54,6 +54,12 @@ try "${bare[@]}" --tables fig5
 expect_exit 0
 expect_no_stderr
 expect "a table" grep -q 'dX' "$scratch/stdout"
+if [ -e /dev/full ]; then
+    code=0
+    "$program" "${bare[@]}" --tables fig5 >/dev/full 2>"$scratch/stderr" || code=$?
+    expect_exit 5
+    expect_stderr "paper-1d: the table of fig5 could not be written"
+fi
 expect "no pictures" test -z "$(find results -name '*.svg' -o -name '*.png')"
 rm -r results
 

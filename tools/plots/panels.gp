@@ -68,9 +68,7 @@ set linetype 6 linecolor "#56b4e9" linewidth thickness
 set linetype 7 linecolor "#000000" linewidth thickness
 set key Left reverse samplen 2
 if (panels > 1) {
-    if (ARG1 ne "profile") {
-        set ytics 100
-    }
+    set ytics 100
     if (ARG1 eq "energy") {
         set xtics 20
     }
