@@ -98,7 +98,7 @@ awk '/^## table2/ { skip = 1 } /^## spacetime/ { skip = 0 } /^\|/ && !skip' "$sc
 expect "seven tables" test "$(grep -c '^|:--' tables)" -eq 7
 fig7=$(grep -A 6 '^| horizon |.*one such end' tables)
 expect "the tables of the document" diff <(cat tables - <<<"$fig7") printed
-expect "the chain of atoms with explicit ghosts" grep -q '^energy left  1.096e-05 ' "$scratch/stdout"
+expect "the chain of atoms with explicit ghosts" grep -q '^energy left  1.073e-05 ' "$scratch/stdout"
 expect "that is what the document has" grep -qF 'leaves 1.1e-05.' "$document"
 for figure in fig5 fig6 fig7 fig8 fig9 fig10 fig11; do
     expect_picture "docs/images/paper-1d/$figure.svg" "$source"
@@ -126,7 +126,7 @@ grows() { # SETTING..
     try run "$source/tools/scenes/fig11.toml" --quiet --out long --set model.horizon=2 \
         --set boundary.allow_unstable=true "${settings[@]}"
     expect_exit 4
-    expect_stderr "the energy has grown to 10 times its peak"
+    expect_stderr "the energy has grown to 10"
 }
 grows model.G=2 time.end=500
 grows model.G=6 boundary.order=1 time.end=5000

@@ -19,8 +19,11 @@ BEGIN {
         v[1] += dt * E / 4 * (of_0 * u[0] + of_1 * u[1] + of_2 * u[2] + u[3])
         v[nodes] += dt * E / 4 * (of_0 * u[last] + of_1 * u[nodes] + of_2 * u[nodes - 1] + u[nodes - 2])
         t = step * dt
+        # dt divides the duration: let go from rest, half a step of acceleration, v before it about 0
         if (t < duration + dt / 2)
             for (i = 248; i <= 252; i++) v[i] = (0.0025 * (1 - cos(pi * t / duration)) - u[i]) / dt
+        else if (t < duration + 1.5 * dt)
+            for (i = 248; i <= 252; i++) v[i] /= 2
         # (58), both sides at the middle of the step
         v[0] = (2 * c * (u[1] + dt / 2 * v[1] - u[0]) - v[1]) / (1 + c * dt)
         v[last] = (2 * c * (u[nodes] + dt / 2 * v[nodes] - u[last]) - v[nodes]) / (1 + c * dt)
