@@ -34,7 +34,7 @@ struct BackgroundEnd {
 
     std::unique_ptr<nmbc::EndCondition<double>> make(const nmbc::Lattice& lattice,
                                                      const nmbc::ChainParameters& parameters,
-                                                     std::type_identity<double>) const;
+                                                     std::type_identity<double> precision) const;
 };
 
 }  // namespace nmbcrun
