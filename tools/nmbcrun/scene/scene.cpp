@@ -14,6 +14,7 @@
 
 #include "generator/exact/rational.hpp"
 #include "tools/nmbcrun/scene/read_choice.hpp"
+#include "tools/nmbcrun/scene/read_influence.hpp"
 #include "tools/nmbcrun/scene/read_sources.hpp"
 #include "tools/nmbcrun/scene/scene_reader.hpp"
 
@@ -232,7 +233,11 @@ Overrides split_settings(const std::vector<std::string>& settings) {
 }
 
 Scene read_scene(const std::string& path, const Overrides& overrides) {
-    return read_scene_text(read_text(path), path, overrides);
+    Scene scene = read_scene_text(read_text(path), path, overrides);
+    for (const std::filesystem::path& file : scene.table_files) {
+        scene.own_tables.push_back(std::make_shared<const TableFile>(file));
+    }
+    return scene;
 }
 
 Scene read_scene_text(const std::string& text, const std::string& path,
@@ -245,6 +250,10 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     scene.horizon = read_horizon(reader, scene.family);
     scene.G = read_G(reader).value_or(scene.G);
     scene.tau = read_exact(reader, "model.damping").value_or(scene.tau);
+    scene.weights = read_influence(reader, scene.horizon);
+    for (const std::string& file : reader.texts("model.tables")) {
+        scene.table_files.push_back(std::filesystem::path(path).parent_path() / file);
+    }
     scene.density = reader.number("material.density", positive).value_or(scene.density);
     scene.youngs_modulus =
         reader.number("material.youngs_modulus", positive).value_or(scene.youngs_modulus);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nmbc/certificate.hpp>
-#include <nmbc/tables/tables.hpp>
 #include <optional>
 
 #include "tools/nmbcrun/errors.hpp"
@@ -43,11 +42,16 @@ AutomaticStep certified_with_their_like(const Scene& scene, const nmbc::Lattice&
         const nmbc::MatchingTable& table = table_of(scene, *boundary);
         const double cfl = nmbc::certified_cfl(table, scene.G, boundary->ghosts);
         if (cfl == 0) {
+            const TableFile* uncertified = uncertified_file(scene, table);
             throw Unstable(fmt::format(
-                "no time step is certified for {} at G = {}: {}{}. {}", heading_of(*boundary),
+                "no time step is certified for {} at G = {}: {}{}{}. {}", heading_of(*boundary),
                 scene.G,
+                uncertified == nullptr ? ""
+                                       : fmt::format("its table, in {}, was written with "
+                                                     "--uncertified; ",
+                                                     uncertified->name()),
                 boundary->ghosts == nmbc::GhostRule::midpoint ? "" : "with midpoint ghosts, ",
-                nmbc::certified_choices(table, scene.G, nmbc::generated::tables),
+                nmbc::certified_choices(table, scene.G, tables_of(scene)),
                 is_matched(*boundary) ? to_try_its_own : to_try_one));
         }
         if (cfl < step.cfl) {
