@@ -41,7 +41,7 @@ std::vector<Rung> ladder(const Scene& scene) {
                 {fmt::format("{} {}", name_of(kind), layer), {.kind = kind, .layer = layer}});
         }
     }
-    if (scene.family == "nopd1d" && !is_damped(scene)) {
+    if (scene.family == "nopd1d" && scene.weights.empty() && !is_damped(scene)) {
         rungs.push_back({"mbc 1", {.kind = BoundaryKind::mbc, .order = 1}});
     }
     rungs.push_back({"extended", {.kind = BoundaryKind::extended}});

@@ -11,6 +11,7 @@
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/simulation/certificate.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
+#include "tools/nmbcrun/simulation/silent_layer.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
 #include "tools/nmbcrun/simulation/time_scale.hpp"
 
@@ -25,7 +26,8 @@ bool is_matched(const Boundary& boundary) {
     return takes_table(boundary.kind) && boundary.matched_step != "0";
 }
 
-/// The least of what each end's table is certified for with its like.
+/// The least of what each end's table is certified for with its like, where anything comes back
+/// from the other end.
 AutomaticStep certified_with_their_like(const Scene& scene, const nmbc::Lattice& lattice) {
     // Fixed and free ends by themselves: just below the interior's own limit.
     AutomaticStep step{0.99 * nmbc::interior_cfl(lattice), "just below the interior's limit"};
@@ -36,7 +38,9 @@ AutomaticStep certified_with_their_like(const Scene& scene, const nmbc::Lattice&
                             "no certificate for this kind. {}",
                             heading_of(*boundary), to_try_one));
         }
-        if (!takes_table(boundary->kind)) {
+        const Boundary& opposite = boundary == &scene.left ? scene.right : scene.left;
+        const double time_step = 2 * step.cfl / nmbc::maximum_frequency(lattice);
+        if (!takes_table(boundary->kind) || is_half_line(scene, opposite, lattice, time_step)) {
             continue;
         }
         const nmbc::MatchingTable& table = table_of(scene, *boundary);
