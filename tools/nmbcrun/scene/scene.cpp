@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
+#include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/scene/read_choice.hpp"
 #include "tools/nmbcrun/scene/read_influence.hpp"
 #include "tools/nmbcrun/scene/read_sources.hpp"
@@ -98,7 +99,7 @@ Boundary read_boundary(SceneReader& reader, const std::string& group, const Boun
     const auto ghosts = read_choice<nmbc::GhostRule>(
         reader, group + ".ghosts",
         {{"midpoint", nmbc::GhostRule::midpoint}, {"explicit", nmbc::GhostRule::explicit_rule}});
-    const auto layer = reader.whole_number(group + ".layer", 1, most_nodes);
+    const auto layer = reader.whole_number(group + ".layer", 1, most_layer);
     const auto profile = reader.number(group + ".profile", up_to_10);
     const auto target = reader.number(group + ".target", between_0_and_1);
     return {
@@ -245,7 +246,7 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     SceneReader reader(text, path, overrides);
     Scene scene;
     scene.name = read_name(reader, path);
-    scene.title = reader.text("title").value_or(scene.name);
+    scene.title = printable(reader.text("title").value_or(scene.name));
     scene.family = reader.text("model.family").value_or(scene.family);
     scene.horizon = read_horizon(reader, scene.family);
     scene.G = read_G(reader).value_or(scene.G);

@@ -18,8 +18,11 @@
 
 namespace nmbcrun {
 
-/// Of an interior or a layer.
+/// Of an interior, as far as memory goes.
 inline constexpr long most_nodes = 100'000'000;
+
+/// Nodes of a layer: more than any that somebody could want to wait for.
+inline constexpr long most_layer = 10'000'000;
 
 enum class BoundaryKind {
     nmbc,      ///< (60) on all ghost layers
