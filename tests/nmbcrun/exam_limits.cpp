@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// What does not fit, and what must not reach a terminal.
 #include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -54,7 +53,7 @@ TEST_CASE("columns are read of regular files of some length") {
     CHECK_THROWS_WITH_AS(read_columns("/dev/zero", {"time", "force"}),
                          "cannot read /dev/zero: it is not a regular file", FileError);
     const auto path =
-        std::filesystem::temp_directory_path() / fmt::format("nmbc_exam_limits_{}", getpid());
+        std::filesystem::temp_directory_path() / ("nmbc_exam_limits_" + std::to_string(getpid()));
     std::ofstream(path).put('x');
     std::filesystem::resize_file(path, (1U << 30U) + 1);  // of holes
     CHECK_THROWS_WITH_AS(read_columns(path, {"time", "force"}),
