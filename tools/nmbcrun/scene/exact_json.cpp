@@ -49,7 +49,7 @@ Fraction fraction_of(const JsonValue& json) {
     const std::size_t slash = std::min(text.find('/'), text.size());
     Fraction fraction{text.substr(0, slash), slash == text.size() ? "1" : text.substr(slash + 1)};
     if (!is_integer(fraction.numerator) || !is_positive_integer(fraction.denominator)) {
-        json.must_be("an exact number \"p/q\" or \"p\"");
+        json.must_be(R"(an exact number "p/q" or "p")");
     }
     return fraction;
 }

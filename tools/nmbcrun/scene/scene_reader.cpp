@@ -280,7 +280,7 @@ std::vector<std::string> SceneReader::texts(std::string_view key) {
     if (!node->is_array() || !std::ranges::all_of(*node->as_array(), [](const auto& each) {
             return each.is_string();
         })) {
-        fail(key, fmt::format("must be a list of strings in quotes, [\"a\", \"b\"], not {}",
+        fail(key, fmt::format(R"(must be a list of strings in quotes, ["a", "b"], not {})",
                               as_written(*node)));
     }
     return numbers_or_texts(key);

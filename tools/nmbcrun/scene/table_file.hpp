@@ -13,7 +13,7 @@ namespace nmbcrun {
 
 /// A table, and what the runtime's has no place for.
 struct OwnTable {
-    nmbc::MatchingTable table;
+    nmbc::MatchingTable table{};
     std::vector<std::string> weights{};  ///< of the influence, as Scene has them
     bool is_certified = false;           ///< not: written with --uncertified, without windows
 };

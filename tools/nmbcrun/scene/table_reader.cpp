@@ -111,7 +111,7 @@ nmbcgen::EnergySquare TableReader::square(const JsonValue& json, std::size_t rea
     const std::string part = json.at("part").text();
     const bool is_strain = part == name_of(nmbcgen::EnergyPart::strain);
     if (!is_strain && part != name_of(nmbcgen::EnergyPart::stabilisation)) {
-        json.at("part").must_be("\"strain\" or \"stabilisation\"");
+        json.at("part").must_be(R"("strain" or "stabilisation")");
     }
     const JsonValue weight = json.at("weight");
     nmbcgen::EnergySquare result{

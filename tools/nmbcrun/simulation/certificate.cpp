@@ -192,7 +192,7 @@ std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
     }
     const Ends ends = ends_of(scene, left, right, step);
     const auto verdict = round_trip_verdict(ends.left, ends.right, moving_nodes(scene));
-    const std::string alone =
+    std::string alone =
         objection_to_one(verdict.left ? scene.left : scene.right, verdict.failure, verdict.growth,
                          verdict.wave_number, place, step, time_step);
     if (!alone.empty()) {
