@@ -30,8 +30,8 @@ allow generator "generator/|CLI/|fcntl.h|unistd.h|$text"
 allow generated/nmbc/tables 'nmbc/table.hpp|nmbc/tables/'
 allow runtime/nmbc 'nmbc/[a-z_]+\.hpp'
 allow tools/nmbcrun "tools/nmbcrun/|tools/number_between.hpp|nmbc/|CLI/|$text"
-allow tools/nmbcrun/scene "tools/nmbcrun/(scene/|errors.hpp)|nmbc/|generator/(table|exact)/|toml\+\+/|$text"
-allow tools/nmbcrun/simulation "tools/nmbcrun/(scene|simulation|ends)/|tools/nmbcrun/errors.hpp|nmbc/|generator/(table|exact|stability)/|$text"
+allow tools/nmbcrun/scene "tools/nmbcrun/(scene/|errors.hpp)|nmbc/|generator/((table|exact)/|emit/emit.hpp|families/influence.hpp)|nlohmann/|toml\+\+/|$text"
+allow tools/nmbcrun/simulation "tools/nmbcrun/(scene|simulation|ends)/|tools/nmbcrun/errors.hpp|nmbc/|generator/((table|exact|stability)/|emit/emit.hpp|families/family.hpp)|unistd.h|$text"
 allow tools/nmbcrun/compare "tools/nmbcrun/(compare|scene|simulation)/|nmbc/|generator/(table|exact|stability)/|$text"
 allow tools/nmbcrun/advise "tools/nmbcrun/(advise|chart|compare|scene|simulation)/|tools/nmbcrun/errors.hpp|nmbc/|generator/(table|exact|stability)/|$text"
 allow tools/nmbcrun/chart "tools/nmbcrun/(chart|compare|output|scene|simulation)/|tools/nmbcrun/errors.hpp|nmbc/|$text"

@@ -139,6 +139,12 @@ try run "$scratch/automatic.toml" --set model.horizon=2 --set model.G=1 --set bo
 expect_exit 4
 expect_stderr "at this G: NMBC1 with stride 1, NMBC1 with stride 2, NMBC2 with stride 2"
 
+lacks() { ! LC_ALL=C grep -q "$1" "$2"; }
+# Ten million nodes, for two steps.
+try run "$scene" --quiet --set domain.nodes=10000000 --set time.end=0.04
+expect_exit 0
+try run "$scene" --set title='"\u001b[2J"' "${short[@]}"
+expect_stdout_line 'scene     \x1b[2J'
 # The peak does not depend on what is written.
 try run "$scene" --quiet
 cp "$scratch/stdout" "$scratch/often"
@@ -191,10 +197,21 @@ setting 2 "above the interior's limit" time.step=0.6
 setting 2 "select no node" drive.centre=-99
 refuses 2 "a run of 250000 steps is too long for an \"exact\" end, which is made for 200000 at most" \
     "$scene" --set boundary.kind=exact --set time.end=5000
-refuses 4 "NMBC1 is certified against an exact end at no time step at n = 2, G = 1; cfl = 0.0668" \
-    "$scene" --set boundary.left.kind=exact --set model.G=1
+refuses 4 "NMBC2 is not stable at n = 2, G = 1, cfl = 0.0668: a mode at that end grows as exp(" \
+    "$scene" --set boundary.left.kind=exact --set boundary.right.order=2 --set model.G=1
+refuses 4 "NMBC1 is certified against a pml end at no time step at n = 2, G = 1; cfl = 0.0668" \
+    "$scene" --set boundary.left.kind=pml --set boundary.left.layer=10 --set model.G=1
 setting 2 "must not be 0" drive.amplitude=0
 setting 2 "whole number from 1 to 100000000, not 0" domain.nodes=0
+setting 2 "whole number from 1 to 100000000, not 100000001" domain.nodes=100000001
+refuses 2 "boundary.layer must be a whole number from 1 to 10000000, not 100000000" \
+    "$scene" --set boundary.kind=sponge --set boundary.layer=100000000
+# What a scene has in it does not command the terminal.
+setting 2 'must be "midpoint" or "explicit", not "\x1b[2J\u009b31m"' 'boundary.ghosts="\u001b[2J\u009b31m"'
+setting 2 'boundary.\x1b]0;title is not a key of a scene' $'boundary.\e]0;title=1'
+expect "no control character" lacks $'[\x01-\x09\x0b-\x1f\x7f]' "$scratch/stderr"
+refuses 5 "cannot read /dev/zero: it is not a regular file" "$scene" --set force.history=csv \
+    --set force.centre=250 --set force.file=/dev/zero
 setting 2 "steps; at most 1e15" time.step=1e-300
 for bad in a/b .. ../a a..b '"a\nb"' '"\u001b[2J"' '""'; do
     setting 2 "output.name must be a file name" "output.name=$bad"

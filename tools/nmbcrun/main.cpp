@@ -11,6 +11,7 @@
 #include "tools/nmbcrun/chart/chart.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/run.hpp"
+#include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 #include "tools/nmbcrun/verify.hpp"
 #include "tools/number_between.hpp"
@@ -45,7 +46,7 @@ nmbcrun::Scene scene_of(const Arguments& arguments) {
 template <class Command>
 int exit_code_of(Command command) {
     const auto failed = [](const std::exception& error, ExitCode code) {
-        std::cerr << "nmbcrun: " << error.what() << "\n";
+        std::cerr << "nmbcrun: " << nmbcrun::printable(error.what()) << "\n";
         return code;
     };
     try {
@@ -132,7 +133,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& help) {
         return app.exit(help, std::cout, std::cerr);
     } catch (const CLI::ParseError& error) {
-        std::cerr << "nmbcrun: " << error.what() << "\nSee nmbcrun --help.\n";
+        std::cerr << "nmbcrun: " << nmbcrun::printable(error.what()) << "\nSee nmbcrun --help.\n";
         return bad_input;
     }
     nmbcrun::note_interrupts();

@@ -2,6 +2,7 @@
 #include "tools/nmbcrun/report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace nmbcrun {
 
@@ -9,8 +10,10 @@ void print_heading(const Simulation& simulation) {
     const Scene& scene = simulation.scene();
     const Plan& plan = simulation.plan();
     fmt::print("scene     {}\n", scene.title);
-    fmt::print("lattice   {} horizon {}, G = {}{}\n", scene.family, scene.horizon, scene.G,
-               is_damped(scene) ? ", tau = " + scene.tau : "");
+    fmt::print(
+        "lattice   {} horizon {}, G = {}{}{}\n", scene.family, scene.horizon, scene.G,
+        is_damped(scene) ? ", tau = " + scene.tau : "",
+        scene.weights.empty() ? "" : fmt::format(", influence {}", fmt::join(scene.weights, ", ")));
     if (scene.left == scene.right) {
         fmt::print("boundary  {}\n", heading_of(scene.left));
     } else {

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "tools/nmbcrun/output/checkpoint.hpp"
+#include "tools/nmbcrun/output/checksum.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
 #include "tools/nmbcrun/output/recorder.hpp"
@@ -42,6 +43,9 @@ std::map<std::string, std::string> identity(const Simulation& simulation) {
     auto keys = simulation.scene().given;
     keys.erase("title");
     keys.erase("output.checkpoint");
+    for (const auto& file : simulation.scene().own_tables) {
+        keys["the checksum of " + file->name()] = fmt::format("{:x}", checksum(file->text()));
+    }
     keys["the version of nmbcrun"] = NMBC_VERSION;
     keys["the time step"] = fmt::format("{:a}", simulation.plan().time_step);
     keys["the number of steps"] = fmt::format("{}", simulation.plan().steps);

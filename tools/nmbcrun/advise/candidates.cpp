@@ -10,7 +10,6 @@
 #include <nmbc/certificate.hpp>
 #include <nmbc/coefficients.hpp>
 #include <nmbc/lattice.hpp>
-#include <nmbc/tables/tables.hpp>
 #include <optional>
 
 #include "tools/nmbcrun/advise/outgoing.hpp"
@@ -51,11 +50,8 @@ class Search {
 
     Candidates all() {
         add_ends_of_the_lattice();
-        for (const nmbc::MatchingTable* table : nmbc::generated::tables) {
-            if (table->family == scene_.family && table->horizon == scene_.horizon &&
-                table->tau == scene_.tau) {
-                add_table(*table);
-            }
+        for (const nmbc::MatchingTable* table : tables_of(scene_)) {
+            add_table(*table);
         }
         result_.left_out.push_back(
             {"sponge, pml",
@@ -143,7 +139,9 @@ class Search {
                                    : fmt::format(", in steps of {} dX/c", table.time_step));
         const double highest = nmbc::certified_cfl(table, scene_.G);
         if (highest == 0) {
-            leave_out(name, "not certified at this G");
+            leave_out(name, uncertified_file(scene_, table) == nullptr
+                                ? "not certified at this G"
+                                : "its table was written with --uncertified");
             return;
         }
         if (scene_.nodes < std::size_t(table.least_nodes)) {

@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <nmbc/coefficients.hpp>
-#include <nmbc/tables/tables.hpp>
+
+#include "tools/nmbcrun/simulation/tables.hpp"
 
 namespace nmbcrun {
 
@@ -24,9 +25,8 @@ bool exists(const nmbc::MatchingTable& table, double G) {
 std::vector<Rung> ladder(const Scene& scene) {
     std::vector<Rung> rungs{{"fixed", {.kind = BoundaryKind::fixed}},
                             {"free", {.kind = BoundaryKind::free}}};
-    for (const nmbc::MatchingTable* table : nmbc::generated::tables) {
-        if (table->family == scene.family && table->horizon == scene.horizon &&
-            table->tau == scene.tau && table->time_step == "0" && exists(*table, scene.G)) {
+    for (const nmbc::MatchingTable* table : tables_of(scene)) {
+        if (table->time_step == "0" && exists(*table, scene.G)) {
             rungs.push_back({fmt::format("NMBC{} s{}", table->order, table->stride),
                              {.order = table->order, .stride = table->stride}});
         }
@@ -41,7 +41,7 @@ std::vector<Rung> ladder(const Scene& scene) {
                 {fmt::format("{} {}", name_of(kind), layer), {.kind = kind, .layer = layer}});
         }
     }
-    if (scene.family == "nopd1d" && !is_damped(scene)) {
+    if (scene.family == "nopd1d" && scene.weights.empty() && !is_damped(scene)) {
         rungs.push_back({"mbc 1", {.kind = BoundaryKind::mbc, .order = 1}});
     }
     rungs.push_back({"extended", {.kind = BoundaryKind::extended}});

@@ -15,9 +15,9 @@ struct Rung {
     Boundary boundary;
 };
 
-/// All that can end the scene's lattice: every committed table of it that exists at its G and is
-/// not matched in time steps, which would prescribe the step, and of the other kinds the widths and
-/// orders users take. The scene's own boundaries do not count.
+/// All that can end the scene's lattice: every table of it that exists at its G and is not matched
+/// in time steps, which would prescribe the step, and of the other kinds the widths and orders
+/// users take. The scene's own boundaries do not count.
 std::vector<Rung> ladder(const Scene& scene);
 
 /// The scene with the same boundary at both ends, certified or not.

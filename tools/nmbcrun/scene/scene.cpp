@@ -13,7 +13,9 @@
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
+#include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/scene/read_choice.hpp"
+#include "tools/nmbcrun/scene/read_influence.hpp"
 #include "tools/nmbcrun/scene/read_sources.hpp"
 #include "tools/nmbcrun/scene/scene_reader.hpp"
 
@@ -97,7 +99,7 @@ Boundary read_boundary(SceneReader& reader, const std::string& group, const Boun
     const auto ghosts = read_choice<nmbc::GhostRule>(
         reader, group + ".ghosts",
         {{"midpoint", nmbc::GhostRule::midpoint}, {"explicit", nmbc::GhostRule::explicit_rule}});
-    const auto layer = reader.whole_number(group + ".layer", 1, most_nodes);
+    const auto layer = reader.whole_number(group + ".layer", 1, most_layer);
     const auto profile = reader.number(group + ".profile", up_to_10);
     const auto target = reader.number(group + ".target", between_0_and_1);
     return {
@@ -232,7 +234,11 @@ Overrides split_settings(const std::vector<std::string>& settings) {
 }
 
 Scene read_scene(const std::string& path, const Overrides& overrides) {
-    return read_scene_text(read_text(path), path, overrides);
+    Scene scene = read_scene_text(read_text(path), path, overrides);
+    for (const std::filesystem::path& file : scene.table_files) {
+        scene.own_tables.push_back(std::make_shared<const TableFile>(file));
+    }
+    return scene;
 }
 
 Scene read_scene_text(const std::string& text, const std::string& path,
@@ -240,11 +246,15 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     SceneReader reader(text, path, overrides);
     Scene scene;
     scene.name = read_name(reader, path);
-    scene.title = reader.text("title").value_or(scene.name);
+    scene.title = printable(reader.text("title").value_or(scene.name));
     scene.family = reader.text("model.family").value_or(scene.family);
     scene.horizon = read_horizon(reader, scene.family);
     scene.G = read_G(reader).value_or(scene.G);
     scene.tau = read_exact(reader, "model.damping").value_or(scene.tau);
+    scene.weights = read_influence(reader, scene.horizon);
+    for (const std::string& file : reader.texts("model.tables")) {
+        scene.table_files.push_back(std::filesystem::path(path).parent_path() / file);
+    }
     scene.density = reader.number("material.density", positive).value_or(scene.density);
     scene.youngs_modulus =
         reader.number("material.youngs_modulus", positive).value_or(scene.youngs_modulus);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <map>
+#include <memory>
 #include <nmbc/boundary.hpp>
 #include <optional>
 #include <string>
@@ -12,11 +14,15 @@
 #include <vector>
 
 #include "tools/nmbcrun/scene/sources.hpp"
+#include "tools/nmbcrun/scene/table_file.hpp"
 
 namespace nmbcrun {
 
-/// Of an interior or a layer.
+/// Of an interior, as far as memory goes.
 inline constexpr long most_nodes = 100'000'000;
+
+/// Nodes of a layer: more than any that somebody could want to wait for.
+inline constexpr long most_layer = 10'000'000;
 
 enum class BoundaryKind {
     nmbc,      ///< (60) on all ghost layers
@@ -70,6 +76,10 @@ struct Scene {
     int horizon = 1;
     double G = 0;
     std::string tau = "0";  ///< damping [c/dX], "p/q" in lowest terms
+    /// Of the influence, w_1 = "1" .. w_n, "p/q" in lowest terms; none: constant.
+    std::vector<std::string> weights{};
+    std::vector<std::filesystem::path> table_files{};  ///< the user's own, in the order to look in
+    std::vector<std::shared_ptr<const TableFile>> own_tables{};  ///< what they hold
     double density = 1;
     double youngs_modulus = 1;
     std::size_t nodes = 0;
@@ -105,13 +115,13 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 /// KEY=VALUE texts at their first '='. Throws SceneError where one has none, or no key.
 Overrides split_settings(const std::vector<std::string>& settings);
 
-/// Reads a scene file, with overrides applied. Throws SceneError naming the
-/// file and line, or the override, what is wrong and what is allowed; FileError where the file
+/// Reads a scene file, with overrides applied, and its tables. Throws SceneError naming the
+/// file and line, or the override, what is wrong and what is allowed; FileError where a file
 /// cannot be read.
 Scene read_scene(const std::string& path, const Overrides& overrides);
 
-/// Likewise, of a text that is read already; path: for messages, and the folder and name it
-/// implies.
+/// Likewise, of a text that is read already, without its tables; path: for messages, and the folder
+/// and name it implies.
 Scene read_scene_text(const std::string& text, const std::string& path, const Overrides& overrides);
 
 }  // namespace nmbcrun

@@ -272,6 +272,41 @@ std::vector<double> SceneReader::numbers(std::string_view key, const Bounds& bou
     return values;
 }
 
+std::vector<std::string> SceneReader::texts(std::string_view key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return {};
+    }
+    if (!node->is_array() || !std::ranges::all_of(*node->as_array(), [](const auto& each) {
+            return each.is_string();
+        })) {
+        fail(key, fmt::format(R"(must be a list of strings in quotes, ["a", "b"], not {})",
+                              as_written(*node)));
+    }
+    return numbers_or_texts(key);
+}
+
+std::vector<std::string> SceneReader::numbers_or_texts(std::string_view key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return {};
+    }
+    if (!node->is_array()) {
+        fail(key, fmt::format("must be a list, not {}", as_written(*node)));
+    }
+    std::vector<std::string> values;
+    values.reserve(node->as_array()->size());
+    for (const toml::node& entry : *node->as_array()) {
+        if (!entry.is_string() && !entry.is_number()) {
+            fail(key, fmt::format("must be a list of numbers, or of numbers as strings in quotes; "
+                                  "one of them is {}",
+                                  as_written(entry)));
+        }
+        values.push_back(entry.is_string() ? *entry.value<std::string>() : text_of(entry));
+    }
+    return values;
+}
+
 std::map<std::string, std::string> SceneReader::given() const {
     std::map<std::string, std::string> keys;
     add_given(document_, "", keys);

@@ -51,6 +51,10 @@ class SceneReader {
     std::optional<bool> truth(std::string_view key);
     /// A list of numbers; empty if the key is not there.
     std::vector<double> numbers(std::string_view key, const Bounds& bounds);
+    /// A list of strings; empty if the key is not there.
+    std::vector<std::string> texts(std::string_view key);
+    /// A list whose values are as number_or_text() has them; empty if the key is not there.
+    std::vector<std::string> numbers_or_texts(std::string_view key);
 
     /// Every key of the document that is no table, by its dotted path, and its value as text.
     std::map<std::string, std::string> given() const;

@@ -6,12 +6,15 @@
 #include <cmath>
 #include <complex>
 #include <nmbc/certificate.hpp>
+#include <nmbc/lattice.hpp>
 #include <optional>
+#include <utility>
 
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/round_trip.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/simulation/exact_table.hpp"
+#include "tools/nmbcrun/simulation/silent_layer.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -35,6 +38,21 @@ nmbcgen::ChainEnd end_of(const Boundary& boundary, const nmbc::MatchingTable& ta
     return {nmbcgen::EndKind::matching, half_space};
 }
 
+struct Ends {
+    nmbcgen::ChainEnd left;
+    nmbcgen::ChainEnd right;
+};
+
+Ends ends_of(const Scene& scene, const nmbc::MatchingTable& left, const nmbc::MatchingTable& right,
+             double time_step) {
+    Ends ends{end_of(scene.left, left, scene.G, time_step),
+              end_of(scene.right, right, scene.G, time_step)};
+    // A table at a fixed G has its symbol, one at any G that of the double nearest to it.
+    ends.right.half_space.symbol = ends.left.half_space.symbol;
+    ends.right.half_space.L = ends.left.half_space.L;
+    return ends;
+}
+
 /// ln |zeta| of the factor zeta of one time step [dX/c], whose sigma this is (half_space.hpp).
 double growth_per_step(const Boundary& boundary, std::complex<double> sigma, double time_step) {
     const std::complex<double> half = sigma * time_step / 2.0;
@@ -53,8 +71,7 @@ std::size_t moving_nodes(const Scene& scene) {
 
 /// Growth [c/dX] by the largest eigenvalue of one step, in chains so short that the half spaces do
 /// not tell all; 0 in longer ones, or where nothing grows.
-double short_chain_growth(const Scene& scene, const nmbc::MatchingTable& left,
-                          const nmbc::MatchingTable& right, double time_step) {
+double short_chain_growth(const Scene& scene, const Ends& ends, double time_step) {
     constexpr std::size_t longest = 60;  // tests/stability/exam_short_chains.cpp: 25 are short
     const std::size_t nodes = moving_nodes(scene);
     // One rule for both ends is what one_step_map() knows.
@@ -65,11 +82,10 @@ double short_chain_growth(const Scene& scene, const nmbc::MatchingTable& left,
     if (nodes > longest || matching == 0 || !one_rule || is_damped(scene)) {
         return 0;  // of a damped lattice round trips tell all
     }
-    const double radius = nmbcgen::spectral_radius(
-        end_of(scene.left, left, scene.G, time_step),
-        end_of(scene.right, right, scene.G, time_step), nodes, time_step,
-        ruling.ghosts == nmbc::GhostRule::midpoint ? nmbcgen::GhostLevel::midpoint
-                                                   : nmbcgen::GhostLevel::old);
+    const double radius = nmbcgen::spectral_radius(ends.left, ends.right, nodes, time_step,
+                                                   ruling.ghosts == nmbc::GhostRule::midpoint
+                                                       ? nmbcgen::GhostLevel::midpoint
+                                                       : nmbcgen::GhostLevel::old);
     constexpr double roundings = 1e-7;  // a double eigenvalue 1 splits by their square root
     return radius > 1 + roundings ? std::log(radius) / time_step : 0;
 }
@@ -83,6 +99,29 @@ std::string name_of(const Boundary& boundary) {
                        boundary.order,
                        boundary.stride > 1 ? fmt::format(" of stride {}", boundary.stride) : "",
                        boundary.ghosts == nmbc::GhostRule::midpoint ? "" : " with explicit ghosts");
+}
+
+/// " at n = .., G = ..: "
+std::string place_of(const Scene& scene, double cfl) {
+    return fmt::format(" at n = {}, G = {}{}, cfl = {:.3g}: ", scene.horizon, scene.G,
+                       is_damped(scene) ? ", tau = " + scene.tau : "", cfl);
+}
+
+/// What an end does by itself, in words; empty where it does nothing.
+std::string objection_to_one(const Boundary& boundary, nmbcgen::ModalFailure failure,
+                             std::complex<double> growth, double wave_number,
+                             const std::string& place, double step, double time_step) {
+    const std::string alone = name_of(boundary) + " is not stable" + place;
+    switch (failure) {
+        case nmbcgen::ModalFailure::growing_mode:
+            return alone + fmt::format("a mode at that end grows as exp({:.3g} t)",
+                                       growth_per_step(boundary, growth, step) / time_step);
+        case nmbcgen::ModalFailure::resonance:
+            return alone + fmt::format("that end sends out a wave of xi dX = {:.3g} by itself",
+                                       wave_number);
+        default:
+            return "";
+    }
 }
 
 /// The objection where the waves of the two ends need not be looked at: none between ends that add
@@ -122,52 +161,60 @@ std::optional<std::string> decided_without_waves(const Scene& scene,
         scene.horizon, scene.G, is_damped(scene) ? ", tau = " + scene.tau : "", cfl);
 }
 
+/// The nmbc that stands alone on a half line, since what goes out at the other end does not come
+/// back: waves are reflected by it once, however much it adds to them. nullptr where there is none.
+const Boundary* alone_on_a_half_line(const Scene& scene, const nmbc::Lattice& lattice,
+                                     double step) {
+    for (const auto& [end, opposite] :
+         {std::pair(&scene.left, &scene.right), std::pair(&scene.right, &scene.left)}) {
+        if (end->kind == BoundaryKind::nmbc && is_half_line(scene, *opposite, lattice, step)) {
+            return end;
+        }
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
                       const nmbc::MatchingTable& right, double time_step, double cfl) {
+    const double c = std::sqrt(scene.youngs_modulus / scene.density);
+    const double step = time_step * c / scene.spacing;  // in dX/c
+    const std::string place = place_of(scene, cfl);
+    if (const Boundary* own = alone_on_a_half_line(scene, make_lattice(left, scene.G), step)) {
+        const auto verdict = verdict_without_incident_waves(
+            end_of(*own, own == &scene.left ? left : right, scene.G, step).half_space);
+        return objection_to_one(*own, verdict.failure, verdict.growth, verdict.wave_number, place,
+                                step, time_step);
+    }
     if (const auto decided = decided_without_waves(scene, left, right, cfl)) {
         return *decided;
     }
-    const double c = std::sqrt(scene.youngs_modulus / scene.density);
-    const double step = time_step * c / scene.spacing;  // in dX/c
-    const auto verdict =
-        round_trip_verdict(end_of(scene.left, left, scene.G, step),
-                           end_of(scene.right, right, scene.G, step), moving_nodes(scene));
-    const Boundary& own = verdict.left ? scene.left : scene.right;
-    const std::string alone = name_of(own) + " is not stable";
+    const Ends ends = ends_of(scene, left, right, step);
+    const auto verdict = round_trip_verdict(ends.left, ends.right, moving_nodes(scene));
+    std::string alone =
+        objection_to_one(verdict.left ? scene.left : scene.right, verdict.failure, verdict.growth,
+                         verdict.wave_number, place, step, time_step);
+    if (!alone.empty()) {
+        return alone;
+    }
     const std::string together = scene.left == scene.right
-                                     ? name_of(own) + " at both ends is not stable"
+                                     ? name_of(scene.left) + " at both ends is not stable"
                                      : fmt::format(
                                            "{} on the left and {} on the right are not "
                                            "stable together",
                                            name_of(scene.left), name_of(scene.right));
-    const std::string where =
-        fmt::format(" at n = {}, G = {}{}, cfl = {:.3g}: ", scene.horizon, scene.G,
-                    is_damped(scene) ? ", tau = " + scene.tau : "", cfl);
-    switch (verdict.failure) {
-        case nmbcgen::ModalFailure::growing_mode:
-            return alone + where +
-                   fmt::format("a mode at that end grows as exp({:.3g} t)",
-                               growth_per_step(own, verdict.growth, step) / time_step);
-        case nmbcgen::ModalFailure::resonance:
-            return alone + where +
-                   fmt::format("that end sends out a wave of xi dX = {:.3g} by itself",
-                               verdict.wave_number);
-        case nmbcgen::ModalFailure::amplified_wave:
-            return together + where +
-                   fmt::format(
-                       "waves of the frequency of xi dX = {:.3g} can grow by {:.3g} % per round "
-                       "trip{}",
-                       verdict.wave_number, 100 * (verdict.amplification - 1),
-                       is_damped(scene)
-                           ? fmt::format(" in a chain of {} nodes", moving_nodes(scene))
-                           : "");
-        default:
-            break;
+    if (verdict.failure == nmbcgen::ModalFailure::amplified_wave) {
+        return together + place +
+               fmt::format(
+                   "waves of the frequency of xi dX = {:.3g} can grow by {:.3g} % per round "
+                   "trip{}",
+                   verdict.wave_number, 100 * (verdict.amplification - 1),
+                   is_damped(scene) ? fmt::format(" in a chain of {} nodes", moving_nodes(scene))
+                                    : "");
     }
-    const double rate = short_chain_growth(scene, left, right, step);
-    return rate > 0 ? together + where +
+    const double rate = short_chain_growth(scene, ends, step);
+    return rate > 0 ? together + place +
                           fmt::format(
                               "in a chain of {} nodes, so short that decaying waves reach "
                               "the other end, it grows as exp({:.3g} t)",

@@ -14,8 +14,9 @@ namespace nmbcrun {
 /// of time_step [time]. Of a damped lattice: at the scene's own length.
 /// left, right: the tables of the ends, of which only the lattice counts where an end is fixed or
 /// free. Their coefficients exist at the scene's G.
-/// Opposite an exact end: up to the cfl that the table is certified for opposite any end that adds
-/// no energy (nmbc::Opposite::any).
+/// Opposite an end from which nothing comes back (is_half_line()) an nmbc needs to have no growing
+/// mode and no resonance of its own; opposite a sponge or pml, the certificate of its table for any
+/// end that adds no energy (nmbc::Opposite::any).
 std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
                       const nmbc::MatchingTable& right, double time_step, double cfl);
 

@@ -15,6 +15,7 @@
 #include "tools/nmbcrun/ends/pml.hpp"
 #include "tools/nmbcrun/ends/sponge.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/simulation/memory.hpp"
 #include "tools/nmbcrun/simulation/silent_layer.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
 #include "tools/nmbcrun/simulation/time_step.hpp"
@@ -51,12 +52,13 @@ struct ExtendedEndOfRun {
                                                      std::type_identity<double> precision) const {
         const double unit = parameters.spacing / parameters.wave_speed();
         const std::size_t layer = silent_layer(lattice, parameters.time_step / unit, end / unit);
-        if (layer > most_nodes) {
+        if (layer > most_layer) {
             throw SceneError(
                 fmt::format("nothing would return from {} nodes beyond the end, and {} "
                             "are allowed: give boundary.layer, or another kind",
-                            layer, most_nodes));
+                            layer, most_layer));
         }
+        require_memory(parameters.nodes + layer, physical_memory());
         return nmbc::FixedEnd{layer}.make(lattice, parameters, precision);
     }
 };

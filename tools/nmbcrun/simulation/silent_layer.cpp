@@ -34,4 +34,14 @@ std::size_t silent_layer(const nmbc::Lattice& lattice, double time_step, double 
     return std::size_t(std::ceil(fastest * duration / 2 + 12 * unit)) + 8 * lattice.reach();
 }
 
+bool is_half_line(const Scene& scene, const Boundary& boundary, const nmbc::Lattice& lattice,
+                  double time_step) {
+    if (boundary.kind != BoundaryKind::extended) {
+        return boundary.kind == BoundaryKind::exact;
+    }
+    const double c = std::sqrt(scene.youngs_modulus / scene.density);
+    return boundary.layer == 0 ||
+           boundary.layer >= silent_layer(lattice, time_step, scene.end * c / scene.spacing);
+}
+
 }  // namespace nmbcrun

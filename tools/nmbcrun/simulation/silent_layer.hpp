@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <nmbc/lattice.hpp>
 
+#include "tools/nmbcrun/scene/scene.hpp"
+
 namespace nmbcrun {
 
 /// Nodes that a layer needs so that a wave which enters it at any time up to `duration` [dX/c]
@@ -12,5 +14,10 @@ namespace nmbcrun {
 /// the fully discrete lattice, and a margin for the tail that runs ahead of it, below 1e-13 of
 /// the wave (tests/nmbcrun/exam_silent_layer.cpp).
 std::size_t silent_layer(const nmbc::Lattice& lattice, double time_step, double duration);
+
+/// Whether the lattice as good as goes on for ever beyond this end of the scene: in a run of steps
+/// of time_step [dX/c] nothing that went out there comes back.
+bool is_half_line(const Scene& scene, const Boundary& boundary, const nmbc::Lattice& lattice,
+                  double time_step);
 
 }  // namespace nmbcrun

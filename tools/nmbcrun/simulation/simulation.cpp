@@ -10,6 +10,7 @@
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/simulation/certificate.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
+#include "tools/nmbcrun/simulation/memory.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
 #include "tools/nmbcrun/simulation/time_step.hpp"
 
@@ -29,6 +30,7 @@ void require_room(const Scene& scene) {
 
 Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
     require_room(scene);
+    require_memory(scene, lattice);
     const double omega_max = highest_frequency(scene, lattice);
     const auto automatic =
         scene.step || scene.cfl ? AutomaticStep{} : automatic_step(scene, lattice, omega_max);

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <nmbc/certificate.hpp>
-#include <nmbc/tables/tables.hpp>
 #include <optional>
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/simulation/certificate.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
+#include "tools/nmbcrun/simulation/silent_layer.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
 #include "tools/nmbcrun/simulation/time_scale.hpp"
 
@@ -26,7 +26,8 @@ bool is_matched(const Boundary& boundary) {
     return takes_table(boundary.kind) && boundary.matched_step != "0";
 }
 
-/// The least of what each end's table is certified for with its like.
+/// The least of what each end's table is certified for with its like, where anything comes back
+/// from the other end.
 AutomaticStep certified_with_their_like(const Scene& scene, const nmbc::Lattice& lattice) {
     // Fixed and free ends by themselves: just below the interior's own limit.
     AutomaticStep step{0.99 * nmbc::interior_cfl(lattice), "just below the interior's limit"};
@@ -37,17 +38,24 @@ AutomaticStep certified_with_their_like(const Scene& scene, const nmbc::Lattice&
                             "no certificate for this kind. {}",
                             heading_of(*boundary), to_try_one));
         }
-        if (!takes_table(boundary->kind)) {
+        const Boundary& opposite = boundary == &scene.left ? scene.right : scene.left;
+        const double time_step = 2 * step.cfl / nmbc::maximum_frequency(lattice);
+        if (!takes_table(boundary->kind) || is_half_line(scene, opposite, lattice, time_step)) {
             continue;
         }
         const nmbc::MatchingTable& table = table_of(scene, *boundary);
         const double cfl = nmbc::certified_cfl(table, scene.G, boundary->ghosts);
         if (cfl == 0) {
+            const TableFile* uncertified = uncertified_file(scene, table);
             throw Unstable(fmt::format(
-                "no time step is certified for {} at G = {}: {}{}. {}", heading_of(*boundary),
+                "no time step is certified for {} at G = {}: {}{}{}. {}", heading_of(*boundary),
                 scene.G,
+                uncertified == nullptr ? ""
+                                       : fmt::format("its table, in {}, was written with "
+                                                     "--uncertified; ",
+                                                     uncertified->name()),
                 boundary->ghosts == nmbc::GhostRule::midpoint ? "" : "with midpoint ghosts, ",
-                nmbc::certified_choices(table, scene.G, nmbc::generated::tables),
+                nmbc::certified_choices(table, scene.G, tables_of(scene)),
                 is_matched(*boundary) ? to_try_its_own : to_try_one));
         }
         if (cfl < step.cfl) {

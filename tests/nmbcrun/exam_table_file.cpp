@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Tables of the user's own: what is read is what nmbcgen wrote, and nonsense is refused.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <nmbc/tables/tables.hpp>
+#include <sstream>
+#include <string>
+
+#include "tools/nmbcrun/chart/ladder.hpp"
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/scene/table_file.hpp"
+#include "tools/nmbcrun/simulation/tables.hpp"
+
+namespace nmbcrun::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json committed() {
+    std::ifstream file(NMBC_TABLES_JSON);
+    REQUIRE(file);
+    return Json::parse(file);
+}
+
+bool same(const nmbc::RationalFunction& one, const nmbc::RationalFunction& other) {
+    return one.numerator == other.numerator && one.denominator == other.denominator;
+}
+
+bool same(const nmbc::EnergySquare& one, const nmbc::EnergySquare& other) {
+    return one.part == other.part && same(one.weight, other.weight) &&
+           one.stencil == other.stencil && one.divisor == other.divisor;
+}
+
+bool same(const nmbc::Window& one, const nmbc::Window& other) {
+    return one.low == other.low && one.high == other.high;
+}
+
+bool same(const nmbc::StableStep& one, const nmbc::StableStep& other) {
+    return same(one.window, other.window) && one.cfl == other.cfl;
+}
+
+template <class Item>
+bool same(std::span<const Item> one, std::span<const Item> other) {
+    return std::ranges::equal(one, other, [](const Item& a, const Item& b) { return same(a, b); });
+}
+
+TEST_CASE("every committed table is read from tables.json as it is compiled") {
+    const TableFile file{std::filesystem::path(NMBC_TABLES_JSON)};
+    REQUIRE(file.tables().size() == std::size(nmbc::generated::tables));
+    for (std::size_t i = 0; i < file.tables().size(); ++i) {
+        const OwnTable& own = file.tables()[i];
+        const nmbc::MatchingTable& read = own.table;
+        const nmbc::MatchingTable& compiled = *nmbc::generated::tables[i];
+        CAPTURE(compiled.name);
+        CHECK(own.is_certified);
+        CHECK(own.weights.empty());
+        CHECK(read.name == compiled.name);
+        CHECK(read.family == compiled.family);
+        CHECK(read.horizon == compiled.horizon);
+        CHECK(read.order == compiled.order);
+        CHECK(read.stride == compiled.stride);
+        CHECK(read.fixed_G == compiled.fixed_G);
+        CHECK(read.tau == compiled.tau);
+        CHECK(read.time_step == compiled.time_step);
+        CHECK(read.source == compiled.source);
+        CHECK(read.proved == compiled.proved);
+        CHECK(same(read.symbol, compiled.symbol));
+        CHECK(same(read.damping, compiled.damping));
+        CHECK(same(read.energy, compiled.energy));
+        CHECK(same(read.taylor, compiled.taylor));
+        CHECK(same(read.c, compiled.c));
+        CHECK(same(read.b, compiled.b));
+        CHECK(same(read.reflection, compiled.reflection));
+        CHECK(same(read.modal, compiled.modal));
+        CHECK(same(read.contractive, compiled.contractive));
+        CHECK(same(read.max_cfl, compiled.max_cfl));
+        CHECK(same(read.max_cfl_contractive, compiled.max_cfl_contractive));
+        CHECK(same(read.max_cfl_explicit, compiled.max_cfl_explicit));
+        CHECK(read.least_nodes == compiled.least_nodes);
+    }
+}
+
+/// What is wrong with a text; empty where nothing is.
+std::string refusal(const std::string& text) {
+    try {
+        const TableFile file(text, "mine.json");
+        return "";
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+}
+
+/// A table with all kinds of entries: tau > 0, windows with and without an end.
+Json damped() {
+    const Json all = committed();
+    const auto found = std::ranges::find_if(all["tables"], [](const Json& table) {
+        return table["tau"] == "1/100" && table["time_step"] == "0";
+    });
+    REQUIRE(found != all["tables"].end());
+    return *found;
+}
+
+TEST_CASE("a key that is missing, of another type or another length") {
+    const Json table = damped();
+    REQUIRE(refusal(table.dump()) == "");
+    for (const auto& item : table.items()) {
+        const std::string& key = item.key();
+        const Json& value = item.value();
+        if (key == "poles") {  // which runs do not need
+            continue;
+        }
+        CAPTURE(key);
+        Json without = table;
+        without.erase(key);
+        CHECK(refusal(without.dump()) == "mine.json has no key \"" + key + "\"");
+        for (const Json& other : {Json(true), Json(-1), Json(1.5), Json("?"), Json({{"x", 1}})}) {
+            Json wrong = table;
+            wrong[key] = other;
+            const bool is_free_text = other == "?" && (key == "family" || key == "source" ||
+                                                       key == "proved" || key == "certificate");
+            CHECK(refusal(wrong.dump()).empty() == is_free_text);
+        }
+        if (value.is_array() && !value.empty() && !key.starts_with("max_cfl")) {
+            Json shorter = table;
+            shorter[key].erase(shorter[key].size() - 1);
+            CHECK(refusal(shorter.dump()) != "");
+            Json longer = table;
+            longer[key].push_back(value[0]);
+            CHECK(refusal(longer.dump()) != "");
+        }
+    }
+}
+
+TEST_CASE("what is wrong is said, with its place and what is allowed") {
+    using Change = std::function<void(Json&)>;
+    const auto refuses = [table = damped()](const Change& change, const std::string& message) {
+        Json wrong = table;
+        change(wrong);
+        CHECK(refusal(wrong.dump()) == message);
+    };
+    refuses([](Json& t) { t["schema"] = 4; }, "mine.json: schema must be 3, not 4");
+    refuses([](Json& t) { t["order"] = 0; },
+            "mine.json: order must be a whole number from 1 to 99, not 0");
+    refuses([](Json& t) { t["order"] = 18446744073709551615U; },
+            "mine.json: order must be a whole number from 1 to 99, not 18446744073709551615");
+    refuses([](Json& t) { t["horizon"] = 1e300; },
+            "mine.json: horizon must be a whole number from 1 to 99, not 1e+300");
+    const std::string exact = " must be an exact number \"p/q\" in lowest terms, not below 0, not ";
+    refuses([](Json& t) { t["tau"] = "2/200"; }, "mine.json: tau" + exact + "\"2/200\"");
+    refuses([](Json& t) { t["tau"] = "1/0"; }, "mine.json: tau" + exact + "\"1/0\"");
+    refuses([](Json& t) { t["tau"] = "-1"; }, "mine.json: tau" + exact + "\"-1\"");
+    const std::string integer = " must be an integer in a string, not ";
+    refuses([](Json& t) { t["c"][1]["num"][0] = "1x"; },
+            "mine.json: c[1].num[0]" + integer + "\"1x\"");
+    refuses([](Json& t) { t["c"][1]["num"][0] = "-0"; },
+            "mine.json: c[1].num[0]" + integer + "\"-0\"");
+    refuses([](Json& t) { t["c"][1]["num"][0] = "007"; },
+            "mine.json: c[1].num[0]" + integer + "\"007\"");
+    refuses([](Json& t) { t["c"][1]["num"][0] = std::string(10'001, '7'); },
+            "mine.json: c[1].num[0]" + integer + "\"" + std::string(59, '7') + "..");
+    refuses([](Json& t) { t["c"][1]["num"][0] = 7; },
+            "mine.json: c[1].num[0] must be a string, "
+            "not 7");
+    refuses([](Json& t) { t["b"][0]["den"] = Json::array(); },
+            "mine.json: b[0].den must be a list of one integer or more, not a list of 0");
+    refuses(
+        [](Json& t) {
+            t["b"][0]["den"] = {"1", "0"};
+        },
+        "mine.json: b[0].den must be a list of integers of which the last is positive, not a "
+        "list of 2");
+    refuses([](Json& t) { t["c"][0]["num"][0] = "2"; },
+            "mine.json: c must be a list that begins with 1, not a list of 3");
+    refuses([](Json& t) { t["c"].erase(0); }, "mine.json: c must be a list of 3, not a list of 2");
+    refuses([](Json& t) { t["symbol"][1]["num"][0] = "5"; },
+            "mine.json: symbol must be the symbol of \"energy\", not a list of 5");
+    refuses(
+        [](Json& t) {
+            t["symbol"][1]["den"] = {"1", "1"};
+        },
+        "mine.json: symbol[1] must be a polynomial in G: \"den\" a list of one, not an object");
+    refuses(
+        [](Json& t) {
+            t["damping"][1]["num"] = {"1", "1"};
+        },
+        "mine.json: damping must be a list of numbers, the same at every G, not a list of 5");
+    refuses([](Json& t) { t["energy"][0]["part"] = "heat"; },
+            R"(mine.json: energy[0].part must be "strain" or "stabilisation", not "heat")");
+    refuses([](Json& t) { t["energy"][0]["stencil"][0] = "1/-2"; },
+            "mine.json: energy[0].stencil[0] must be an exact number \"p/q\" or \"p\", not "
+            "\"1/-2\"");
+    refuses([](Json& t) { t["energy"][0]["stencil"].erase(0); },
+            "mine.json: energy[0].stencil must be a list of an odd number of entries, up to 9, not "
+            "a list of 4");
+    refuses(
+        [](Json& t) {
+            t["windows"]["modal"][0] = {nullptr, nullptr};
+        },
+        "mine.json: windows.modal[0][0] must be an object, not null");
+    refuses([](Json& t) { t["max_cfl"][0]["cfl"] = 1.5; },
+            "mine.json: max_cfl[0].cfl must be a number from 0 to 1, not 1.5");
+    refuses([](Json& t) { t["certificate"] = nullptr; },
+            "mine.json: certificate must be a string where there are windows and steps, not null");
+    refuses(
+        [](Json& t) {
+            t["weights"] = {"1", "0"};
+        },
+        "mine.json: weights[1] must be positive, not \"0\"");
+    for (const Json& weights : {Json({"1"}), Json({"1", "1"}), Json({"2", "1"})}) {
+        Json wrong = damped();
+        wrong["weights"] = weights;
+        CHECK(refusal(wrong.dump())
+                  .starts_with("mine.json: weights must be a list of 2, the first "
+                               "of them \"1\", and left out where all of them "
+                               "are, not a list of "));
+    }
+    Json two = {{"schema", 3}, {"tables", {damped(), damped()}}};
+    CHECK(refusal(two.dump()) == "");
+    two["tables"][1]["b"][2]["num"] = nullptr;
+    CHECK(refusal(two.dump()) == "mine.json: tables[1].b[2].num must be a list, not null");
+}
+
+TEST_CASE("a text that is no table") {
+    const std::string table = damped().dump();
+    for (std::size_t size = 0; size < table.size(); size += 97) {
+        CHECK(refusal(table.substr(0, size)).starts_with("mine.json is no JSON: parse error"));
+    }
+    CHECK(refusal("[]") == "mine.json must be an object, not a list of 0");
+    CHECK(refusal("null") == "mine.json must be an object, not null");
+    CHECK(refusal("{}") == "mine.json has no key \"schema\"");
+    CHECK(refusal(table + "x").starts_with("mine.json is no JSON"));
+    CHECK(refusal("\xff\xfe").starts_with("mine.json is no JSON"));
+    const std::string deep = "mine.json is no table of nmbcgen: it is nested too deeply";
+    std::string lists;
+    lists.resize(15'000'000, '[');
+    CHECK(refusal(lists) == deep);
+    std::string objects;
+    for (int i = 0; i < 1'000'000; ++i) {
+        objects += R"({"a":)";
+    }
+    CHECK(refusal(objects) == deep);
+}
+
+/// A table that nmbcgen made for the tests.
+std::string made(const std::string& name) {
+    return std::string(NMBC_MADE_TABLES) + "/" + name + ".json";
+}
+
+constexpr const char* conical = "nopd1d_n2_w_1o1_1o2_order1_G1o1";
+constexpr const char* matched = "nopd1d_n1_order2_at1o2x1_G1o2";
+constexpr const char* uncertified = "nopd1d_n2_w_1o1_1o2_order2_s2_G1o1";
+
+Scene scene_with(std::initializer_list<const char*> names) {
+    Scene scene;
+    scene.horizon = 2;
+    scene.G = 1;
+    for (const char* name : names) {
+        scene.own_tables.push_back(
+            std::make_shared<const TableFile>(std::filesystem::path(made(name))));
+    }
+    return scene;
+}
+
+TEST_CASE("the scene's own come first, and those of its lattice alone are looked at") {
+    Scene scene = scene_with({uncertified, conical, matched});
+    const auto names = [&] {
+        std::vector<std::string> list;
+        for (const auto* table : tables_of(scene)) {
+            list.emplace_back(table->name);
+        }
+        return list;
+    };
+    CHECK(std::ranges::count(names(), conical) == 0);  // of another influence
+    CHECK(names().front() == "nopd1d_n2_order1");
+    scene.weights = {"1", "1/2"};
+    CHECK(names() == std::vector<std::string>{uncertified, conical});
+    CHECK(table_of(scene, {.order = 1}).name == conical);
+    CHECK(uncertified_file(scene, table_of(scene, {.order = 1})) == nullptr);
+    CHECK(uncertified_file(scene, table_of(scene, {.order = 2, .stride = 2})) ==
+          scene.own_tables.front().get());
+    std::string rungs;
+    for (const Rung& rung : ladder(scene)) {
+        rungs += rung.name + ", ";
+    }
+    CHECK_MESSAGE(rungs.starts_with("fixed, free, NMBC2 s2, NMBC1 s1, higdon 1"), rungs);
+    CHECK_MESSAGE(rungs.find("mbc") == std::string::npos, rungs);  // knows constant influence alone
+    scene.G = 0.9;                                                 // they are for G = 1
+    CHECK(names().empty());
+    CHECK_THROWS_WITH_AS(
+        table_of(scene, {.order = 3}),
+        doctest::Contains(
+            "To make it beside the scene: nmbcgen --family nopd1d --order 3 --horizon "
+            "2 --weights 1,1/2 --G 9/10 --format json --out FOLDER, and model.tables "
+            "= [\"nopd1d_n2_w_1o1_1o2_order3_G9o10.json\"]"),
+        SceneError);
+
+    scene = scene_with({matched});
+    scene.horizon = 1;
+    scene.G = 0.5;
+    const std::string of_points = std::string("nopd1d_n1_order2_G1o2, matched at 0:3,1/2:1");
+    CHECK(names().front() == of_points);
+    CHECK(std::ranges::count(names(), "nopd1d_n1_order2") == 0);  // which it stands for
+    CHECK(std::ranges::count(names(), "nopd1d_n1_order3") == 1);
+}
+
+TEST_CASE("two tables with the same name for different lattices are refused") {
+    Scene scene = scene_with({conical});
+    std::ifstream file(made(conical));
+    Json json = Json::parse(file);
+    json.erase("weights");
+    scene.own_tables = {std::make_shared<const TableFile>(json.dump(), "forged.json")};
+    CHECK_THROWS_WITH_AS(tables_of(scene), doctest::Contains("are of different lattices"),
+                         SceneError);
+}
+
+}  // namespace
+}  // namespace nmbcrun::test

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/scene/exact_json.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+
+#include "generator/exact/rational.hpp"
+
+namespace nmbcrun {
+namespace {
+
+constexpr std::size_t most_digits = 10'000;
+
+bool is_integer(std::string_view text) {
+    const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
+    return !digits.empty() && digits.size() <= most_digits &&
+           std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; }) &&
+           (digits.front() != '0' || text == "0");
+}
+
+bool is_positive_integer(std::string_view text) {
+    return is_integer(text) && text.front() != '-' && text != "0";
+}
+
+std::string integers_of(const JsonValue& json) {
+    std::string list;
+    for (const JsonValue& element : json.elements()) {
+        const std::string text = element.text();
+        if (!is_integer(text)) {
+            element.must_be("an integer in a string");
+        }
+        list += (list.empty() ? "" : " ") + text;
+    }
+    if (list.empty()) {
+        json.must_be("a list of one integer or more");
+    }
+    return list;
+}
+
+}  // namespace
+
+nmbcgen::Rational Fraction::value() const {
+    return {nmbcgen::Integer(numerator), nmbcgen::Integer(denominator)};
+}
+
+Fraction fraction_of(const JsonValue& json) {
+    const std::string text = json.text();
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    Fraction fraction{text.substr(0, slash), slash == text.size() ? "1" : text.substr(slash + 1)};
+    if (!is_integer(fraction.numerator) || !is_positive_integer(fraction.denominator)) {
+        json.must_be(R"(an exact number "p/q" or "p")");
+    }
+    return fraction;
+}
+
+Fraction rational_function_of(const JsonValue& json) {
+    const JsonValue below = json.at("den");
+    Fraction function{integers_of(json.at("num")), integers_of(below)};
+    const std::string_view denominator = function.denominator;
+    const std::size_t last_space = denominator.find_last_of(' ');
+    if (!is_positive_integer(
+            denominator.substr(last_space == std::string_view::npos ? 0 : last_space + 1))) {
+        below.must_be("a list of integers of which the last is positive");
+    }
+    return function;
+}
+
+nmbcgen::Rational parameter_of(const JsonValue& json) {
+    const std::string text = json.text();
+    try {
+        nmbcgen::Rational value = nmbcgen::parse_rational(text);
+        if (nmbcgen::to_string(value) == text) {
+            return value;
+        }
+    } catch (const std::invalid_argument&) {  // said below
+    }
+    json.must_be("an exact number \"p/q\" in lowest terms, not below 0");
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+/// Text of scenes for the terminal.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace nmbcrun {
+
+/// UTF-8 with its control characters escaped, \x1b or \u009b, so that none of them commands the
+/// terminal.
+std::string printable(std::string_view text);
+
+}  // namespace nmbcrun

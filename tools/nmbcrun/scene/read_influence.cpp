@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/scene/read_influence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "generator/exact/rational.hpp"
+#include "generator/families/influence.hpp"
+
+namespace nmbcrun {
+namespace {
+
+constexpr const char* key = "model.influence";
+
+std::vector<nmbcgen::Rational> named(SceneReader& reader, unsigned horizon) {
+    const std::string name = reader.text(key).value();
+    const auto list = nmbcgen::influences();
+    const auto found = std::ranges::find(list, name, &nmbcgen::Influence::name);
+    if (found == list.end()) {
+        std::string names;
+        for (const nmbcgen::Influence& influence : list) {
+            names += fmt::format("\"{}\", ", influence.name);
+        }
+        reader.fail(key, fmt::format("must be {}or a list of {} exact numbers, not \"{}\"", names,
+                                     horizon, name));
+    }
+    return weights_of(*found, horizon);
+}
+
+std::vector<nmbcgen::Rational> listed(SceneReader& reader, unsigned horizon) {
+    std::vector<nmbcgen::Rational> weights;
+    for (const std::string& text : reader.numbers_or_texts(key)) {
+        try {
+            weights.push_back(nmbcgen::parse_rational(text));
+        } catch (const std::invalid_argument& error) {
+            reader.fail(key, fmt::format("must be a list of exact numbers: {}", error.what()));
+        }
+        if (weights.back() == 0) {
+            reader.fail(key, "has a 0: every bond needs a positive weight");
+        }
+    }
+    if (weights.size() != horizon) {
+        reader.fail(key, fmt::format("has {} weights, where horizon {} needs {}", weights.size(),
+                                     horizon, horizon));
+    }
+    return weights;
+}
+
+}  // namespace
+
+std::vector<std::string> read_influence(SceneReader& reader, int horizon) {
+    if (!reader.has(key)) {
+        return {};
+    }
+    const auto weights = nmbcgen::normalised(
+        reader.is_text(key) ? named(reader, unsigned(horizon)) : listed(reader, unsigned(horizon)));
+    std::vector<std::string> texts;
+    texts.reserve(weights.size());
+    for (const nmbcgen::Rational& weight : weights) {
+        texts.push_back(nmbcgen::to_string(weight));
+    }
+    return texts;
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+/// Whether a chain fits in memory.
+#pragma once
+
+#include <cstdint>
+#include <nmbc/lattice.hpp>
+
+#include "tools/nmbcrun/scene/scene.hpp"
+
+namespace nmbcrun {
+
+/// Of the machine, whoever else uses it [bytes].
+std::uintmax_t physical_memory();
+
+/// Throws SceneError, with the number of nodes that are allowed, where a run of a chain of so many
+/// nodes, layers included, would not fit in so much memory [bytes]. Else a system that gives out
+/// more memory than it has would end the run, or another program, without a word.
+void require_memory(std::size_t nodes, std::uintmax_t memory);
+
+/// Likewise of the scene, without the layers that find their own width, in the machine's memory.
+void require_memory(const Scene& scene, const nmbc::Lattice& lattice);
+
+}  // namespace nmbcrun
