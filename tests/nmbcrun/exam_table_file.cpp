@@ -188,6 +188,18 @@ TEST_CASE("what is wrong is said, with its place and what is allowed") {
             t["damping"][1]["num"] = {"1", "1"};
         },
         "mine.json: damping must be a list of numbers, the same at every G, not a list of 5");
+    refuses([](Json& t) { t["energy"][0]["weight"]["num"][0] = "-1"; },
+            "mine.json: energy[0].weight must be not below 0, not an object");
+    refuses(
+        [](Json& t) {
+            t["energy"].erase(t["energy"].begin(), t["energy"].end());
+            t["energy"].push_back({{"part", "strain"},
+                                   {"weight", {{"num", {"1"}}, {"den", {"1"}}}},
+                                   {"stencil", {"0", "2", "-2"}}});
+            t["symbol"] = {{{"num", {"8"}}, {"den", {"1"}}}, {{"num", {"-4"}}, {"den", {"1"}}}};
+            t["damping"].erase(t["damping"].begin() + 2, t["damping"].end());
+        },
+        "mine.json: symbol must be that of omega^2 = xi^2 + .., not a list of 2");
     refuses([](Json& t) { t["energy"][0]["part"] = "heat"; },
             R"(mine.json: energy[0].part must be "strain" or "stabilisation", not "heat")");
     refuses([](Json& t) { t["energy"][0]["stencil"][0] = "1/-2"; },

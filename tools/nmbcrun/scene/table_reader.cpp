@@ -51,6 +51,17 @@ nmbcgen::Specification specification_of(const JsonValue& json) {
     return what;
 }
 
+/// Whether omega^2 = xi^2 + .. at every G, as dX = c = 1 has it.
+bool is_of_unit_speed(const std::vector<nmbcgen::Polynomial>& symbol) {
+    nmbcgen::Polynomial at_rest = symbol[0];
+    nmbcgen::Polynomial curvature;
+    for (std::size_t m = 1; m < symbol.size(); ++m) {
+        at_rest += symbol[m] * nmbcgen::Rational(2);
+        curvature -= symbol[m] * nmbcgen::Rational(m * m);
+    }
+    return at_rest.is_zero() && curvature == nmbcgen::Polynomial(std::vector<nmbcgen::Rational>{1});
+}
+
 /// Throws where it is none.
 nmbcgen::Polynomial polynomial_of(const JsonValue& json, const Fraction& function) {
     if (function.denominator.find(' ') != std::string::npos) {
@@ -118,6 +129,9 @@ nmbcgen::EnergySquare TableReader::square(const JsonValue& json, std::size_t rea
         .part = is_strain ? nmbcgen::EnergyPart::strain : nmbcgen::EnergyPart::stabilisation,
         .weight = polynomial_of(weight, exact(weight)),
         .stencil = {}};
+    if (std::ranges::any_of(result.weight.data(), [](const auto& entry) { return entry < 0; })) {
+        weight.must_be("not below 0");
+    }
     const std::vector<JsonValue> stencil = json.at("stencil").elements();
     if (stencil.size() % 2 == 0 || stencil.size() > 2 * reach + 1) {
         json.at("stencil").must_be(
@@ -179,6 +193,9 @@ std::span<const nmbc::EnergySquare> TableReader::energy() {
     }
     if (exact_squares.empty() || symbol_of(exact_squares) != stated) {
         symbol.must_be("the symbol of \"energy\"");
+    }
+    if (!is_of_unit_speed(stated)) {
+        symbol.must_be("that of omega^2 = xi^2 + ..");
     }
     return squares;
 }
