@@ -45,7 +45,7 @@ do for [kind in "svg png"] {
             set xlabel "added to a step by both ends [%]"
             set ylabel "error of the ends / max |u|"
             set key off
-            x(cost, total, cfl) = abs(cfl - 0.4) < 1e-9 ? overhead(cost) : NaN
+            x(steps, total, cfl) = abs(cfl - 0.4) < 1e-9 ? overhead(total / steps) : NaN
             error_column = "boundary_error"
             front_column = "on_step_front"
         } else {
@@ -53,7 +53,7 @@ do for [kind in "svg png"] {
             set xlabel "cost of the run [steps of the bare interior]"
             set ylabel "error / max |u|"
             set key on
-            x(cost, total, cfl) = total
+            x(steps, total, cfl) = total
             error_column = "total_error"
             front_column = "on_front"
         }
@@ -61,18 +61,18 @@ do for [kind in "svg png"] {
         plot for [i = 1:words(kinds)] ARG1 \
                  using (strcol("kind") eq word(kinds, i) && \
                         !failed(strcol("fate"), column(error_column)) ? \
-                        x(column("step_cost"), column("total_cost"), column("cfl")) : NaN): \
+                        x(column("steps"), column("total_cost"), column("cfl")) : NaN): \
                        (clip(column(error_column))) \
                  with points pointtype int(word(shapes, i)) linecolor rgb word(colours, i) \
                  title word(kinds, i), \
              for [i = 1:words(kinds)] ARG1 \
                  using (strcol("kind") eq word(kinds, i) && \
                         failed(strcol("fate"), column(error_column)) ? \
-                        x(column("step_cost"), column("total_cost"), column("cfl")) : NaN): \
+                        x(column("steps"), column("total_cost"), column("cfl")) : NaN): \
                        (clip(column(error_column))) \
                  with points pointtype 2 pointsize 1.3 linewidth 1.5 linecolor rgb word(colours, i) notitle, \
              ARG1 using (column(front_column) == 1 ? \
-                        x(column("step_cost"), column("total_cost"), column("cfl")) : NaN): \
+                        x(column("steps"), column("total_cost"), column("cfl")) : NaN): \
                        (clip(column(error_column))) \
                  smooth unique with lines linecolor "#444444" dashtype 3 \
                  title (panel == 2 ? "none better" : "")

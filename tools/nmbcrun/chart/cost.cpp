@@ -8,6 +8,7 @@
 
 #include "tools/nmbcrun/chart/chains.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
+#include "tools/nmbcrun/simulation/time_step.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -26,7 +27,7 @@ struct NoEnd {
 };
 
 /// A field that is nowhere near the smallest doubles, which are slow, and 0 where an exact end
-/// wants it to be. Too few steps follow for it to fade, or to grow beyond all doubles.
+/// wants it to be.
 void fill(nmbc::Chain& chain) {
     std::vector<double> u(chain.nodes());
     const std::size_t at_rest = 2 * chain.ghosts();
@@ -38,14 +39,20 @@ void fill(nmbc::Chain& chain) {
     chain.start(u, std::vector<double>(u.size()));
 }
 
-double seconds_of(nmbc::Chain& chain, std::size_t steps) {
-    using Clock = std::chrono::steady_clock;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// For each step of a run that begins here.
+double seconds_per_step(nmbc::Chain& chain, std::size_t steps) {
     fill(chain);
     const auto start = Clock::now();
     for (std::size_t step = 0; step < steps; ++step) {
         chain.step();
     }
-    return std::chrono::duration<double>(Clock::now() - start).count();
+    return seconds_since(start) / double(steps);
 }
 
 double median(std::vector<double> values) {
@@ -54,36 +61,64 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
+nmbc::Chain chain_of(const Scene& scene) {
+    return chain_between(scene, chain_end(scene, scene.left), chain_end(scene, scene.right));
+}
+
+template <class Make>
+double seconds_to(Make make) {
+    const auto start = Clock::now();
+    const nmbc::Chain made = make();
+    return seconds_since(start);
+}
+
+double construction_cost(const Scene& scene, nmbc::Chain& bare, std::size_t bare_steps) {
+    constexpr int rounds = 5;
+    std::vector<double> ratios;
+    for (int round = 0; round < rounds; ++round) {
+        const double without =
+            seconds_to([&scene] { return chain_between(scene, NoEnd{}, NoEnd{}); });
+        const double with = seconds_to([&scene] { return chain_of(scene); });
+        ratios.push_back((with - without) / seconds_per_step(bare, bare_steps));
+    }
+    return median(ratios);
+}
+
 }  // namespace
 
-std::vector<double> relative_costs(const std::vector<Scene>& scenes,
-                                   const std::function<void()>& after_round) {
-    // A twentieth of a millisecond or so: mostly undisturbed where other programs run, too.
+std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
+                                         const std::function<void()>& after_round) {
+    // A twentieth of a millisecond or so: mostly undisturbed where other programs run, too. Too few
+    // for the field to fade, or to grow beyond all doubles.
     constexpr double node_steps = 5e4;
-    const auto steps =
+    const auto burst =
         std::size_t(std::max(10.0, std::ceil(node_steps / double(scenes.front().nodes))));
     nmbc::Chain bare = chain_between(scenes.front(), NoEnd{}, NoEnd{});
+    std::vector<RelativeCost> costs;
     std::vector<nmbc::Chain> chains;
+    costs.reserve(scenes.size());
     chains.reserve(scenes.size());
-    for (Scene scene : scenes) {
-        scene.end = std::max(scene.end, double(steps) * scene.step.value());
-        chains.push_back(
-            chain_between(scene, chain_end(scene, scene.left), chain_end(scene, scene.right)));
+    for (const Scene& scene : scenes) {
+        costs.push_back({.construction = construction_cost(scene, bare, burst)});
+        chains.push_back(chain_of(scene));
     }
+    // An exact end's steps take the longer, the more of them were before: it is timed through all.
+    const auto steps_of = [burst](const Scene& scene) {
+        const bool remembers = scene.left.kind == BoundaryKind::exact;
+        return remembers ? steps_until(scene.end, scene.step.value()) : burst;
+    };
     std::vector<std::vector<double>> ratios(chains.size());
     for (std::size_t round = 0; round < cost_rounds; ++round) {
         for (std::size_t i = 0; i < chains.size(); ++i) {
-            const double before = seconds_of(bare, steps);
-            const double own = seconds_of(chains[i], steps);
-            const double after = seconds_of(bare, steps);
+            const double before = seconds_per_step(bare, burst);
+            const double own = seconds_per_step(chains[i], steps_of(scenes[i]));
+            const double after = seconds_per_step(bare, burst);
             ratios[i].push_back(2 * own / (before + after));
         }
         after_round();
     }
-    std::vector<double> costs;
-    costs.reserve(ratios.size());
-    for (const std::vector<double>& each : ratios) {
-        costs.push_back(median(each));
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+        costs[i].step = median(ratios[i]);
     }
     return costs;
 }
