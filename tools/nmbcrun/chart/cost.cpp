@@ -73,12 +73,14 @@ double seconds_to(Make make) {
 }
 
 double construction_cost(const Scene& scene, nmbc::Chain& bare, std::size_t bare_steps) {
-    constexpr int rounds = 5;
+    constexpr std::size_t rounds = 51;
+    constexpr double enough = 0.5;  // [s]: what takes long needs fewer rounds
     std::vector<double> ratios;
-    for (int round = 0; round < rounds; ++round) {
+    for (double spent = 0; ratios.size() < rounds && spent < enough;) {
         const double without =
             seconds_to([&scene] { return chain_between(scene, NoEnd{}, NoEnd{}); });
         const double with = seconds_to([&scene] { return chain_of(scene); });
+        spent += with;
         ratios.push_back((with - without) / seconds_per_step(bare, bare_steps));
     }
     return median(ratios);

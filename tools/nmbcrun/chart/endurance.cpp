@@ -45,34 +45,6 @@ double largest_displacement(const nmbc::Chain& chain) {
     return largest;
 }
 
-/// What becomes of the largest displacements, at equal distances of time from 0 on.
-Endurance verdict(const std::vector<double>& largest, double time) {
-    std::array<double, 4> octaves{};  // the largest from 1/16 to 1/8 of the time, .. 1/2 to all
-    for (std::size_t i = 0; i < octaves.size(); ++i) {
-        const std::size_t last =
-            std::max<std::size_t>(1, largest.size() >> (octaves.size() - 1 - i));
-        octaves[i] = *std::max_element(largest.begin() + std::ptrdiff_t(last / 2),
-                                       largest.begin() + std::ptrdiff_t(last));
-    }
-    const double late = std::log(octaves[3] / octaves[2]);
-    // What keeps its energy varies by a tenth or so; t^(1/2) grows by 0.35 in an octave.
-    constexpr double grows = 0.3;
-    if (late < grows) {
-        return {};
-    }
-    const double exponent = late / (time / 2);
-    // On top of what is there from the start, powers up to t^3 differ enough from exp(t) from here
-    // on.
-    constexpr double clear = 100;
-    if (octaves[3] < clear * *std::ranges::min_element(octaves)) {
-        return {Fate::grows, exponent};
-    }
-    // A power of time has the same in every octave, an exponential function the double.
-    const bool exponential = late > 1.5 * std::log(octaves[2] / octaves[1]);
-    return exponential ? Endurance{Fate::unstable, exponent}
-                       : Endurance{Fate::drifts, late / std::log(2)};
-}
-
 Endurance endure(const Scene& scene, std::size_t steps) {
     nmbc::Chain chain =
         chain_between(scene, chain_end(scene, scene.left), chain_end(scene, scene.right));
@@ -96,7 +68,7 @@ Endurance endure(const Scene& scene, std::size_t steps) {
             throw Interrupted("stopped; no chart was written");
         }
     }
-    return verdict(largest, chain.time());
+    return fate_of(largest, chain.time());
 }
 
 }  // namespace
@@ -113,6 +85,32 @@ std::string_view name_of(Fate fate) {
             break;
     }
     return "steady";
+}
+
+Endurance fate_of(const std::vector<double>& largest, double time) {
+    std::array<double, 3> octaves{};  // the largest from 1/8 to 1/4 of the time, .. 1/2 to all
+    for (std::size_t i = 0; i < octaves.size(); ++i) {
+        const std::size_t last = (largest.size() - 1) >> (octaves.size() - 1 - i);
+        octaves[i] = *std::max_element(largest.begin() + std::ptrdiff_t(last / 2),
+                                       largest.begin() + std::ptrdiff_t(last + 1));
+    }
+    const double late = std::log(octaves[2] / octaves[1]);
+    // What keeps its energy varies by a tenth or so; t^(1/2) grows by 0.35 in an octave.
+    constexpr double grows = 0.3;
+    if (late < grows) {
+        return {};
+    }
+    const double exponent = late / (time / 2);
+    // On top of what is there from the start, powers up to t^3 differ enough from exp(t) from here
+    // on.
+    constexpr double clear = 100;
+    if (octaves[2] < clear * *std::ranges::min_element(largest)) {
+        return {Fate::grows, exponent};
+    }
+    // A power of time has the same in every octave, an exponential function the double.
+    const bool exponential = late > 1.5 * std::log(octaves[1] / octaves[0]);
+    return exponential ? Endurance{Fate::unstable, exponent}
+                       : Endurance{Fate::drifts, late / std::log(2)};
 }
 
 std::vector<Endurance> endure(const std::vector<Scene>& scenes, std::size_t steps,

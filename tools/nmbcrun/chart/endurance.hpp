@@ -27,6 +27,9 @@ struct Endurance {
     double rate = 0;
 };
 
+/// What the largest displacements show, at equal distances of time from 0 to `time`.
+Endurance fate_of(const std::vector<double>& largest, double time);
+
 /// Runs each scene's chain, with its ends and in its step, for so many steps from random data, one
 /// with an exact end for those of the scene's own run. A run ends early where it has grown, or
 /// faded, beyond all doubt. On all cores; after_each is called after each run, by one thread at a
