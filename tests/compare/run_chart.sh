@@ -14,7 +14,7 @@ error_of() { # BOUNDARY CFL: its boundary error
     awk -F, -v boundary="$1" -v cfl="$2" '$1 == boundary && $3 == cfl { print $11 }' $csv
 }
 expect "a header line" grep -qx "boundary,kind,cfl,steps,certified,fate,rate,step_cost,construction,$(:
-    )total_cost,boundary_error,total_error,energy_left,on_step_front,on_front" $csv
+    )total_cost,boundary_error,total_error,energy_left,on_step_front,on_front,layer_share" $csv
 for kind in nmbc mbc higdon sponge pml extended exact fixed free; do
     for cfl in 0.1 0.2 0.4 0.8; do
         expect "$kind at cfl $cfl" grep -q ",$kind,$cfl," $csv

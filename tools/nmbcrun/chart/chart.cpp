@@ -127,18 +127,20 @@ std::vector<Point> measure(const Scene& scene, const std::vector<Rung>& rungs,
 
 constexpr const char* header =
     "boundary,kind,cfl,steps,certified,fate,rate,step_cost,construction,total_cost,boundary_error,"
-    "total_error,energy_left,on_step_front,on_front";
+    "total_error,energy_left,on_step_front,on_front,layer_share";
 
-void write(const std::vector<Point>& points, CsvFile& csv) {
+/// nodes: of the interior.
+void write(const std::vector<Point>& points, std::size_t nodes, CsvFile& csv) {
     for (const Point& point : points) {
         const Trial& trial = point.trial;
         csv.append(fmt::format(
             "{},{},{},{},{:d},{},{:.4g},{:.5g},{:.5g},{:.6g},{:.4g},{:.4g},{:.4g},"
-            "{:d},{:d}",
+            "{:d},{:d},{:.4g}",
             point.rung->name, name_of(point.rung->boundary.kind), point.cfl, trial.steps,
             trial.certified(), name_of(point.endurance.fate), point.endurance.rate, point.cost.step,
             point.cost.construction, point.total_cost(), trial.boundary_error, trial.total_error,
-            trial.energy_left, point.on_step_front, point.on_front));
+            trial.energy_left, point.on_step_front, point.on_front,
+            2 * double(point.rung->boundary.layer) / double(nodes)));
     }
     csv.publish();
 }
@@ -192,7 +194,7 @@ void chart(const Scene& scene, const std::filesystem::path& folder, std::size_t 
     CsvFile csv(folder / (scene.name + "_chart.csv"), header);  // which may not be possible
     const std::vector<Rung> rungs = ladder(scene);
     const std::vector<Point> points = measure(scene, rungs, steps, endurance, quiet);
-    write(points, csv);
+    write(points, scene.nodes, csv);
     if (!quiet) {
         print(points, endurance);
         print_failures(points);
