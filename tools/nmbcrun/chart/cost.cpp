@@ -2,8 +2,8 @@
 #include "tools/nmbcrun/chart/cost.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <nmbc/chain.hpp>
 
 #include "tools/nmbcrun/chart/chains.hpp"
@@ -39,20 +39,21 @@ void fill(nmbc::Chain& chain) {
     chain.start(u, std::vector<double>(u.size()));
 }
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
+/// What other programs take of the machine does not count.
+double seconds_of_this_thread() {
+    std::timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
 /// For each step of a run that begins here.
 double seconds_per_step(nmbc::Chain& chain, std::size_t steps) {
     fill(chain);
-    const auto start = Clock::now();
+    const double start = seconds_of_this_thread();
     for (std::size_t step = 0; step < steps; ++step) {
         chain.step();
     }
-    return seconds_since(start) / double(steps);
+    return (seconds_of_this_thread() - start) / double(steps);
 }
 
 double median(std::vector<double> values) {
@@ -67,9 +68,9 @@ nmbc::Chain chain_of(const Scene& scene) {
 
 template <class Make>
 double seconds_to(Make make) {
-    const auto start = Clock::now();
+    const double start = seconds_of_this_thread();
     const nmbc::Chain made = make();
-    return seconds_since(start);
+    return seconds_of_this_thread() - start;
 }
 
 double construction_cost(const Scene& scene, nmbc::Chain& bare, std::size_t bare_steps) {

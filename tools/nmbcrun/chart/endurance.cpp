@@ -94,10 +94,13 @@ Endurance fate_of(const std::vector<double>& largest, double time) {
         octaves[i] = *std::max_element(largest.begin() + std::ptrdiff_t(last / 2),
                                        largest.begin() + std::ptrdiff_t(last + 1));
     }
+    const double early = std::log(octaves[1] / octaves[0]);
     const double late = std::log(octaves[2] / octaves[1]);
-    // What keeps its energy varies by a tenth or so; t^(1/2) grows by 0.35 in an octave.
+    // In an octave t^(1/2) grows by 0.35, and what keeps its energy by a third now and then, but
+    // not twice; what grows at last, when all else has decayed, by more.
     constexpr double grows = 0.3;
-    if (late < grows) {
+    constexpr double turns = 1;
+    if (late < (early > grows ? grows : turns)) {
         return {};
     }
     const double exponent = late / (time / 2);
@@ -108,7 +111,7 @@ Endurance fate_of(const std::vector<double>& largest, double time) {
         return {Fate::grows, exponent};
     }
     // A power of time has the same in every octave, an exponential function the double.
-    const bool exponential = late > 1.5 * std::log(octaves[1] / octaves[0]);
+    const bool exponential = late > 1.5 * early;
     return exponential ? Endurance{Fate::unstable, exponent}
                        : Endurance{Fate::drifts, late / std::log(2)};
 }
