@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <nmbc/lattice.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "tools/nmbcrun/output/csv.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/simulation/simulation.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
 
 namespace nmbcrun {
@@ -183,6 +185,21 @@ void print(const std::vector<Point>& points, std::size_t endurance) {
     }
 }
 
+/// Why an exact end cannot take part: it needs a scene at rest next to it, and memory of all steps.
+std::string objection_to_exact(const Scene& exact) {
+    if (exact.nodes <= 4 * lattice_of(exact).reach()) {
+        return "the chain is too short to time it";
+    }
+    try {
+        const Simulation simulation(exact);
+        return "";
+    } catch (const SceneError& error) {
+        return error.what();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+}
+
 }  // namespace
 
 void chart(const Scene& scene, const std::filesystem::path& folder, std::size_t endurance,
@@ -192,7 +209,18 @@ void chart(const Scene& scene, const std::filesystem::path& folder, std::size_t 
     std::ranges::copy_if(cfls, std::back_inserter(steps),
                          [&](double cfl) { return cfl <= nmbc::interior_cfl(lattice); });
     CsvFile csv(folder / (scene.name + "_chart.csv"), header);  // which may not be possible
-    const std::vector<Rung> rungs = ladder(scene);
+    std::vector<Rung> rungs = ladder(scene);
+    std::erase_if(rungs, [&](const Rung& rung) {
+        if (rung.boundary.kind != BoundaryKind::exact) {
+            return false;
+        }
+        const std::string objection =
+            objection_to_exact(with_ends(in_steps_of(scene, steps.front()), rung.boundary));
+        if (!objection.empty()) {
+            fmt::print(stderr, "nmbcrun: left out: {}: {}\n", rung.name, objection);
+        }
+        return !objection.empty();
+    });
     const std::vector<Point> points = measure(scene, rungs, steps, endurance, quiet);
     write(points, scene.nodes, csv);
     if (!quiet) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ctime>
 #include <nmbc/chain.hpp>
+#include <utility>
 
 #include "tools/nmbcrun/chart/chains.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
@@ -66,25 +67,25 @@ nmbc::Chain chain_of(const Scene& scene) {
     return chain_between(scene, chain_end(scene, scene.left), chain_end(scene, scene.right));
 }
 
-template <class Make>
-double seconds_to(Make make) {
-    const double start = seconds_of_this_thread();
-    const nmbc::Chain made = make();
-    return seconds_of_this_thread() - start;
-}
+constexpr double enough = 0.5;  // [s]: what takes long needs fewer rounds
 
-double construction_cost(const Scene& scene, nmbc::Chain& bare, std::size_t bare_steps) {
+/// A chain of the scene, and what its ends take to be made.
+std::pair<nmbc::Chain, double> made(const Scene& scene, nmbc::Chain& bare, std::size_t burst) {
     constexpr std::size_t rounds = 51;
-    constexpr double enough = 0.5;  // [s]: what takes long needs fewer rounds
     std::vector<double> ratios;
-    for (double spent = 0; ratios.size() < rounds && spent < enough;) {
-        const double without =
-            seconds_to([&scene] { return chain_between(scene, NoEnd{}, NoEnd{}); });
-        const double with = seconds_to([&scene] { return chain_of(scene); });
-        spent += with;
-        ratios.push_back((with - without) / seconds_per_step(bare, bare_steps));
+    double spent = 0;
+    while (true) {
+        const double start = seconds_of_this_thread();
+        { const nmbc::Chain without = chain_between(scene, NoEnd{}, NoEnd{}); }
+        const double middle = seconds_of_this_thread();
+        nmbc::Chain with = chain_of(scene);
+        const double end = seconds_of_this_thread();
+        ratios.push_back((end - middle - (middle - start)) / seconds_per_step(bare, burst));
+        spent += end - middle;
+        if (ratios.size() == rounds || spent > enough) {
+            return {std::move(with), median(ratios)};
+        }
     }
-    return median(ratios);
 }
 
 }  // namespace
@@ -102,8 +103,9 @@ std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
     costs.reserve(scenes.size());
     chains.reserve(scenes.size());
     for (const Scene& scene : scenes) {
-        costs.push_back({.construction = construction_cost(scene, bare, burst)});
-        chains.push_back(chain_of(scene));
+        auto [chain, cost] = made(scene, bare, burst);
+        chains.push_back(std::move(chain));
+        costs.push_back({.construction = cost});
     }
     // An exact end's steps take the longer, the more of them were before: it is timed through all.
     const auto steps_of = [burst](const Scene& scene) {
@@ -111,12 +113,17 @@ std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
         return remembers ? steps_until(scene.end, scene.step.value()) : burst;
     };
     std::vector<std::vector<double>> ratios(chains.size());
+    std::vector<double> spent(chains.size());
     for (std::size_t round = 0; round < cost_rounds; ++round) {
         for (std::size_t i = 0; i < chains.size(); ++i) {
+            if (spent[i] > enough) {
+                continue;
+            }
             const double before = seconds_per_step(bare, burst);
             const double own = seconds_per_step(chains[i], steps_of(scenes[i]));
             const double after = seconds_per_step(bare, burst);
             ratios[i].push_back(2 * own / (before + after));
+            spent[i] += own * double(steps_of(scenes[i]));
         }
         after_round();
     }

@@ -27,11 +27,10 @@ void start_randomly(nmbc::Chain& chain) {
     std::normal_distribution<double> normal;
     std::vector<double> u(chain.nodes());
     // The standard deviation of displacements is 1; at rest, so that nothing moves as a whole, and
-    // still next to the ends, where an exact one wants it to be.
-    const auto inside = std::span(u)
-                            .subspan(chain.first_interior(), chain.parameters().nodes)
-                            .subspan(2 * chain.ghosts());
-    std::ranges::generate(inside.first(inside.size() - 2 * chain.ghosts()),
+    // still next to the ends, where an exact one wants it to be, and no other one minds.
+    const std::size_t nodes = chain.parameters().nodes;
+    const std::size_t still = std::min(2 * chain.ghosts(), (nodes - 1) / 2);
+    std::ranges::generate(std::span(u).subspan(chain.first_interior() + still, nodes - 2 * still),
                           [&] { return normal(random); });
     chain.start(u, std::vector<double>(u.size()));
 }
