@@ -11,10 +11,10 @@ expect_exit 0
 expect_no_stderr
 csv=results/bar1d_chart.csv
 error_of() { # BOUNDARY CFL: its boundary error
-    awk -F, -v boundary="$1" -v cfl="$2" '$1 == boundary && $3 == cfl { print $10 }' $csv
+    awk -F, -v boundary="$1" -v cfl="$2" '$1 == boundary && $3 == cfl { print $11 }' $csv
 }
-expect "a header line" grep -qx "boundary,kind,cfl,steps,certified,fate,rate,step_cost,total_cost,$(:
-    )boundary_error,total_error,energy_left,on_step_front,on_front" $csv
+expect "a header line" grep -qx "boundary,kind,cfl,steps,certified,fate,rate,step_cost,construction,$(:
+    )total_cost,boundary_error,total_error,energy_left,on_step_front,on_front,layer_share" $csv
 for kind in nmbc mbc higdon sponge pml extended exact fixed free; do
     for cfl in 0.1 0.2 0.4 0.8; do
         expect "$kind at cfl $cfl" grep -q ",$kind,$cfl," $csv
@@ -27,10 +27,10 @@ expect "NMBC2 beats NMBC1 in short steps" below "$(error_of 'NMBC2 s1' 0.1)" "$(
 expect "NMBC2 beats the perfectly matched layer of 20 nodes" below "$(error_of 'NMBC2 s1' 0.4)" \
     "$(error_of 'pml 20' 0.4)"
 expect "the edge effect" below "$(error_of 'NMBC1 s1' 0.4)" "$(error_of 'mbc 1' 0.4)"
-expect "a fixed end sends all back" awk -F, '$1 == "fixed" && ($10 < 0.9 || $10 > 2.1) { exit 1 }' $csv
+expect "a fixed end sends all back" awk -F, '$1 == "fixed" && ($11 < 0.9 || $11 > 2.1) { exit 1 }' $csv
 expect "what has no certificate says so" awk -F, \
     '($2 == "higdon" || $2 == "mbc") && $5 != 0 { exit 1 }' $csv
-expect "a front of runs" awk -F, '$14 == 1 { front++ } END { exit !(front >= 2) }' $csv
+expect "a front of runs" awk -F, '$15 == 1 { front++ } END { exit !(front >= 2) }' $csv
 
 expect "a picture is drawn" gnuplot -c "$2/tools/plots/chart.gp" $csv "$scratch/chart"
 expect "a whole picture" grep -q '</svg>' "$scratch/chart.svg"

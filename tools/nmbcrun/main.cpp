@@ -34,7 +34,7 @@ struct Arguments {
     std::string folder = "results";
     bool quiet = false;
     double tolerance = 0;
-    std::size_t endurance = 100'000;
+    std::size_t endurance = 1'000'000;
     bool resume = false;
 };
 
@@ -120,7 +120,7 @@ int main(int argc, char** argv) {
     chart->add_option("--out", arguments.folder, "folder for the results (default results)");
     chart
         ->add_option("--endurance", arguments.endurance,
-                     "steps of the run that each boundary is followed through (default 100000)")
+                     "steps of the run that each boundary is followed through (default 1000000)")
         ->check(CLI::Range(std::size_t{4000}, std::size_t{1'000'000'000}));
     auto* const advise =
         add_command("advise", "the smallest model that meets a tolerance (docs/advise.md)");

@@ -48,7 +48,7 @@ void measure_costs(const Scene& scene, std::vector<Candidate>& candidates) {
     }
     const auto costs = relative_costs(scenes, [] {});
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-        candidates[i].step_cost = costs[i];
+        candidates[i].cost = costs[i].of_run(candidates[i].steps);
     }
 }
 
@@ -68,9 +68,9 @@ std::size_t size_of(const Candidate& candidate) {
 void rank(std::vector<Candidate>& candidates) {
     std::ranges::sort(candidates, {}, &Candidate::cost);
     constexpr double told_apart = 1.05;
-    const double alike = told_apart * candidates.front().cost();
+    const double alike = told_apart * candidates.front().cost;
     const auto end = std::ranges::find_if(
-        candidates, [alike](const Candidate& one) { return one.cost() > alike; });
+        candidates, [alike](const Candidate& one) { return one.cost > alike; });
     std::stable_sort(candidates.begin(), end, [](const Candidate& one, const Candidate& other) {
         return size_of(one) < size_of(other);
     });
@@ -113,7 +113,7 @@ void advise(const Scene& scene, double tolerance, bool quiet) {
                    "steps", "ends", "time step", "cost");
         for (const Candidate& one : advice.ranked) {
             fmt::print("{:<36}  {:5.3f}  {:8}  {:10.1e}  {:10.1e}  {:8.2f}\n", one.name, one.cfl,
-                       one.steps, one.boundary_error, one.time_error, one.cost() / best.cost());
+                       one.steps, one.boundary_error, one.time_error, one.cost / best.cost);
         }
         fmt::print("cost: time of the run over that of the first, measured now\n\nleft out\n");
         for (const LeftOut& one : advice.left_out) {

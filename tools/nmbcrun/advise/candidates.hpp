@@ -18,10 +18,9 @@ struct Candidate {
     std::size_t steps = 0;
     double boundary_error = 0;  ///< predicted, over max |u|
     double time_error = 0;      ///< likewise; 0 where the scene prescribes its step
-    double step_cost = 0;       ///< over a step of the bare interior; filled in when it is measured
+    double cost = 0;            ///< of a run, in steps of the bare interior, when it is measured
 
     double error() const { return boundary_error + time_error; }
-    double cost() const { return step_cost * double(steps); }
 };
 
 /// What was looked at, and why it is no candidate.

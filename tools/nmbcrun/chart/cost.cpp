@@ -2,19 +2,21 @@
 #include "tools/nmbcrun/chart/cost.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <nmbc/chain.hpp>
 #include <nmbc/ends.hpp>
+#include <utility>
 
 #include "tools/nmbcrun/chart/chains.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
+#include "tools/nmbcrun/simulation/time_step.hpp"
 
 namespace nmbcrun {
 namespace {
 
 /// A field that is nowhere near the smallest doubles, which are slow, and 0 where an exact end
-/// wants it to be. Too few steps follow for it to fade, or to grow beyond all doubles.
+/// wants it to be.
 void fill(nmbc::Chain& chain) {
     std::vector<double> u(chain.nodes());
     const std::size_t at_rest = 2 * chain.ghosts();
@@ -26,14 +28,21 @@ void fill(nmbc::Chain& chain) {
     chain.start(u, std::vector<double>(u.size()));
 }
 
-double seconds_of(nmbc::Chain& chain, std::size_t steps) {
-    using Clock = std::chrono::steady_clock;
+/// What other programs take of the machine does not count.
+double seconds_of_this_thread() {
+    std::timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+/// For each step of a run that begins here.
+double seconds_per_step(nmbc::Chain& chain, std::size_t steps) {
     fill(chain);
-    const auto start = Clock::now();
+    const double start = seconds_of_this_thread();
     for (std::size_t step = 0; step < steps; ++step) {
         chain.step();
     }
-    return std::chrono::duration<double>(Clock::now() - start).count();
+    return (seconds_of_this_thread() - start) / double(steps);
 }
 
 double median(std::vector<double> values) {
@@ -42,36 +51,72 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
+nmbc::Chain chain_of(const Scene& scene) {
+    return chain_between(scene, chain_end(scene, scene.left), chain_end(scene, scene.right));
+}
+
+constexpr double enough = 0.5;  // [s]: what takes long needs fewer rounds
+
+/// A chain of the scene, and what its ends take to be made.
+std::pair<nmbc::Chain, double> made(const Scene& scene, nmbc::Chain& bare, std::size_t burst) {
+    constexpr std::size_t rounds = 51;
+    std::vector<double> ratios;
+    double spent = 0;
+    while (true) {
+        const double start = seconds_of_this_thread();
+        { const nmbc::Chain without = chain_between(scene, nmbc::IdleEnd{}, nmbc::IdleEnd{}); }
+        const double middle = seconds_of_this_thread();
+        nmbc::Chain with = chain_of(scene);
+        const double end = seconds_of_this_thread();
+        ratios.push_back((end - middle - (middle - start)) / seconds_per_step(bare, burst));
+        spent += end - middle;
+        if (ratios.size() == rounds || spent > enough) {
+            return {std::move(with), median(ratios)};
+        }
+    }
+}
+
 }  // namespace
 
-std::vector<double> relative_costs(const std::vector<Scene>& scenes,
-                                   const std::function<void()>& after_round) {
-    // A twentieth of a millisecond or so: mostly undisturbed where other programs run, too.
+std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
+                                         const std::function<void()>& after_round) {
+    // A twentieth of a millisecond or so: mostly undisturbed where other programs run, too. Too few
+    // for the field to fade, or to grow beyond all doubles.
     constexpr double node_steps = 5e4;
-    const auto steps =
+    const auto burst =
         std::size_t(std::max(10.0, std::ceil(node_steps / double(scenes.front().nodes))));
     nmbc::Chain bare = chain_between(scenes.front(), nmbc::IdleEnd{}, nmbc::IdleEnd{});
+    std::vector<RelativeCost> costs;
     std::vector<nmbc::Chain> chains;
+    costs.reserve(scenes.size());
     chains.reserve(scenes.size());
-    for (Scene scene : scenes) {
-        scene.end = std::max(scene.end, double(steps) * scene.step.value());
-        chains.push_back(
-            chain_between(scene, chain_end(scene, scene.left), chain_end(scene, scene.right)));
+    for (const Scene& scene : scenes) {
+        auto [chain, cost] = made(scene, bare, burst);
+        chains.push_back(std::move(chain));
+        costs.push_back({.construction = cost});
     }
+    // An exact end's steps take the longer, the more of them were before: it is timed through all.
+    const auto steps_of = [burst](const Scene& scene) {
+        const bool remembers = scene.left.kind == BoundaryKind::exact;
+        return remembers ? steps_until(scene.end, scene.step.value()) : burst;
+    };
     std::vector<std::vector<double>> ratios(chains.size());
+    std::vector<double> spent(chains.size());
     for (std::size_t round = 0; round < cost_rounds; ++round) {
         for (std::size_t i = 0; i < chains.size(); ++i) {
-            const double before = seconds_of(bare, steps);
-            const double own = seconds_of(chains[i], steps);
-            const double after = seconds_of(bare, steps);
+            if (spent[i] > enough) {
+                continue;
+            }
+            const double before = seconds_per_step(bare, burst);
+            const double own = seconds_per_step(chains[i], steps_of(scenes[i]));
+            const double after = seconds_per_step(bare, burst);
             ratios[i].push_back(2 * own / (before + after));
+            spent[i] += own * double(steps_of(scenes[i]));
         }
         after_round();
     }
-    std::vector<double> costs;
-    costs.reserve(ratios.size());
-    for (const std::vector<double>& each : ratios) {
-        costs.push_back(median(each));
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+        costs[i].step = median(ratios[i]);
     }
     return costs;
 }

@@ -2,6 +2,7 @@
 /// What boundaries cost, measured beside the bare interior.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -9,12 +10,20 @@
 
 namespace nmbcrun {
 
-/// Time of a step of each of these scenes, which differ in their ends and steps alone, over that of
-/// their interior between ends that do nothing. All take turns with the bare interior, and each
-/// figure is the median of such pairs. Each scene has its step. after_round is called between two
-/// rounds.
-std::vector<double> relative_costs(const std::vector<Scene>& scenes,
-                                   const std::function<void()>& after_round);
+/// What a run takes, in steps of the bare interior.
+struct RelativeCost {
+    double step = 0;          ///< each step, in the mean of the run
+    double construction = 0;  ///< to make both ends, before the first one
+
+    double of_run(std::size_t steps) const { return step * double(steps) + construction; }
+};
+
+/// Of each of these scenes, which differ in their ends and steps alone, beside their interior
+/// between ends that do nothing. All take turns with the bare interior, and each figure is the
+/// median of such pairs. Each scene has its step, and the end of its run. after_round is called
+/// between two rounds of the steps.
+std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
+                                         const std::function<void()>& after_round);
 
 inline constexpr std::size_t cost_rounds = 201;
 

@@ -3,15 +3,21 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <future>
 #include <limits>
+#include <mutex>
 #include <nmbc/chain.hpp>
-#include <nmbc/energy.hpp>
 #include <random>
 #include <span>
+#include <thread>
 
 #include "tools/nmbcrun/chart/chains.hpp"
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
+#include "tools/nmbcrun/simulation/time_step.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -21,11 +27,10 @@ void start_randomly(nmbc::Chain& chain) {
     std::normal_distribution<double> normal;
     std::vector<double> u(chain.nodes());
     // The standard deviation of displacements is 1; at rest, so that nothing moves as a whole, and
-    // still next to the ends, where an exact one wants it to be.
-    const auto inside = std::span(u)
-                            .subspan(chain.first_interior(), chain.parameters().nodes)
-                            .subspan(2 * chain.ghosts());
-    std::ranges::generate(inside.first(inside.size() - 2 * chain.ghosts()),
+    // still next to the ends, where an exact one wants it to be, and no other one minds.
+    const std::size_t nodes = chain.parameters().nodes;
+    const std::size_t still = std::min(2 * chain.ghosts(), (nodes - 1) / 2);
+    std::ranges::generate(std::span(u).subspan(chain.first_interior() + still, nodes - 2 * still),
                           [&] { return normal(random); });
     chain.start(u, std::vector<double>(u.size()));
 }
@@ -39,6 +44,32 @@ double largest_displacement(const nmbc::Chain& chain) {
     return largest;
 }
 
+Endurance endure(const Scene& scene, std::size_t steps) {
+    nmbc::Chain chain =
+        chain_between(scene, chain_end(scene, scene.left), chain_end(scene, scene.right));
+    start_randomly(chain);
+    constexpr std::size_t look_every = 20;
+    constexpr double beyond = 1e100;  // of the start: no power of time comes so far, nor back
+    std::vector<double> largest{largest_displacement(chain)};
+    while (chain.steps() < steps) {
+        chain.advance(std::min(look_every, steps - chain.steps()));
+        largest.push_back(largest_displacement(chain));
+        if (!(largest.back() < beyond)) {
+            const std::size_t later = largest.size() / 2;
+            const double looks = double(later) / double(largest.size() - 1);
+            return {Fate::unstable, std::log(largest.back() / largest[largest.size() - 1 - later]) /
+                                        (looks * chain.time())};
+        }
+        if (largest.back() < 1 / beyond) {
+            return {};
+        }
+        if (interrupted()) {
+            throw Interrupted("stopped; no chart was written");
+        }
+    }
+    return fate_of(largest, chain.time());
+}
+
 }  // namespace
 
 std::string_view name_of(Fate fate) {
@@ -47,47 +78,66 @@ std::string_view name_of(Fate fate) {
             return "drifts";
         case Fate::unstable:
             return "unstable";
+        case Fate::grows:
+            return "grows";
         case Fate::steady:
             break;
     }
     return "steady";
 }
 
-Endurance endure(Scene scene, std::size_t steps) {
-    scene.end = double(steps) * scene.step.value();
-    nmbc::Chain chain =
-        chain_between(scene, chain_end(scene, scene.left), chain_end(scene, scene.right));
-    start_randomly(chain);
-    const double energy = nmbc::energies(chain).staggered;
-    // A quarter, a half and the whole: a power of time doubles its logarithm's step once more, an
-    // exponential function squares it.
-    std::array<double, 3> largest{};
-    std::size_t i = 0;
-    constexpr std::size_t look_every = 1000;
-    constexpr double beyond = 1e12;  // of the start: no power of time in 1e7 steps
-    while (chain.steps() < steps) {
-        chain.step();
-        for (const std::size_t part : {4U, 2U, 1U}) {
-            if (chain.steps() == steps / part && i < largest.size()) {
-                largest[i++] = largest_displacement(chain);
-            }
-        }
-        if (chain.steps() % look_every == 0 && !(largest_displacement(chain) < beyond)) {
-            const double rate = std::log(largest_displacement(chain)) / chain.time();
-            return {Fate::unstable, std::numeric_limits<double>::infinity(), rate};
-        }
+Endurance fate_of(const std::vector<double>& largest, double time) {
+    std::array<double, 3> octaves{};  // the largest from 1/8 to 1/4 of the time, .. 1/2 to all
+    for (std::size_t i = 0; i < octaves.size(); ++i) {
+        const std::size_t last = (largest.size() - 1) >> (octaves.size() - 1 - i);
+        octaves[i] = *std::max_element(largest.begin() + std::ptrdiff_t(last / 2),
+                                       largest.begin() + std::ptrdiff_t(last + 1));
     }
-    const double early = std::log(largest[1] / largest[0]);
-    const double late = std::log(largest[2] / largest[1]);
-    Endurance result{.energy = nmbc::energies(chain).staggered / energy};
-    // What keeps its energy varies by a fifth or so; t^(1/2) grows by 0.35 from half to whole.
+    const double early = std::log(octaves[1] / octaves[0]);
+    const double late = std::log(octaves[2] / octaves[1]);
+    // In an octave t^(1/2) grows by 0.35, and what keeps its energy by a third now and then, but
+    // not twice; what grows at last, when all else has decayed, by more.
     constexpr double grows = 0.3;
-    if (late > grows && early > grows) {
-        const bool exponential = late > 1.5 * early;
-        result.fate = exponential ? Fate::unstable : Fate::drifts;
-        result.rate = exponential ? late / (chain.time() / 2) : late / std::log(2);
+    constexpr double turns = 1;
+    if (late < (early > grows ? grows : turns)) {
+        return {};
     }
-    return result;
+    const double exponent = late / (time / 2);
+    // On top of what is there from the start, powers up to t^3 differ enough from exp(t) from here
+    // on.
+    constexpr double clear = 100;
+    if (octaves[2] < clear * *std::ranges::min_element(largest)) {
+        return {Fate::grows, exponent};
+    }
+    // A power of time has the same in every octave, an exponential function the double.
+    const bool exponential = late > 1.5 * early;
+    return exponential ? Endurance{Fate::unstable, exponent}
+                       : Endurance{Fate::drifts, late / std::log(2)};
+}
+
+std::vector<Endurance> endure(const std::vector<Scene>& scenes, std::size_t steps,
+                              const std::function<void()>& after_each) {
+    std::vector<Endurance> results(scenes.size());
+    std::atomic<std::size_t> taken = 0;
+    std::mutex telling;
+    const auto take = [&] {
+        for (std::size_t i = taken++; i < scenes.size(); i = taken++) {
+            const Scene& scene = scenes[i];
+            const bool is_exact = scene.left.kind == BoundaryKind::exact;
+            results[i] =
+                endure(scene, is_exact ? steps_until(scene.end, scene.step.value()) : steps);
+            const std::lock_guard lock(telling);
+            after_each();
+        }
+    };
+    std::vector<std::future<void>> workers;
+    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) {
+        workers.push_back(std::async(std::launch::async, take));
+    }
+    for (std::future<void>& worker : workers) {
+        worker.get();  // throws what the worker threw
+    }
+    return results;
 }
 
 }  // namespace nmbcrun

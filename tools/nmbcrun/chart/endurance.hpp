@@ -3,29 +3,38 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string_view>
+#include <vector>
 
 #include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
 
 enum class Fate {
-    steady,   ///< neither
-    drifts,   ///< displacements grow, by a power of time
-    unstable  ///< it grows exponentially, or is not finite any more
+    steady,    ///< none of these
+    drifts,    ///< displacements grow, by a power of time
+    unstable,  ///< it grows exponentially
+    grows      ///< one or the other: too little to tell
 };
 
 std::string_view name_of(Fate fate);
 
 struct Endurance {
     Fate fate = Fate::steady;
-    double energy = 0;  ///< at the end over that at the start
-    /// Of the largest displacement over the second half of the run: of exp(rate t) where it
-    /// is unstable [1/time], of t^rate where it drifts.
+    /// Of the largest displacement over the second half of the run: of t^rate where it
+    /// drifts, of exp(rate t) where it is unstable or grows [1/time].
     double rate = 0;
 };
 
-/// Runs the scene's chain, with its ends and in its step, for so many steps from random data.
-Endurance endure(Scene scene, std::size_t steps);
+/// What the largest displacements show, at equal distances of time from 0 to `time`.
+Endurance fate_of(const std::vector<double>& largest, double time);
+
+/// Runs each scene's chain, with its ends and in its step, for so many steps from random data, one
+/// with an exact end for those of the scene's own run. A run ends early where it has grown, or
+/// faded, beyond all doubt. On all cores; after_each is called after each run, by one thread at a
+/// time. Throws Interrupted.
+std::vector<Endurance> endure(const std::vector<Scene>& scenes, std::size_t steps,
+                              const std::function<void()>& after_each);
 
 }  // namespace nmbcrun

@@ -80,7 +80,7 @@ Trial run_trial(const Scene& scene, const Samples& same_steps, const Samples& fi
     const double left = simulation.energies().total();
     return {.cfl = simulation.plan().cfl,
             .steps = simulation.plan().steps,
-            .certified = simulation.plan().objection.empty(),
+            .objection = simulation.plan().objection,
             .boundary_error = relative_difference(samples, same_steps),
             .total_error = relative_difference(samples, fine_steps),
             .energy_left = std::isfinite(left) ? left / std::max(peak, left) : infinity};

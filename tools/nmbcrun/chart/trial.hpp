@@ -2,7 +2,7 @@
 /// A scene run with one boundary in one time step, and how far off it is.
 #pragma once
 
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "tools/nmbcrun/scene/scene.hpp"
@@ -27,7 +27,8 @@ double relative_difference(const Samples& u, const Samples& v);
 struct Trial {
     double cfl = 0;
     std::size_t steps = 0;
-    bool certified = false;
+    std::string objection{};  ///< to the pair of ends, as Plan has it
+    bool certified() const { return objection.empty(); }
     /// Against the endless run in the same steps: what the ends do.
     double boundary_error = 0;
     /// Against the endless run in fine steps: what ends and steps do.
