@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Ends: which pairs are stable and run, and which are refused.
+# Usage: run_ends.sh NMBCRUN SOURCE_FOLDER (absolute)
+source "$(dirname "${BASH_SOURCE[0]}")/bar.bash"
+
+# Ends that are not stable are refused before anything is written, by themselves ..
+unstable() { refuses 4 "$1" "$scene" "${@:2}"; }
+unstable "NMBC2 is not stable at n = 2, G = 1, cfl = 0.0668: a mode at that end grows as exp(" \
+    --set boundary.order=2 --set model.G=1
+unstable "allow_unstable" --set boundary.order=2 --set model.G=1
+unstable "sends out a wave of xi dX = 1.9 by itself" \
+    --set boundary.order=2 --set model.horizon=1 --set model.G=2
+# .. together with their like (n = 2, stride 2: stable from G = 0.7142) ..
+unstable "NMBC2 of stride 2 at both ends is not stable at n = 2, G = 0.5" \
+    --set boundary.order=2 --set boundary.stride=2 --set model.G=0.5
+# .. with another end, on either side ..
+unstable "NMBC1 on the left and a fixed end on the right are not stable together at n = 1, G = 0.1" \
+    --set model.horizon=1 --set model.G=0.1 --set boundary.right.kind=fixed
+unstable "a fixed end on the left and NMBC1 on the right are not stable together" \
+    --set boundary.left.kind=fixed --set boundary.right.order=1
+# .. or at this time step: NMBC2 at n = 1, G = 1/2 is stable up to cfl = 0.70.
+unstable "cfl = 0.8" --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=0.8
+unstable "cfl = 1" --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=1
+
+# Certified, and yet unstable in a chain of 9 nodes; 40 are enough.
+short_chain=(--set model.horizon=3 --set boundary.order=3 --set boundary.stride=3 --set model.G=2
+    --set drive.centre=5 --set drive.half_width=0.5 --set time.step=0.05)
+unstable "in a chain of 9 nodes, so short" "${short_chain[@]}" --set domain.nodes=9
+
+for nodes in 30 60; do
+    stable --set boundary.kind=free --set domain.nodes=$nodes --set drive.centre=15
+done
+stable --set boundary.kind=exact
+expect_stdout_line "boundary  exact"
+stable --set boundary.right.kind=exact --set model.horizon=1 --set model.G=1
+expect_stdout_line "right     exact"
+stable --set boundary.kind=fixed --set model.damping=0.0
+expect_stdout_line "boundary  fixed"
+stable --set boundary.right.kind=free
+expect_stdout_line "left      NMBC1, stride 1, midpoint ghosts"
+expect_stdout_line "right     free"
+stable --set model.horizon=1 --set model.G=0.5 --set boundary.left.order=3 \
+    --set boundary.right.kind=fixed
+stable --set model.horizon=2 --set model.G=1 --set boundary.right.order=2 \
+    --set boundary.right.stride=2 --set boundary.left.ghosts=midpoint
+expect_stdout_line "right     NMBC2, stride 2, midpoint ghosts"
+stable --set model.horizon=5
+stable "${short_chain[@]}" --set domain.nodes=40
+# The wave reaches the ends at t = 33 or so, and the total swings by O(dt^2) only.
+try run "$scene" --quiet --set boundary.kind=free --set model.G=1
+expect "free ends keep the energy" awk '/^energy left/ { exit !($3 > 0.99) }' "$scratch/stdout"
+rm -r results
+
+# Layers: with any end that adds no energy, at 0.99 of the interior's limit, and with an nmbc where
+# that is certified for any such end.
+layer=(--set boundary.layer=20)
+for kind in sponge pml; do
+    stable "${layer[@]}" --set boundary.kind=$kind
+    expect "the heading" grep -q "^boundary  $kind of 20 nodes, profile 2, target 0.0" \
+        "$scratch/stdout"
+    for other in fixed free extended pml; do
+        stable --set boundary.left.kind=$other "${layer[@]}" --set boundary.right.kind=$kind
+    done
+    stable "${layer[@]}" --set boundary.left.kind=$kind --set model.horizon=1 --set model.G=0.5
+    rm -r results
+    unstable "NMBC1 is certified against a $kind end at no time step at n = 2, G = 0; cfl" \
+        "${layer[@]}" --set boundary.left.kind=$kind
+    unstable "NMBC2 is certified against a $kind end up to cfl = 0.69 only at n = 1, G = 0.5; cfl" \
+        "${layer[@]}" --set boundary.right.kind=$kind --set model.horizon=1 --set model.G=0.5 \
+        --set boundary.order=2 --set time.cfl=0.8
+    try run "$automatic" "${layer[@]}" --set boundary.kind=$kind --set time.end=4
+    expect "just below the limit" grep -qF 'cfl = 0.99): just below' "$scratch/stdout"
+    rm -r results
+done
+# Ends without a certificate run where they are allowed to, at a step that is given.
+for kind in higdon mbc; do
+    unstable "there is no certificate for a chain with a" --set boundary.right.kind=$kind
+    refuses 4 "there is no certificate for this kind" "$automatic" \
+        --set boundary.kind=$kind --set boundary.allow_unstable=true
+    try run "$scene" "${short[@]}" --set boundary.kind=$kind --set boundary.allow_unstable=true
+    expect_exit 0
+    expect_stderr "nmbcrun: warning: there is no certificate for a chain with a"
+    rm -r results
+done
+# The edge effect: a long wave comes back with 1/9 of its energy, and what NMBC1 leaves on top.
+try run "$scene" --quiet --set model.horizon=1 --set boundary.kind=mbc \
+    --set boundary.allow_unstable=true
+expect "a ninth of the energy" awk '/^energy left/ { exit !($3 > 1 / 9 && $3 < 1 / 9 + 6e-4) }' \
+    "$scratch/stdout"
+rm -r results
+refuses 2 "without damping" "$scene" --set boundary.kind=mbc --set boundary.allow_unstable=true \
+    --set model.damping=1/100 --set boundary.order=2 --set boundary.stride=2
+
+finish

@@ -1,0 +1,213 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Every mistake of a scene or an override.
+# Usage: run_scene_keys.sh NMBCRUN SOURCE_FOLDER (absolute)
+source "$(dirname "${BASH_SOURCE[0]}")/bar.bash"
+
+lacks() { ! LC_ALL=C grep -q "$1" "$2"; }
+setting() { refuses "$1" "$2" "$scene" --set "$3"; }
+setting 2 "model.horizn is not a key of a scene; the nearest one is model.horizon" model.horizn=2
+setting 2 "must be a whole number from 1 to 1000, not 0" model.horizon=0
+setting 2 "must be a whole number from 1 to 1000, not 1.5" model.horizon=1.5
+setting 2 "must be a whole number from 1 to 1000, not 'abc'" model.horizon=abc
+setting 2 "no table for family nopd1d, horizon 7" model.horizon=7
+setting 2 "must be a table" model=3
+setting 2 "no table for family nopd9" model.family=nopd9
+for bad in -1 nan inf true; do
+    setting 2 "model.G must be a number not below 0" "model.G=$bad"
+done
+for bad in 1e400 '"-1"' '"1/0"' '"x"' '""'; do
+    setting 2 "model.G must be an exact number not below 0" "model.G=$bad"
+done
+for bad in -1 nan 1e-30 '"1/0"' '"x"'; do
+    setting 2 "model.damping must be an exact number not below 0" "model.damping=$bad"
+done
+setting 2 "model.damping must be a number, or one as a string" model.damping=true
+for tau in 7/3 '"14/6"'; do
+    setting 2 "order 1, stride 1, damping tau = 7/3; it knows the committed set" "model.damping=$tau"
+done
+setting 2 "damping tau = 3/10;" model.damping=0.3
+setting 2 "damping tau = 2;" model.damping=2
+setting 2 "must be \"midpoint\" or \"explicit\", not \"implicit\"" boundary.ghosts=implicit
+setting 2 'boundary.left.kind must be "nmbc", "fixed", "free"' boundary.left.kind=open
+setting 2 "boundary.allow_unstable must be true or false, not 1" boundary.allow_unstable=1
+setting 2 "--set boundary.rigth.kind: boundary.rigth is not a key of a scene" boundary.rigth.kind=free
+setting 2 "--set bogus.key: bogus is not a key of a scene" bogus.key=1
+setting 2 "no table for family nopd1d, horizon 2, order 9" boundary.right.order=9
+setting 2 "above the interior's limit" time.step=0.6
+setting 2 "select no node" drive.centre=-99
+refuses 2 "a run of 250000 steps is too long for an \"exact\" end, which is made for 200000 at most" \
+    "$scene" --set boundary.kind=exact --set time.end=5000
+refuses 4 "NMBC2 is not stable at n = 2, G = 1, cfl = 0.0668: a mode at that end grows as exp(" \
+    "$scene" --set boundary.left.kind=exact --set boundary.right.order=2 --set model.G=1
+refuses 4 "NMBC1 is certified against a pml end at no time step at n = 2, G = 1; cfl = 0.0668" \
+    "$scene" --set boundary.left.kind=pml --set boundary.left.layer=10 --set model.G=1
+setting 2 "must not be 0" drive.amplitude=0
+setting 2 "whole number from 1 to 100000000, not 0" domain.nodes=0
+setting 2 "whole number from 1 to 100000000, not 100000001" domain.nodes=100000001
+refuses 2 "boundary.layer must be a whole number from 1 to 10000000, not 100000000" \
+    "$scene" --set boundary.kind=sponge --set boundary.layer=100000000
+# What a scene has in it does not command the terminal.
+setting 2 'must be "midpoint" or "explicit", not "\x1b[2J\u009b31m"' 'boundary.ghosts="\u001b[2J\u009b31m"'
+setting 2 'boundary.\x1b]0;title is not a key of a scene' $'boundary.\e]0;title=1'
+expect "no control character" lacks $'[\x01-\x09\x0b-\x1f\x7f]' "$scratch/stderr"
+refuses 5 "cannot read /dev/zero: it is not a regular file" "$scene" --set force.history=csv \
+    --set force.centre=250 --set force.file=/dev/zero
+setting 2 "steps; at most 1e15" time.step=1e-300
+for bad in a/b .. ../a a..b '"a\nb"' '"\u001b[2J"' '""'; do
+    setting 2 "output.name must be a file name" "output.name=$bad"
+done
+setting 2 "output.field must be true or false, not 1" output.field=1
+for bad in 0 -1 1.5 true '"2"' nan; do
+    setting 2 "output.snapshots must be a whole number from 1 to 100000000" "output.snapshots=$bad"
+done
+for bad in 0 -1 nan inf true '"2"' '[1]'; do
+    setting 2 "output.checkpoint must be a positive number" "output.checkpoint=$bad"
+done
+setting 2 "output.probes must be a list of numbers, [1, 2.5], not 3" output.probes=3
+setting 2 "output.probes must be a list of numbers, each a number; one of them is" 'output.probes=[1, "a"]'
+for bad in nan inf 1e301 '[1]' true; do
+    setting 2 "output.probes must be a list of numbers, each a number; one of them is" "output.probes=[$bad]"
+done
+for bad in 0.4 500.6 -3 1e+300; do
+    setting 2 "output.probes has $bad, but the nodes are at 1 to 500" "output.probes=[$bad]"
+done
+setting 2 "output.probes has node 7 twice" 'output.probes=[7, 250, 7.3]'
+setting 2 "--set needs KEY=VALUE" time.step
+setting 2 "--set needs KEY=VALUE" =3
+# What there is instead of a table that there is not.
+setting 2 "there is nothing of this family and horizon, but chain1d with horizon 1, nopd1d with horizon 1, 2, 3, 4, 5" model.horizon=7
+setting 2 "of this family and horizon there are nopd1d_n2_order1, nopd1d_n2_order2," boundary.order=9
+expect "tables of another horizon are not listed" test "$(grep -c nopd1d_n1 "$scratch/stderr")" -eq 0
+# The chain of atoms has one horizon and no G.
+atoms=$2/tools/scenes/fig6_md.toml
+refuses 2 "the lattice of family chain1d has no stabilisation: model.G must be absent or 0, not 0.5" \
+    "$atoms" --set model.G='"1/2"'
+refuses 2 "no table for family chain1d, horizon 2" "$atoms" --set model.horizon=2
+for same in model.G=0 model.horizon=1; do
+    try run "$atoms" "${short[@]}" --set "$same" --out "$scratch/atoms"
+    expect_exit 0
+done
+
+# Sources: none, unfinished ones, keys that say nothing.
+refuses 2 "sourceless.toml: nothing starts or drives the scene: it needs at least one of the tables drive, initial," "$sourceless"
+# source_of CODE TEXT KEY=VALUE..: the scene with these alone.
+source_of() {
+    local code=$1 text=$2 settings=()
+    shift 2
+    for setting; do settings+=(--set "$setting"); done
+    refuses "$code" "$text" "$sourceless" "${settings[@]}"
+}
+source_of 2 "sourceless.toml: initial.shape is missing" initial.width=3
+source_of 2 'initial.shape must be "gaussian", "ricker", "packet" or "csv", not "box"' initial.shape=box
+source_of 2 "initial.amplitude is missing" initial.shape=gaussian
+source_of 2 "initial.amplitude must not be 0" initial.shape=gaussian initial.amplitude=0
+pulse=(initial.shape=gaussian initial.amplitude=1 initial.width=3 initial.centre=9)
+source_of 2 "initial.width must be a positive number, not 0" "${pulse[@]}" initial.width=0
+source_of 2 "initial.wave_number has no meaning for this shape" "${pulse[@]}" initial.wave_number=1
+source_of 2 "initial.wave_number must be a number from 0 to pi, not 4" "${pulse[@]}" initial.shape=packet initial.wave_number=4
+source_of 2 "initial.wave_number is missing" "${pulse[@]}" initial.shape=packet
+source_of 2 'initial.direction must be "both", "right" or "left", not "up"' "${pulse[@]}" initial.direction=up
+source_of 2 'initial.direction must be "both" of a velocity' "${pulse[@]}" initial.of=velocity initial.direction=left
+source_of 2 "initial.file has no meaning for this shape" "${pulse[@]}" initial.file=a.csv
+source_of 2 "initial.widht is not a key of a scene; the nearest one is initial.width" "${pulse[@]}" initial.widht=2
+source_of 2 "must be from a tenth to 1e6 of domain.spacing, not 0.01 of it" "${pulse[@]}" initial.direction=right initial.width=0.01
+source_of 2 "initial must be a table" initial=3
+source_of 2 "initial.file is missing" initial.shape=csv
+source_of 2 "initial.centre has no meaning for a csv" initial.shape=csv initial.file=a.csv initial.centre=3
+source_of 5 "$scratch/nowhere.csv: No such file" initial.shape=csv initial.file=nowhere.csv
+source_of 5 "Is a directory" initial.shape=csv initial.file=.
+source_of 2 "force.history is missing" force.centre=9
+source_of 2 "force.centre is missing" force.history=sine
+force=(force.centre=9 force.amplitude=1)
+source_of 2 "force.duration is missing" "${force[@]}" force.history=gaussian
+source_of 2 "force.frequency is missing" "${force[@]}" force.history=sine
+source_of 2 "force.duration has no meaning for this history" "${force[@]}" force.history=sine force.duration=1
+source_of 2 "force.cycles has no meaning for this history" "${force[@]}" force.history=ricker force.cycles=1 force.duration=1 force.time=2
+source_of 2 "force.centre and force.half_width select no node" force.centre=-9 force.amplitude=1 force.history=sine force.frequency=1
+source_of 5 "nowhere.csv: No such file" "${force[@]}" force.history=csv force.file=nowhere.csv
+wave=(incoming.shape=gaussian incoming.amplitude=1 incoming.width=9 incoming.arrival=5 incoming.end=left)
+source_of 2 'incoming.end must be "left" or "right", not "both"' "${wave[@]}" incoming.end=both
+source_of 2 "incoming.arrival must be a number not below 0" "${wave[@]}" incoming.arrival=-1
+source_of 2 "at most 100000 are taken" "${wave[@]}" incoming.arrival=1e9 time.end=1e10
+source_of 2 "a damped lattice has no wave that comes from afar" "${wave[@]}" model.damping=1/20 \
+    boundary.order=2 boundary.stride=4
+source_of 2 "preload.strain must be a number, not nan" preload.strain=nan
+source_of 2 "domain.nodes is 1, but NMBC2, stride 1, midpoint ghosts needs at least 2" "${pulse[@]}" \
+    boundary.order=2 model.G=1/2 model.horizon=1 domain.nodes=1
+source_of 2 "the chain needs at least 4 interior nodes for these ends" "${pulse[@]}" \
+    boundary.kind=free domain.nodes=3
+
+setting 3 "pole of a coefficient at G = 0" boundary.order=4
+refuses 3 "C(1) = 0" "$scene" --set model.horizon=1 --set model.G=1 --set boundary.order=3
+refuses 5 "No such file" nowhere.toml
+refuses 5 "Is a directory" /
+refuses 2 "SCENE is required"
+
+# Keys that do not count for the kind beside them.
+layer=(--set boundary.layer=20)
+idle() { refuses 2 "$1" "$scene" "${@:2}"; }
+idle 'boundary.layer does not count for kind "fixed", which has no keys of its own' \
+    --set boundary.kind=fixed "${layer[@]}"
+idle 'boundary.right.stride does not count for kind "higdon", whose keys are order' \
+    --set boundary.right.kind=higdon --set boundary.right.stride=2
+idle 'boundary.target does not count for kind "nmbc", whose keys are order, stride' \
+    --set boundary.kind=nmbc --set boundary.target=0.1
+sed 's/^order.*/kind = "fixed"\n&/' "$scene" >"$scratch/idle.toml"
+refuses 2 'idle.toml:26: boundary.order does not count for kind "fixed"' "$scratch/idle.toml"
+stable --set boundary.order=1 --set boundary.right.kind=free
+rm -r results
+for value in 0 1 -1 nan \"x\"; do
+    idle "boundary.target must be a number between 0 and 1, neither of them" \
+        "${layer[@]}" --set boundary.kind=pml --set "boundary.target=$value"
+done
+idle "boundary.profile must be a number from 0 to 10, not 11" \
+    "${layer[@]}" --set boundary.kind=pml --set boundary.profile=11
+for kind in sponge pml; do
+    idle "is of a kind that needs boundary.layer" --set boundary.right.kind=$kind
+done
+idle "the order of a higdon end is 1 to 10, not 11" --set boundary.kind=higdon \
+    --set boundary.order=11 --set boundary.allow_unstable=true
+
+# Mistakes in the file itself are named with their line.
+sed 's/^density/densty/' "$scene" >"$scratch/misspelt.toml"
+refuses 2 "misspelt.toml:11: material.densty is not a key" "$scratch/misspelt.toml"
+sed '/^horizon/d' "$scene" >"$scratch/missing.toml"
+refuses 2 "model.horizon is missing" "$scratch/missing.toml"
+{
+    cat "$scene"
+    echo '[extra]'
+} >"$scratch/extra.toml"
+refuses 2 "extra is not a key of a scene" "$scratch/extra.toml"
+sed '1i "model.G" = 3' "$scene" >"$scratch/quoted.toml"
+refuses 2 "is one quoted name" "$scratch/quoted.toml"
+sed 's/^step.*/&\ncfl = 0.5/' "$scene" >"$scratch/both.toml"
+refuses 2 "has both step and cfl" "$scratch/both.toml"
+printf 'a = = 1\n' >"$scratch/garbled.toml"
+refuses 2 "garbled.toml:1:" "$scratch/garbled.toml"
+: >"$scratch/empty.toml"
+refuses 2 "model.horizon is missing" "$scratch/empty.toml"
+
+# Tables in tables are on the stack, so there is an end to them; the deepest that is read.
+deep=$(printf 'a.%.0s' {1..20000})
+printf '%sa=1' "${deep:0:32764}" >"$scratch/deep.toml"
+refuses 2 "model.horizon is missing" "$scratch/deep.toml"
+printf '%sa=1' "${deep:0:32766}" >"$scratch/deep.toml"
+refuses 2 "deep.toml: a scene has at most 32768 bytes" "$scratch/deep.toml"
+refuses 2 "/dev/zero: a scene has at most 32768 bytes" /dev/zero
+refuses 2 "is not a key of a scene" "$scene" --set "${deep:0:4094}a=1"
+refuses 2 "a key and its value have at most 4096 bytes" "$scene" --set "${deep:0:4096}=1"
+refuses 2 "a key and its value have at most 4096 bytes" "$scene" --set "title={${deep:0:4090}a=1}"
+refuses 2 "title must be a string in quotes, not {a = {a = " "$scene" --set "title={${deep:0:4080}a=1}"
+expect "it is quoted in part" test "$(wc -c <"$scratch/stderr")" -lt 200
+
+# A whole number that no double is.
+try run "$scene" --set material.youngs_modulus=9223372036854775807
+expect_exit 2
+expect_stderr 'material.youngs_modulus must be a positive number, not 9223372036854775807'
+# An infinity deep in a value that is none.
+try run "$scene" --set 'model.horizon=[[1], {d = inf}]'
+expect_exit 2
+expect_stderr 'model.horizon must be a whole number from 1 to 1000, not [[1], {d = inf}]'
+
+finish

@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# The time step of a run: given, certified, matched, or a twentieth of what the sources need.
+# Usage: run_time_steps.sh NMBCRUN SOURCE_FOLDER (absolute)
+source "$(dirname "${BASH_SOURCE[0]}")/bar.bash"
+
+# cfl instead of step
+try run "$scene" "${short[@]}" --set time.cfl=0.5
+expect_exit 0
+expect "the cfl is reported" grep -q 'cfl = 0.5)' "$scratch/stdout"
+
+# Neither: the largest certified cfl, 0.69 at n = 1, G = 0.
+try run "$automatic" --set model.horizon=1 --quiet
+expect_exit 0
+try run "$automatic" --set model.horizon=1 --set time.end=4
+expect "the cfl of the table" grep -q 'cfl = 0.69): the largest certified for NMBC1' "$scratch/stdout"
+# A drive shorter than 20 such steps: a twentieth of it.
+try run "$automatic" --set time.end=4 --set drive.duration=0.1
+expect_exit 0
+expect "20 steps of the drive" grep -qF ' steps of 0.005 ' "$scratch/stdout"
+expect "what limits it" grep -qF '): a twentieth of drive.duration' "$scratch/stdout"
+# A given step is taken as it is, but for a drive that takes less.
+try run "$scene" "${short[@]}" --set drive.duration=0.001
+expect_exit 2
+expect_stderr "drive.duration is 0.001, less than a time step of 0.02"
+# Matched in time steps: these, whatever the drive says, and no others.
+matched=(--set model.horizon=1 --set model.G=0.5 --set boundary.order=2 --set time.end=4
+    --set boundary.matched_step=0.5)
+needs="NMBC2, stride 1, midpoint ghosts, matched in steps of 1/2 dX/c needs 0.06614173"
+try run "$automatic" "${matched[@]}" --set drive.duration=0.1
+expect_exit 0
+expect_no_stderr
+expect "its own step" grep -qF 'cfl = 0.5): what the boundary is matched in' "$scratch/stdout"
+try run "$automatic" "${matched[@]}" --set time.step=0.4
+expect_exit 2
+expect_stderr "the time step is 0.4, but $needs"
+try run "$automatic" "${matched[@]}" --set boundary.matched_step=1/7
+expect_exit 2
+expect_stderr "no table for family nopd1d, horizon 1, order 2, stride 1, matched_step 1/7;"
+try run "$automatic" "${matched[@]}" --set boundary.ghosts='"explicit"'
+expect_exit 2
+expect_stderr "a boundary that is matched in time steps needs midpoint ghosts"
+# n = 2, N = 3, s = 2: steps of 1 dX/c are cfl 0.625 at G = 2, more than is certified.
+long_step=(--set model.horizon=2 --set model.G=2 --set boundary.order=3 --set boundary.stride=2
+    --set boundary.matched_step=1 --set time.end=4)
+try run "$automatic" "${long_step[@]}"
+expect_exit 4
+expect_stderr "in steps of 1 dX/c is certified for G from 0.8635585299533011 to 1.866963556854298"
+expect_stderr "To try it, give boundary.allow_unstable = true"
+try run "$automatic" "${long_step[@]}" --set boundary.allow_unstable=true
+expect_exit 0
+expect_stderr "not stable"
+# Unlike ends: NMBC2 of stride 3 has 0.55 with its like, and less against a fixed end.
+unlike=(--set model.horizon=3 --set boundary.order=2 --set boundary.stride=3 --set model.G=4
+    --set time.end=4)
+try run "$automatic" "${unlike[@]}"
+expect_exit 0
+like=$(sed -n 's/.*cfl = \([0-9.]*\)).*/\1/p' "$scratch/stdout")
+for side in left right; do
+    try run "$automatic" "${unlike[@]}" --set boundary.$side.kind=fixed
+    expect_exit 0
+    expect_no_stderr
+    expect "the pair's own limit" grep -qF '): the largest certified for this pair' "$scratch/stdout"
+    cfl=$(sed -n 's/.*cfl = \([0-9.]*\)).*/\1/p' "$scratch/stdout")
+    expect "$cfl is less than $like by steps of 0.05" awk "BEGIN {
+        steps = ($like - $cfl) / 0.05; exit !(steps > 0.5 && (steps - int(steps + 0.5))^2 < 0.01) }"
+done
+# A free end makes a chain of twice the length with like ends: their step holds.
+try run "$automatic" "${unlike[@]}" --set boundary.right.kind=free
+expect_exit 0
+expect "as like ends" grep -qF "cfl = $like): the largest certified for NMBC2" "$scratch/stdout"
+try run "$automatic" --set boundary.right.kind=fixed
+expect_exit 4
+expect_stderr "no time step is certified for this pair of ends: NMBC1 on the left and a fixed end"
+try run "$automatic" --set boundary.ghosts='"explicit"'
+expect_exit 4
+expect_stderr "no time step is certified for NMBC1, stride 1, explicit ghosts at G = 0: with midpoint ghosts, NMBC1 with"
+try run "$automatic" --set model.horizon=2 --set model.G=1 --set boundary.order=2
+expect_exit 4
+expect_stderr "at this G: NMBC1 with stride 1, NMBC1 with stride 2, NMBC2 with stride 2"
+
+# Without a step of its own the drive's twentieth holds for the others, too.
+sed '/^step/d' "$sourceless" >"$scratch/stepless.toml"
+force=(--set force.amplitude=1 --set force.centre=250 --set time.end=4)
+wave=(--set incoming.end=right --set incoming.amplitude=1 --set incoming.arrival=1 --set time.end=4)
+try run "$scratch/stepless.toml" "${force[@]}" --set force.history=sine --set force.frequency=100
+expect "a twentieth of 1/100" grep -qE ' 8000 steps of 0.0005 .*: a twentieth of the period of force.frequency' "$scratch/stdout"
+try run "$scratch/stepless.toml" "${force[@]}" --set force.history=ricker --set force.duration=0.1 \
+    --set force.time=1
+expect "a twentieth of force.duration" grep -qE ' steps of 0.005 .*: a twentieth of force.duration' "$scratch/stdout"
+try run "$scratch/stepless.toml" "${wave[@]}" --set incoming.shape=gaussian --set incoming.width=1
+expect "a twentieth of its time" grep -qF ': a twentieth of incoming.width / c' "$scratch/stdout"
+try run "$scratch/stepless.toml" "${wave[@]}" --set incoming.shape=packet --set incoming.width=100 \
+    --set incoming.wave_number=1
+expect "a twentieth of its period" grep -qF ': a twentieth of the period of incoming.wave_number' "$scratch/stdout"
+
+finish
