@@ -4,78 +4,144 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <span>
 
+#include "tools/nmbcrun/advise/wave_grid.hpp"
 #include "tools/nmbcrun/compare/packet.hpp"
 #include "tools/nmbcrun/compare/reference.hpp"
-#include "tools/nmbcrun/compare/spectrum.hpp"
+#include "tools/nmbcrun/simulation/silent_layer.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
-#include "tools/nmbcrun/simulation/time_step.hpp"
 
 namespace nmbcrun {
 namespace {
 
-constexpr std::size_t band_count = 2048;
+using Complex = std::complex<double>;
+
 constexpr double moves = 1e-13;  // of the largest |u|: what less reaches an end is a rounding
 
 /// u^k and u^{k-1} as waves a exp(i(xi x - theta k)) + b exp(i(xi x + theta k)): a and b.
 struct TwoWaves {
-    std::complex<double> forwards;   // phases go right
-    std::complex<double> backwards;  // phases go left
+    Complex forwards;   // phases go right
+    Complex backwards;  // phases go left
 };
 
-TwoWaves two_waves(std::complex<double> u, std::complex<double> before, double theta) {
+TwoWaves two_waves(Complex u, Complex before, double theta) {
     // u^{k-1} = a e^{i theta} + b e^{-i theta}
-    const std::complex<double> turn = std::polar(1.0, theta);
-    const std::complex<double> difference = turn - std::conj(turn);
+    const Complex turn = std::polar(1.0, theta);
+    const Complex difference = turn - std::conj(turn);
+    if (std::abs(difference) < 2e-6) {
+        return {u / 2.0, u / 2.0};  // stands still
+    }
     return {(before - u * std::conj(turn)) / difference, (u * turn - before) / difference};
+}
+
+void add_waves(const nmbc::Chain& chain, Outgoing& outgoing) {
+    WaveGrid grid(chain.nodes());
+    const auto u = chain.displacement();
+    std::vector<double> before(u.begin(), u.end());
+    for (std::size_t node = 0; node < before.size(); ++node) {
+        before[node] -= chain.parameters().time_step * chain.velocity()[node];
+    }
+    const auto u_waves = grid.amplitudes(u);
+    const auto before_waves = grid.amplitudes(before);
+    for (std::size_t band = 0; band < outgoing.bands.size(); ++band) {
+        WaveBand& own = outgoing.bands[band];
+        const TwoWaves waves =
+            two_waves(u_waves[band], before_waves[band],
+                      frequency_in_steps(own.omega, outgoing.time_step) * outgoing.time_step);
+        const Complex from_first_interior =
+            std::polar(1.0, own.xi * double(chain.first_interior()));
+        own.forwards = waves.forwards * from_first_interior;
+        own.backwards = std::conj(waves.backwards * from_first_interior);
+    }
+}
+
+/// So wide that nothing returns in any steps. Up to cfl = 0.8 the speed lies between; near 1 that
+/// of the shortest waves goes up steeply, but only theirs.
+std::size_t width_of_layers(const nmbc::Lattice& lattice, double omega_max, double duration) {
+    std::size_t width = 0;
+    for (const double cfl : {1e-3, 0.8 * nmbc::interior_cfl(lattice)}) {
+        width = std::max(width, silent_layer(lattice, 2 * cfl / omega_max, duration));
+    }
+    return width;
 }
 
 }  // namespace
 
-double angle_of_step(double omega, double time_step) {
-    return 2 * std::asin(std::min(omega * time_step / 2, 1.0));
+double frequency_in_steps(double omega, double time_step) {
+    return 2 / time_step * std::asin(std::min(omega * time_step / 2, 1.0));
 }
 
-Outgoing outgoing_waves(const Scene& scene, double cfl) {
-    const double time_step = 2 * cfl / highest_frequency(scene, lattice_of(scene));
-    Simulation simulation(endless(scene, time_step));
+double largest_after(const Outgoing& outgoing, std::size_t interior_nodes) {
+    constexpr int times = 8;
+    WaveGrid grid(outgoing.nodes);
+    double largest = 0;
+    for (int i = 1; i <= times; ++i) {
+        std::vector<Complex> waves;
+        waves.reserve(outgoing.bands.size());
+        for (const WaveBand& band : outgoing.bands) {
+            const Complex turn =
+                std::polar(1.0, -band.omega * outgoing.remaining * double(i) / times);
+            // Re b exp(-i xi x) = Re conj(b) exp(i xi x)
+            waves.push_back(band.forwards * turn + std::conj(band.backwards * turn));
+        }
+        const auto field = grid.field(waves);
+        for (std::size_t node = 0; node < interior_nodes; ++node) {
+            largest = std::max(largest, std::abs(field[node]));
+        }
+    }
+    return largest;
+}
+
+double fastest_speed(const Outgoing& outgoing) {
+    const double matters = 1e-3 / double(outgoing.bands.size());
+    double fastest = 0;
+    for (const WaveBand& band : outgoing.bands) {
+        const double size = std::max(std::abs(band.forwards), std::abs(band.backwards));
+        fastest = size > matters * outgoing.largest ? std::max(fastest, band.speed) : fastest;
+    }
+    return fastest;
+}
+
+EndlessScene::EndlessScene(const Scene& scene)
+    : scene_(scene), unit_(scene.spacing / std::sqrt(scene.youngs_modulus / scene.density)) {
+    const nmbc::Lattice lattice = lattice_of(scene);
+    omega_max_ = nmbc::maximum_frequency(lattice);
+    const std::size_t layer = width_of_layers(lattice, omega_max_, scene.end / unit_);
+    scene_.left = {.kind = BoundaryKind::extended, .layer = layer};
+    scene_.right = scene_.left;
+    scene_.cfl.reset();
+    scene_.preload.reset();
+    const WaveGrid grid(scene.nodes + 2 * (layer + lattice.reach()));
+    at_rest_.reserve(grid.bands());
+    for (std::size_t band = 0; band < grid.bands(); ++band) {
+        const double xi = grid.wave_number(band);
+        const double velocity = group_velocity(lattice, xi, 0);
+        at_rest_.push_back({.xi = xi,
+                            .omega = std::sqrt(std::max(nmbc::omega_squared(lattice, xi), 0.0)),
+                            .speed = std::abs(velocity),
+                            .forwards = {},
+                            .backwards = {},
+                            .is_backward = velocity < 0});
+    }
+}
+
+Outgoing EndlessScene::outgoing(double cfl) const {
+    Scene scene = scene_;
+    scene.step = 2 * cfl / omega_max_ * unit_;
+    Simulation simulation(scene);
     const nmbc::Chain& chain = simulation.chain();
-    const nmbc::ChainParameters& p = chain.parameters();
-    const double unit = p.spacing / p.wave_speed();
-    const double step = p.time_step / unit;
-    Outgoing result;
+    Outgoing result{.bands = at_rest_, .nodes = chain.nodes(), .time_step = *scene.step / unit_};
     do {
         simulation.step();
         for (const double u : interior(chain)) {
             result.largest = std::max(result.largest, std::abs(u));
         }
     } while (!simulation.is_done() && simulation.is_driven(chain.time()));
-    result.duration = chain.time() / unit;
-    result.remaining = std::max(0.0, scene.end - chain.time()) / unit;
-
-    const auto u = chain.displacement();
-    std::vector<double> before(u.begin(), u.end());
-    for (std::size_t node = 0; node < before.size(); ++node) {
-        before[node] -= p.time_step * chain.velocity()[node];
-    }
-    for (std::size_t band = 0; band < band_count; ++band) {
-        const double xi = std::numbers::pi * (double(band) + 0.5) / band_count;
-        const double omega = std::sqrt(std::max(nmbc::omega_squared(chain.lattice(), xi), 0.0));
-        const double theta = angle_of_step(omega, step);
-        if (std::sin(theta) < 1e-6) {
-            continue;  // stands still
-        }
-        const double velocity = group_velocity(chain.lattice(), xi, 0);
-        const TwoWaves waves = two_waves(fourier_sum(u, xi), fourier_sum(before, xi), theta);
-        // u(x) = 1/(2 pi) integral over -pi .. pi, and real: Re of twice the half above 0.
-        const auto from_first_interior =
-            std::polar(1.0 / band_count, xi * double(chain.first_interior()));
-        result.bands.push_back({xi, omega, std::abs(velocity), waves.forwards * from_first_interior,
-                                std::conj(waves.backwards * from_first_interior), velocity < 0});
-    }
+    result.duration = chain.time() / unit_;
+    result.remaining = std::max(0.0, scene.end - chain.time()) / unit_;
+    add_waves(chain, result);
     const auto field = interior(chain);
     const auto is_moving = [&](double value) { return std::abs(value) > moves * result.largest; };
     const auto first = std::ranges::find_if(field, is_moving);

@@ -25,20 +25,41 @@ struct WaveBand {
 
 /// What is under way when the sources have ended, as if there were no ends.
 struct Outgoing {
-    std::vector<WaveBand> bands;  ///< equal parts of 0 .. pi; none stands still
-    double largest = 0;           ///< |u| at any time up to then, what errors are relative to
+    std::vector<WaveBand> bands;  ///< of all wave numbers of a WaveGrid of `nodes`
+    std::size_t nodes = 0;        ///< of interior and layers, the same in any time step
+    double largest = 0;           ///< |u| of the interior, what errors are relative to
     double duration = 0;          ///< of the sources [dX/c]
-    double remaining = 0;         ///< of the run after them [dX/c]
+    double remaining = 0;         ///< of the run after them
+    double time_step = 0;         ///< in which the waves have come there [dX/c]
     /// Interior nodes between the outermost one that moves then and each end.
     std::size_t from_left = 0;
     std::size_t from_right = 0;
 };
 
-/// Steps the scene without ends, in steps of this cfl, until its sources have ended.
-/// Throws as Simulation does.
-Outgoing outgoing_waves(const Scene& scene, double cfl);
+/// A scene without ends, and without a preload, which does not move.
+class EndlessScene {
+  public:
+    /// The scene's own step and cfl do not count. Throws as Simulation does.
+    explicit EndlessScene(const Scene& scene);
 
-/// theta of leapfrog's step for a wave of frequency omega, sin(theta/2) = omega dt/2.
-double angle_of_step(double omega, double time_step);
+    /// Steps it in steps of this cfl until its sources have ended. `largest` is that of these steps
+    /// alone. Throws as Simulation does.
+    Outgoing outgoing(double cfl) const;
+
+  private:
+    Scene scene_;  // between layers that nothing returns from
+    double unit_;  // dX/c
+    double omega_max_;
+    std::vector<WaveBand> at_rest_;
+};
+
+/// max |u| of so many interior nodes at some times after the sources.
+double largest_after(const Outgoing& outgoing, std::size_t interior_nodes);
+
+/// theta/dt: what leapfrog makes of omega, sin(theta/2) = omega dt/2.
+double frequency_in_steps(double omega, double time_step);
+
+/// The speed of the fastest of the waves that matter.
+double fastest_speed(const Outgoing& outgoing);
 
 }  // namespace nmbcrun

@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <nmbc/coefficients.hpp>
-#include <nmbc/tables/tables.hpp>
+
+#include "tools/nmbcrun/simulation/tables.hpp"
 
 namespace nmbcrun {
 
@@ -24,9 +25,8 @@ bool exists(const nmbc::MatchingTable& table, double G) {
 std::vector<Rung> ladder(const Scene& scene) {
     std::vector<Rung> rungs{{"fixed", {.kind = BoundaryKind::fixed}},
                             {"free", {.kind = BoundaryKind::free}}};
-    for (const nmbc::MatchingTable* table : nmbc::generated::tables) {
-        if (table->family == scene.family && table->horizon == scene.horizon &&
-            table->tau == scene.tau && table->time_step == "0" && exists(*table, scene.G)) {
+    for (const nmbc::MatchingTable* table : tables_of(scene)) {
+        if (table->time_step == "0" && exists(*table, scene.G)) {
             rungs.push_back({fmt::format("NMBC{} s{}", table->order, table->stride),
                              {.order = table->order, .stride = table->stride}});
         }

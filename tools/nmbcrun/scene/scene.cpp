@@ -242,8 +242,10 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     scene.name = read_name(reader, path);
     scene.title = reader.text("title").value_or(scene.name);
     scene.family = reader.text("model.family").value_or(scene.family);
-    scene.horizon = read_horizon(reader, scene.family);
-    scene.G = read_G(reader).value_or(scene.G);
+    scene.auto_horizon = reader.is_word("model.horizon", "auto");
+    scene.auto_G = reader.is_word("model.G", "auto");
+    scene.horizon = scene.auto_horizon ? scene.horizon : read_horizon(reader, scene.family);
+    scene.G = scene.auto_G ? scene.G : read_G(reader).value_or(scene.G);
     scene.tau = read_exact(reader, "model.damping").value_or(scene.tau);
     scene.density = reader.number("material.density", positive).value_or(scene.density);
     scene.youngs_modulus =
@@ -252,6 +254,7 @@ Scene read_scene_text(const std::string& text, const std::string& path,
         reader.required("domain.nodes", reader.whole_number("domain.nodes", 1, most_nodes)));
     scene.spacing = reader.number("domain.spacing", positive).value_or(scene.spacing);
     read_sources(reader, path, scene);
+    require_physical_sources(reader, scene);
     const Boundary both = read_boundary(reader, "boundary", {});
     scene.left = read_boundary(reader, "boundary.left", both);
     scene.right = read_boundary(reader, "boundary.right", both);

@@ -69,7 +69,9 @@ struct Scene {
     std::string family = "nopd1d";
     int horizon = 1;
     double G = 0;
-    std::string tau = "0";  ///< damping [c/dX], "p/q" in lowest terms
+    bool auto_horizon = false;  ///< left to be chosen, and what horizon or G says does not count;
+    bool auto_G = false;        ///< what needs the lattice refuses the scene then (tables.hpp)
+    std::string tau = "0";      ///< damping [c/dX], "p/q" in lowest terms
     double density = 1;
     double youngs_modulus = 1;
     std::size_t nodes = 0;

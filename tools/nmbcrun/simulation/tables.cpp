@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <nmbc/tables/tables.hpp>
 #include <set>
@@ -24,6 +25,15 @@ void require_stabilisation(const nmbc::MatchingTable& table, double G) {
         throw SceneError(fmt::format(
             "the lattice of family {} has no stabilisation: model.G must be absent or 0, not {}",
             table.family, G));
+    }
+}
+
+void require_settled(const Scene& scene) {
+    if (scene.auto_horizon || scene.auto_G) {
+        throw SceneError(fmt::format(
+            "{} is \"auto\", which advise and run --tolerance choose (docs/advise.md): give a "
+            "number, such as one of the settings that advise prints",
+            scene.auto_horizon ? "model.horizon" : "model.G"));
     }
 }
 
@@ -51,6 +61,7 @@ std::string what_there_is(const Scene& scene) {
 }  // namespace
 
 const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary) {
+    require_settled(scene);
     const bool matching = takes_table(boundary.kind);
     const auto* const found =
         std::ranges::find_if(nmbc::generated::tables, [&](const nmbc::MatchingTable* table) {
@@ -74,6 +85,26 @@ const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary
             : "",
         scene.tau == "0" ? "" : fmt::format(", damping tau = {}", scene.tau),
         what_there_is(scene)));
+}
+
+std::vector<const nmbc::MatchingTable*> tables_of(const Scene& scene) {
+    std::vector<const nmbc::MatchingTable*> tables;
+    std::ranges::copy_if(nmbc::generated::tables, std::back_inserter(tables),
+                         [&](const nmbc::MatchingTable* table) {
+                             return table->family == scene.family &&
+                                    table->horizon == scene.horizon && table->tau == scene.tau;
+                         });
+    return tables;
+}
+
+std::vector<int> horizons_of(const Scene& scene) {
+    std::set<int> horizons;
+    for (const nmbc::MatchingTable* table : nmbc::generated::tables) {
+        if (table->family == scene.family && table->tau == scene.tau) {
+            horizons.insert(table->horizon);
+        }
+    }
+    return {horizons.begin(), horizons.end()};
 }
 
 nmbc::Lattice lattice_of(const Scene& scene) {

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/advise/stabilisations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nmbc/lattice.hpp>
+#include <numbers>
+#include <set>
+
+#include "tools/nmbcrun/advise/candidates.hpp"
+#include "tools/nmbcrun/advise/continuum.hpp"
+#include "tools/nmbcrun/advise/outgoing.hpp"
+#include "tools/nmbcrun/simulation/tables.hpp"
+#include "tools/nmbcrun/simulation/time_step.hpp"
+
+namespace nmbcrun {
+namespace {
+
+/// In continuous time the error of long waves' speed is of order xi^4 here (docs/dispersion.md).
+double best_of_long_waves(int horizon) {
+    const double n = horizon;
+    return 4 * n * n * n / ((n + 1) * (2 * n + 1));
+}
+
+bool is_stabilised(const nmbc::Lattice& lattice) {
+    return std::ranges::find(lattice.energy, nmbc::EnergyPart::stabilisation,
+                             &nmbc::Lattice::Square::part) != lattice.energy.end();
+}
+
+struct Weight {
+    double xi;
+    double weight;
+};
+
+/// Of the wave equation's waves: |amplitude|^2, but for what is too small to count.
+std::vector<Weight> spectrum_of(const Scene& scene) {
+    constexpr double cfl = 0.2;
+    const Outgoing outgoing = EndlessScene(scene).outgoing(cfl);
+    const ContinuumWaves waves = continuum_waves(scene, outgoing);
+    std::vector<Weight> weights;
+    weights.reserve(outgoing.bands.size());
+    double largest = 0;
+    for (std::size_t band = 0; band < outgoing.bands.size(); ++band) {
+        weights.push_back({outgoing.bands[band].xi,
+                           std::norm(waves.forwards[band]) + std::norm(waves.backwards[band])});
+        largest = std::max(largest, weights.back().weight);
+    }
+    std::erase_if(weights, [&](const Weight& one) { return one.weight < 1e-20 * largest; });
+    return weights;
+}
+
+/// How far the waves are off in a unit of time, squared, in steps of time_step_of(lattice) [dX/c].
+template <class TimeStepOf>
+double misfit(const Scene& scene, double G, const std::vector<Weight>& spectrum,
+              TimeStepOf time_step_of) {
+    const nmbc::Lattice lattice = lattice_of(with_lattice(scene, scene.horizon, G));
+    const double time_step = time_step_of(lattice);
+    double sum = 0;
+    for (const Weight& one : spectrum) {
+        const double omega = std::sqrt(std::max(nmbc::omega_squared(lattice, one.xi), 0.0));
+        sum += one.weight * std::pow(frequency_in_steps(omega, time_step) - one.xi, 2);
+    }
+    return sum;
+}
+
+/// Where value(x) is least, 0 <= x <= highest, to a ten-thousandth of that or so.
+template <class Value>
+double minimum(Value value, double highest) {
+    constexpr int parts = 40;
+    const double part = highest / parts;
+    int best = 0;
+    double least = value(0.0);
+    for (int i = 1; i <= parts; ++i) {
+        const double one = value(i * part);
+        if (one < least) {
+            best = i;
+            least = one;
+        }
+    }
+    double low = std::max(best - 1, 0) * part;
+    double high = std::min(best + 1, parts) * part;
+    for (int i = 0; i < 16; ++i) {
+        const double inset = (high - low) * (1 - 1 / std::numbers::phi);
+        if (value(low + inset) > value(high - inset)) {
+            low += inset;
+        } else {
+            high -= inset;
+        }
+    }
+    return (low + high) / 2;
+}
+
+double to_four_digits(double value) {
+    return std::round(value * 1e4) / 1e4;
+}
+
+}  // namespace
+
+std::vector<double> stabilisations_to_try(const Scene& scene) {
+    const double base = best_of_long_waves(scene.horizon);
+    const nmbc::MatchingTable& any =
+        table_of(with_lattice(scene, scene.horizon, 0), {.kind = BoundaryKind::fixed});
+    if (!is_stabilised(nmbc::make_lattice(any, base))) {
+        return {0};
+    }
+    const std::vector<Weight> spectrum = spectrum_of(with_lattice(scene, scene.horizon, base));
+    const double unit = scene.spacing / std::sqrt(scene.youngs_modulus / scene.density);
+    std::vector<double> cfls{0.05, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.99};
+    if (scene.step || scene.cfl) {
+        cfls = {scene.cfl.value_or(0)};
+    }
+    std::set<double> values{0};
+    for (const double cfl : cfls) {
+        const auto time_step_of = [&](const nmbc::Lattice& lattice) {
+            return scene.step ? *scene.step / unit : 2 * cfl / nmbc::maximum_frequency(lattice);
+        };
+        values.insert(to_four_digits(
+            minimum([&](double G) { return misfit(scene, G, spectrum, time_step_of); }, 2 * base)));
+    }
+    return {values.begin(), values.end()};
+}
+
+}  // namespace nmbcrun
