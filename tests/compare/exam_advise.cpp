@@ -9,39 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "tools/nmbcrun/advise/candidates.hpp"
+#include "tests/compare/advised_scenes.hpp"
 #include "tools/nmbcrun/chart/ladder.hpp"
 #include "tools/nmbcrun/compare/reference.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 
 namespace {
 
-using nmbcrun::Candidate;
-using nmbcrun::Scene;
-
-Scene scene_of(int horizon, double G, std::size_t nodes, double end) {
-    Scene scene;
-    scene.horizon = horizon;
-    scene.G = G;
-    scene.nodes = nodes;
-    scene.end = end;
-    return scene;
-}
-
-Scene with_pulse(Scene scene, nmbcrun::Shape shape, double width, double wave_number = 0) {
-    scene.initial = nmbcrun::Initial{
-        .kind = nmbcrun::InitialKind::displacement,
-        .pulse = {.shape = shape, .amplitude = 1, .width = width, .wave_number = wave_number},
-        .centre = double(scene.nodes) / 2,
-        .file = {}};
-    return scene;
-}
-
-Scene with_drive(Scene scene, double duration) {
-    scene.drive = nmbcrun::Drive{
-        .amplitude = 1, .duration = duration, .centre = double(scene.nodes) / 2, .half_width = 2};
-    return scene;
-}
+using namespace advised_scenes;
 
 struct Task {
     const char* name;
@@ -82,21 +57,12 @@ double measured_error(const Scene& scene, const Candidate& candidate) {
     return deviation.relative();
 }
 
-/// The one that takes the fewest steps, where ends without any error are left out.
-Candidate best_boundary(std::vector<Candidate> candidates) {
-    std::erase_if(candidates, [](const Candidate& one) {
-        return one.boundary.kind == nmbcrun::BoundaryKind::extended ||
-               one.boundary.kind == nmbcrun::BoundaryKind::exact;
-    });
-    REQUIRE(!candidates.empty());
-    return *std::ranges::min_element(candidates, {}, &Candidate::steps);
-}
-
 TEST_CASE("the advised set-up meets the tolerance, and none certified in 2/3 of its steps does") {
     for (const Task& task : tasks()) {
         CAPTURE(task.name);
         const auto found = nmbcrun::find_candidates(task.scene, task.tolerance);
-        const Candidate best = best_boundary(found.meet);
+        const Candidate best =
+            best_boundary(found.meet, [](const Candidate& one) { return one.steps; });
         CAPTURE(best.name);
         CAPTURE(best.cfl);
         const double error = measured_error(task.scene, best);

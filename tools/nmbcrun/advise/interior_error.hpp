@@ -23,7 +23,7 @@ class InteriorError {
   public:
     /// outgoing: of the scene in steps so short that their waves are the reference's own, where
     /// that is the lattice. `scene` and `endless` live as long as this.
-    InteriorError(const Scene& scene, const EndlessScene& endless, const Outgoing& outgoing,
+    InteriorError(const Scene& scene, EndlessScene& endless, const Outgoing& outgoing,
                   Reference reference);
 
     /// In steps of this cfl. Where it is more than `enough`, any time's error above that, the end's
@@ -37,7 +37,7 @@ class InteriorError {
         std::complex<double> backwards;
     };
 
-    const EndlessScene& endless_;
+    EndlessScene& endless_;
     std::size_t nodes_;
     double duration_;  // after which the reference is
     double largest_;

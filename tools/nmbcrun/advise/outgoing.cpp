@@ -9,6 +9,8 @@
 #include "tools/nmbcrun/advise/wave_grid.hpp"
 #include "tools/nmbcrun/compare/packet.hpp"
 #include "tools/nmbcrun/compare/reference.hpp"
+#include "tools/nmbcrun/simulation/incoming_wave.hpp"
+#include "tools/nmbcrun/simulation/pulse.hpp"
 #include "tools/nmbcrun/simulation/silent_layer.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
@@ -18,7 +20,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double moves = 1e-13;  // of the largest |u|: what less reaches an end is a rounding
+constexpr double moves = 1e-12;  // of the largest |u|: what is less may be a rounding
 
 /// u^k and u^{k-1} as waves a exp(i(xi x - theta k)) + b exp(i(xi x + theta k)): a and b.
 struct TwoWaves {
@@ -36,35 +38,38 @@ TwoWaves two_waves(Complex u, Complex before, double theta) {
     return {(before - u * std::conj(turn)) / difference, (u * turn - before) / difference};
 }
 
-void add_waves(const nmbc::Chain& chain, Outgoing& outgoing) {
-    WaveGrid grid(chain.nodes());
-    const auto u = chain.displacement();
-    std::vector<double> before(u.begin(), u.end());
-    for (std::size_t node = 0; node < before.size(); ++node) {
-        before[node] -= chain.parameters().time_step * chain.velocity()[node];
+/// u of the interior a time after the sources, in continuous time.
+std::vector<double> field_after(WaveGrid& grid, const Outgoing& outgoing, double time,
+                                std::size_t interior_nodes) {
+    std::vector<Complex> waves;
+    waves.reserve(outgoing.bands.size());
+    for (const WaveBand& band : outgoing.bands) {
+        const Complex turn = std::polar(1.0, -band.omega * time);
+        // Re b exp(-i xi x) = Re conj(b) exp(i xi x)
+        waves.push_back(band.forwards * turn + std::conj(band.backwards * turn));
     }
-    const auto u_waves = grid.amplitudes(u);
-    const auto before_waves = grid.amplitudes(before);
-    for (std::size_t band = 0; band < outgoing.bands.size(); ++band) {
-        WaveBand& own = outgoing.bands[band];
-        const TwoWaves waves =
-            two_waves(u_waves[band], before_waves[band],
-                      frequency_in_steps(own.omega, outgoing.time_step) * outgoing.time_step);
-        const Complex from_first_interior =
-            std::polar(1.0, own.xi * double(chain.first_interior()));
-        own.forwards = waves.forwards * from_first_interior;
-        own.backwards = std::conj(waves.backwards * from_first_interior);
-    }
+    std::vector<double> field = grid.field(waves);
+    field.resize(interior_nodes);
+    return field;
 }
 
-/// So wide that nothing returns in any steps. Up to cfl = 0.8 the speed lies between; near 1 that
-/// of the shortest waves goes up steeply, but only theirs.
-std::size_t width_of_layers(const nmbc::Lattice& lattice, double omega_max, double duration) {
+/// Between layers so wide that nothing returns in any steps. Up to cfl = 0.8 the speed lies
+/// between; near 1 that of the shortest waves goes up steeply, but only theirs.
+Scene between_layers(Scene scene) {
+    const nmbc::Lattice lattice = lattice_of(scene);
+    const double omega_max = nmbc::maximum_frequency(lattice);
+    const double unit = scene.spacing / std::sqrt(scene.youngs_modulus / scene.density);
     std::size_t width = 0;
     for (const double cfl : {1e-3, 0.8 * nmbc::interior_cfl(lattice)}) {
-        width = std::max(width, silent_layer(lattice, 2 * cfl / omega_max, duration));
+        width = std::max(width, silent_layer(lattice, 2 * cfl / omega_max, scene.end / unit));
     }
-    return width;
+    width += scene.incoming ? std::size_t(extent_of(scene.incoming->pulse, scene.spacing)) : 0;
+    scene.left = {.kind = BoundaryKind::extended, .layer = width};
+    scene.right = scene.left;
+    scene.cfl.reset();
+    scene.preload.reset();
+    scene.incoming.reset();
+    return scene;
 }
 
 }  // namespace
@@ -77,18 +82,10 @@ double largest_after(const Outgoing& outgoing, std::size_t interior_nodes) {
     constexpr int times = 8;
     WaveGrid grid(outgoing.nodes);
     double largest = 0;
-    for (int i = 1; i <= times; ++i) {
-        std::vector<Complex> waves;
-        waves.reserve(outgoing.bands.size());
-        for (const WaveBand& band : outgoing.bands) {
-            const Complex turn =
-                std::polar(1.0, -band.omega * outgoing.remaining * double(i) / times);
-            // Re b exp(-i xi x) = Re conj(b) exp(i xi x)
-            waves.push_back(band.forwards * turn + std::conj(band.backwards * turn));
-        }
-        const auto field = grid.field(waves);
-        for (std::size_t node = 0; node < interior_nodes; ++node) {
-            largest = std::max(largest, std::abs(field[node]));
+    for (int i = 0; i <= times; ++i) {
+        const double time = outgoing.remaining * double(i) / times;
+        for (const double u : field_after(grid, outgoing, time, interior_nodes)) {
+            largest = std::max(largest, std::abs(u));
         }
     }
     return largest;
@@ -105,18 +102,15 @@ double fastest_speed(const Outgoing& outgoing) {
 }
 
 EndlessScene::EndlessScene(const Scene& scene)
-    : scene_(scene), unit_(scene.spacing / std::sqrt(scene.youngs_modulus / scene.density)) {
+    : scene_(between_layers(scene)),
+      incoming_(scene.incoming),
+      unit_(scene.spacing / std::sqrt(scene.youngs_modulus / scene.density)),
+      omega_max_(nmbc::maximum_frequency(lattice_of(scene))),
+      grid_(scene.nodes + 2 * (scene_.left.layer + lattice_of(scene).reach())) {
     const nmbc::Lattice lattice = lattice_of(scene);
-    omega_max_ = nmbc::maximum_frequency(lattice);
-    const std::size_t layer = width_of_layers(lattice, omega_max_, scene.end / unit_);
-    scene_.left = {.kind = BoundaryKind::extended, .layer = layer};
-    scene_.right = scene_.left;
-    scene_.cfl.reset();
-    scene_.preload.reset();
-    const WaveGrid grid(scene.nodes + 2 * (layer + lattice.reach()));
-    at_rest_.reserve(grid.bands());
-    for (std::size_t band = 0; band < grid.bands(); ++band) {
-        const double xi = grid.wave_number(band);
+    at_rest_.reserve(grid_.bands());
+    for (std::size_t band = 0; band < grid_.bands(); ++band) {
+        const double xi = grid_.wave_number(band);
         const double velocity = group_velocity(lattice, xi, 0);
         at_rest_.push_back({.xi = xi,
                             .omega = std::sqrt(std::max(nmbc::omega_squared(lattice, xi), 0.0)),
@@ -127,7 +121,7 @@ EndlessScene::EndlessScene(const Scene& scene)
     }
 }
 
-Outgoing EndlessScene::outgoing(double cfl) const {
+Outgoing EndlessScene::outgoing(double cfl) {
     Scene scene = scene_;
     scene.step = 2 * cfl / omega_max_ * unit_;
     Simulation simulation(scene);
@@ -138,17 +132,71 @@ Outgoing EndlessScene::outgoing(double cfl) const {
         for (const double u : interior(chain)) {
             result.largest = std::max(result.largest, std::abs(u));
         }
-    } while (!simulation.is_done() && simulation.is_driven(chain.time()));
+    } while (!simulation.is_done() && (simulation.is_driven(chain.time()) ||
+                                       (incoming_ && chain.time() < incoming_->arrival)));
     result.duration = chain.time() / unit_;
     result.remaining = std::max(0.0, scene.end - chain.time()) / unit_;
     add_waves(chain, result);
-    const auto field = interior(chain);
-    const auto is_moving = [&](double value) { return std::abs(value) > moves * result.largest; };
+    if (incoming_) {
+        add_incoming(result);
+    }
+    const std::vector<double> field = field_after(grid_, result, 0, scene.nodes);
+    const double size = std::abs(
+        *std::ranges::max_element(field, {}, [](double value) { return std::abs(value); }));
+    const auto is_moving = [size](double value) { return std::abs(value) > moves * size; };
     const auto first = std::ranges::find_if(field, is_moving);
     const auto last = std::find_if(field.rbegin(), field.rend(), is_moving);
     result.from_left = std::size_t(first - field.begin());
     result.from_right = std::size_t(last - field.rbegin());
     return result;
+}
+
+void EndlessScene::add_waves(const nmbc::Chain& chain, Outgoing& outgoing) {
+    const auto u = chain.displacement();
+    std::vector<double> before(u.begin(), u.end());
+    for (std::size_t node = 0; node < before.size(); ++node) {
+        before[node] -= chain.parameters().time_step * chain.velocity()[node];
+    }
+    const auto u_waves = grid_.amplitudes(u);
+    const auto before_waves = grid_.amplitudes(before);
+    for (std::size_t band = 0; band < outgoing.bands.size(); ++band) {
+        WaveBand& own = outgoing.bands[band];
+        const TwoWaves waves =
+            two_waves(u_waves[band], before_waves[band],
+                      frequency_in_steps(own.omega, outgoing.time_step) * outgoing.time_step);
+        const Complex from_first_interior =
+            std::polar(1.0, own.xi * double(chain.first_interior()));
+        own.forwards = waves.forwards * from_first_interior;
+        own.backwards = std::conj(waves.backwards * from_first_interior);
+    }
+}
+
+void EndlessScene::add_incoming(Outgoing& outgoing) {
+    const bool from_left = incoming_->end == nmbc::End::left;
+    const std::size_t outside = (outgoing.nodes - scene_.nodes) / 2;
+    const double middle = double(outside) + (from_left ? 0 : double(scene_.nodes) - 1);
+    std::vector<double> shape;
+    shape.reserve(outgoing.nodes);
+    for (std::size_t entry = 0; entry < outgoing.nodes; ++entry) {
+        shape.push_back(
+            value_at(incoming_->pulse, (double(entry) - middle) * scene_.spacing, scene_.spacing));
+    }
+    const auto amplitudes = grid_.amplitudes(shape);
+    const double since = outgoing.duration - incoming_->arrival / unit_;
+    for (std::size_t band = 0; band < outgoing.bands.size(); ++band) {
+        WaveBand& own = outgoing.bands[band];
+        const double half_angle = std::min(own.omega * outgoing.time_step / 2, 1 - 1e-12);
+        const double speed = own.speed / std::sqrt(1 - half_angle * half_angle);
+        const Complex at_arrival =
+            amplitudes[band] * std::polar(1.0, own.xi * double(outside)) * share_of_incoming(speed);
+        const Complex turn =
+            std::polar(1.0, -frequency_in_steps(own.omega, outgoing.time_step) * since);
+        if (from_left != own.is_backward) {  // phases go right
+            own.forwards += at_arrival * turn;
+        } else {
+            own.backwards += std::conj(at_arrival) * turn;
+        }
+    }
 }
 
 }  // namespace nmbcrun

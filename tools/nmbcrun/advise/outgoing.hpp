@@ -4,9 +4,11 @@
 
 #include <complex>
 #include <cstddef>
-#include <nmbc/lattice.hpp>
+#include <nmbc/chain.hpp>
+#include <optional>
 #include <vector>
 
+#include "tools/nmbcrun/advise/wave_grid.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
@@ -36,20 +38,27 @@ struct Outgoing {
     std::size_t from_right = 0;
 };
 
-/// A scene without ends, and without a preload, which does not move.
+/// A scene without ends, and without a preload, which does not move. What comes in is there as the
+/// waves it is made of (docs/scenes.md).
 class EndlessScene {
   public:
     /// The scene's own step and cfl do not count. Throws as Simulation does.
     explicit EndlessScene(const Scene& scene);
 
-    /// Steps it in steps of this cfl until its sources have ended. `largest` is that of these steps
+    /// Steps it in steps of this cfl until its sources have ended, and the middle of what comes in
+    /// has arrived. `largest` is that of these steps
     /// alone. Throws as Simulation does.
-    Outgoing outgoing(double cfl) const;
+    Outgoing outgoing(double cfl);
 
   private:
+    void add_waves(const nmbc::Chain& chain, Outgoing& outgoing);
+    void add_incoming(Outgoing& outgoing);
+
     Scene scene_;  // between layers that nothing returns from
+    std::optional<Incoming> incoming_;
     double unit_;  // dX/c
     double omega_max_;
+    WaveGrid grid_;
     std::vector<WaveBand> at_rest_;
 };
 

@@ -26,40 +26,30 @@ constexpr double margin = 1.1;
 /// Of the tolerance: waves that add up to less are not followed.
 constexpr double negligible = 1e-3;
 
-/// The next of cfl 0.99, 0.99 * 0.95, .. below: near enough to the longest for any use.
-double next_shorter(double cfl) {
-    constexpr double shorter = 0.95;
-    double next = largest_cfl;
-    while (next > cfl * (1 - 1e-9)) {
-        next *= shorter;
-    }
-    return next;
-}
-
 double unit_of(const Scene& scene) {
     return scene.spacing / std::sqrt(scene.youngs_modulus / scene.density);
 }
 
 }  // namespace
 
-Search::Search(const Scene& scene, double tolerance, Reference reference)
+Search::Search(const Scene& scene, double tolerance, Reference reference, const Scope& scope)
     : scene_(scene),
       tolerance_(tolerance),
       reference_(reference),
+      scope_(scope),
       lattice_(lattice_of(scene)),
       omega_max_(nmbc::maximum_frequency(lattice_)),
       unit_(unit_of(scene)),
       endless_(scene),
       outgoing_(probing_waves()),
       reflection_error_(scene, outgoing_, negligible * tolerance),
-      interior_error_(scene, endless_, outgoing_, reference),
-      least_interior_error_(infinity) {}
+      interior_error_(scene, endless_, outgoing_, reference) {}
 
 std::optional<double> Search::given_cfl() const {
     return scene_.step ? *scene_.step / unit_ * omega_max_ / 2 : scene_.cfl;
 }
 
-Outgoing Search::probing_waves() const {
+Outgoing Search::probing_waves() {
     constexpr double probing_cfl = 0.05;
     Outgoing waves = endless_.outgoing(given_cfl().value_or(probing_cfl));
     waves.largest = std::max(waves.largest, largest_after(waves, scene_.nodes));
@@ -69,6 +59,27 @@ Outgoing Search::probing_waves() const {
     return waves;
 }
 
+/// The next of cfl 0.99, 0.99 * 0.95, .. below, near enough to the longest for any use; or the
+/// favoured one.
+double Search::next_shorter(double cfl) const {
+    constexpr double shorter = 0.95;
+    const double below = cfl * (1 - 1e-9);
+    double next = largest_cfl;
+    while (next > below) {
+        next *= shorter;
+    }
+    return scope_.favoured_cfl < below ? std::max(next, scope_.favoured_cfl) : next;
+}
+
+double Search::least_interior_error() {
+    const double short_steps = given_cfl().value_or(smallest_of_many);
+    double least = interior_error_.at(short_steps, infinity);
+    if (scope_.favoured_cfl > 0) {
+        least = std::min(least, interior_error_.at(scope_.favoured_cfl, infinity));
+    }
+    return least;
+}
+
 double Search::interior_error_at(double cfl) {
     if (given_cfl() && reference_ == Reference::lattice) {
         return 0;
@@ -76,7 +87,7 @@ double Search::interior_error_at(double cfl) {
     const auto [known, is_new] = interior_errors_.try_emplace(cfl, 0.0);
     if (is_new) {
         known->second = interior_error_.at(cfl, tolerance_);
-        least_interior_error_ = std::min(least_interior_error_, known->second);
+        interior_meets_ = interior_meets_ || known->second * margin <= tolerance_;
     }
     return known->second;
 }
@@ -91,23 +102,23 @@ Candidate Search::candidate(const std::string& name, const Boundary& boundary, d
             .steps = steps_until(scene_.end, step_of(cfl) * unit_)};
 }
 
-/// Whether it meets the tolerance; `best` falls to its error if not. error_at(cfl): of the
-/// boundary.
-template <class ErrorAt>
-bool Search::try_steps(Candidate candidate, ErrorAt error_at, double& best) {
+/// Whether it meets the tolerance. boundary_error(): of its ends, asked for where they count.
+template <class BoundaryError>
+Search::Verdict Search::judge(Candidate& candidate, BoundaryError boundary_error) {
     candidate.interior_error = interior_error_at(candidate.cfl);
-    if (candidate.interior_error * margin <= tolerance_) {  // else no end makes up for it
-        candidate.boundary_error = error_at(candidate.cfl);
+    if (candidate.interior_error * margin > tolerance_) {  // no end makes up for it
+        return {
+            false, infinity,
+            fmt::format("their own error is above the tolerance at cfl = {:.3g}", candidate.cfl)};
     }
-    if (candidate.error() * margin <= tolerance_) {
-        result_.meet.push_back(std::move(candidate));
-        return true;
-    }
-    best = std::min(best, candidate.error());
-    return false;
+    candidate.boundary_error = boundary_error();
+    return {
+        candidate.error() * margin <= tolerance_, candidate.error(),
+        fmt::format("predicted error {:.2g} at cfl = {:.3g}", candidate.error(), candidate.cfl)};
 }
 
 /// In the longest steps up to a cfl in which it meets the tolerance. limit: in words.
+/// error_at(cfl): of the boundary.
 template <class ErrorAt>
 void Search::add(const std::string& name, const Boundary& boundary, double highest,
                  const std::string& limit, ErrorAt error_at) {
@@ -117,26 +128,29 @@ void Search::add(const std::string& name, const Boundary& boundary, double highe
                                     highest, *given));
         return;
     }
-    double best = infinity;
-    std::string why = given ? "the scene gives them" : limit;
     const double lowest =
         given.value_or(reference_ == Reference::lattice ? smallest_cfl : smallest_of_many);
+    double best = infinity;
+    std::string why_not_longer = given ? "the scene gives them" : limit;
     for (double cfl = given.value_or(highest); cfl >= lowest; cfl = next_shorter(cfl)) {
-        double boundary_error = 0;
         Candidate one = candidate(name, boundary, cfl);
-        one.why_not_longer = why;
-        double own = infinity;
-        const auto noted = [&](double at) { return boundary_error = error_at(at); };
-        if (try_steps(std::move(one), noted, own)) {
+        if (double(one.steps) > scope_.most_steps) {
+            break;
+        }
+        one.why_not_longer = why_not_longer;
+        const Verdict verdict = judge(one, [&] { return error_at(cfl); });
+        if (verdict.meets) {
+            result_.meet.push_back(std::move(one));
             return;
         }
-        best = std::min(best, own);
-        why = fmt::format("predicted error {:.2g} at cfl = {:.3g}", own, cfl);
-        if (given || boundary_error > 100 * tolerance_) {
+        best = std::min(best, verdict.error);
+        why_not_longer = verdict.reason;
+        if (given || one.boundary_error > 100 * tolerance_) {
             break;  // shorter steps change little of what the condition reflects
         }
     }
-    leave_out(name, fmt::format("predicted error {:.2g}", best));
+    leave_out(name, best < infinity ? fmt::format("predicted error {:.2g}", best)
+                                    : "in no steps is their own error within the tolerance");
 }
 
 void Search::add_ends_of_the_lattice() {
@@ -178,11 +192,15 @@ void Search::add_table(const nmbc::MatchingTable& table) {
         add(name, boundary, highest, "none are certified", error_at);
         return;
     }
-    double best = infinity;
     Candidate one = candidate(name, boundary, own_cfl);
     one.why_not_longer = "it is matched in these";
-    if (!try_steps(std::move(one), error_at, best)) {
-        leave_out(name, fmt::format("predicted error {:.2g} in its step", best));
+    const Verdict verdict = judge(one, [&] { return error_at(own_cfl); });
+    if (verdict.meets) {
+        result_.meet.push_back(std::move(one));
+    } else {
+        leave_out(name, verdict.error < infinity
+                            ? fmt::format("predicted error {:.2g} in its step", verdict.error)
+                            : "the error of its step alone is above the tolerance");
     }
 }
 

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nmbc/lattice.hpp>
+#include <nmbc/table.hpp>
 #include <numbers>
-#include <set>
 
 #include "tools/nmbcrun/advise/candidates.hpp"
 #include "tools/nmbcrun/advise/continuum.hpp"
@@ -45,7 +46,7 @@ std::vector<Weight> spectrum_of(const Scene& scene) {
                            std::norm(waves.forwards[band]) + std::norm(waves.backwards[band])});
         largest = std::max(largest, weights.back().weight);
     }
-    std::erase_if(weights, [&](const Weight& one) { return one.weight < 1e-20 * largest; });
+    std::erase_if(weights, [&](const Weight& one) { return one.weight < 1e-12 * largest; });
     return weights;
 }
 
@@ -94,30 +95,60 @@ double to_four_digits(double value) {
     return std::round(value * 1e4) / 1e4;
 }
 
+/// The largest cfl that a table is certified for, with the G of each.
+std::vector<nmbc::StableStep> longest_steps(const Scene& scene) {
+    std::vector<nmbc::StableStep> steps;
+    for (const nmbc::MatchingTable* table : tables_of(scene)) {
+        for (const auto list : {table->max_cfl, table->max_cfl_contractive}) {
+            steps.insert(steps.end(), list.begin(), list.end());
+        }
+    }
+    return steps;
+}
+
 }  // namespace
 
-std::vector<double> stabilisations_to_try(const Scene& scene) {
+std::vector<Stabilisation> stabilisations_to_try(const Scene& scene) {
     const double base = best_of_long_waves(scene.horizon);
     const nmbc::MatchingTable& any =
         table_of(with_lattice(scene, scene.horizon, 0), {.kind = BoundaryKind::fixed});
     if (!is_stabilised(nmbc::make_lattice(any, base))) {
-        return {0};
+        return {{}};
     }
     const std::vector<Weight> spectrum = spectrum_of(with_lattice(scene, scene.horizon, base));
     const double unit = scene.spacing / std::sqrt(scene.youngs_modulus / scene.density);
-    std::vector<double> cfls{0.05, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.99};
+    std::map<double, double> best;  // G by cfl
+    const auto best_at = [&](double cfl) {
+        const auto [known, is_new] = best.try_emplace(cfl, 0.0);
+        if (is_new) {
+            const auto time_step_of = [&](const nmbc::Lattice& lattice) {
+                return scene.step ? *scene.step / unit : 2 * cfl / nmbc::maximum_frequency(lattice);
+            };
+            known->second = to_four_digits(minimum(
+                [&](double G) { return misfit(scene, G, spectrum, time_step_of); }, 2 * base));
+        }
+        return known->second;
+    };
+    std::map<double, double> cfls{{0, 0}};  // by G
     if (scene.step || scene.cfl) {
-        cfls = {scene.cfl.value_or(0)};
+        cfls[best_at(scene.cfl.value_or(0))] = 0;
+    } else {
+        for (const double cfl : {0.05, 0.3, 0.5, 0.7, 0.9, 0.99}) {
+            cfls[best_at(cfl)] = cfl;
+        }
+        for (const nmbc::StableStep& longest : longest_steps(scene)) {
+            const double G = best_at(longest.cfl);
+            if (longest.window.contains(G)) {
+                cfls[G] = longest.cfl;
+            }
+        }
     }
-    std::set<double> values{0};
-    for (const double cfl : cfls) {
-        const auto time_step_of = [&](const nmbc::Lattice& lattice) {
-            return scene.step ? *scene.step / unit : 2 * cfl / nmbc::maximum_frequency(lattice);
-        };
-        values.insert(to_four_digits(
-            minimum([&](double G) { return misfit(scene, G, spectrum, time_step_of); }, 2 * base)));
+    std::vector<Stabilisation> result;
+    result.reserve(cfls.size());
+    for (const auto& [G, cfl] : cfls) {
+        result.push_back({G, cfl});
     }
-    return {values.begin(), values.end()};
+    return result;
 }
 
 }  // namespace nmbcrun

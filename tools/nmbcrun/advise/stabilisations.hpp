@@ -8,11 +8,17 @@
 
 namespace nmbcrun {
 
+/// A value of G, and the steps in which lattice and time step make up for each other there.
+struct Stabilisation {
+    double G = 0;
+    double cfl = 0;  ///< 0: none, as in continuous time
+};
+
 /// 0, and the G at which the waves of the scene's sources travel with the least error against the
-/// wave equation: in the scene's own steps, or in short steps and in those of cfl up to 0.99, where
-/// the lattice and the steps make up for each other. To four digits, ascending. Where the family
-/// has no stabilisation, 0 alone. The scene's horizon is settled, its G does not count. Throws as
-/// Simulation does.
-std::vector<double> stabilisations_to_try(const Scene& scene);
+/// wave equation: in the scene's own steps or, where it gives none, in short ones, in some up to
+/// cfl = 0.99, and in the longest that a table is certified for at just that G. To four digits, by
+/// ascending G. Where the family has no stabilisation, 0 alone. The scene's horizon is settled, its
+/// G does not count. Throws as Simulation does.
+std::vector<Stabilisation> stabilisations_to_try(const Scene& scene);
 
 }  // namespace nmbcrun
