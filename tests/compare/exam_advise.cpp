@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/compare/advised_scenes.hpp"
+#include "tools/nmbcrun/advise/wave_grid.hpp"
 #include "tools/nmbcrun/chart/ladder.hpp"
 #include "tools/nmbcrun/compare/reference.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
@@ -55,6 +56,43 @@ double measured_error(const Scene& scene, const Candidate& candidate) {
         deviation.look(simulation.chain(), fine.chain());
     }
     return deviation.relative();
+}
+
+TEST_CASE("what is sent back in a domain of 6000 nodes, after 3000 dX/c") {
+    const Scene scene = with_pulse(scene_of(1, 0.5, 6000, 4000), nmbcrun::Shape::gaussian, 20);
+    const auto found = nmbcrun::find_candidates(scene, 0.02);
+    const Candidate best =
+        best_boundary(found.meet, [](const Candidate& one) { return one.steps; });
+    CHECK(best.boundary.kind == nmbcrun::BoundaryKind::nmbc);
+    // In its own steps without ends, so that the ends alone are measured.
+    Scene stepped = nmbcrun::with_ends(scene, best.boundary);
+    stepped.step = best.time_step;
+    nmbcrun::Simulation simulation(stepped);
+    nmbcrun::Simulation reference(nmbcrun::endless(scene, best.time_step));
+    nmbcrun::Deviation deviation;
+    while (!simulation.is_done()) {
+        simulation.step();
+        reference.step();
+        deviation.look(simulation.chain(), reference.chain());
+    }
+    // In continuous time and in steps the pulse has become a little different on its way.
+    CHECK(deviation.relative() == doctest::Approx(best.boundary_error).epsilon(0.1));
+}
+
+TEST_CASE("the grid of waves repeats beyond all nodes, and gives back what it was given") {
+    nmbcrun::WaveGrid grid(6001);
+    CHECK(2 * grid.bands() == 6144);  // 2^11 3
+    std::vector<double> field(6001);
+    for (std::size_t node = 0; node < field.size(); ++node) {
+        field[node] = std::sin(0.01 * double(node * node));
+    }
+    const std::vector<double> back = grid.field(grid.amplitudes(field));
+    double difference = 0;
+    for (std::size_t node = 0; node < back.size(); ++node) {
+        const double given = node < field.size() ? field[node] : 0;
+        difference = std::max(difference, std::abs(back[node] - given));
+    }
+    CHECK(difference < 1e-13);  // roundings of two transforms, eps log2(6144) = 3e-15 each
 }
 
 TEST_CASE("the advised set-up meets the tolerance, and none certified in 2/3 of its steps does") {

@@ -98,23 +98,23 @@ std::vector<Task> tasks() {
         };
     };
     return {
-        {"pulse", pulse(10), 1e-2, both_ways(10)},
+        {"pulse, G = 0", with_G(pulse(10), 0), 1e-2, both_ways(10)},
         {"pulse, strict", pulse(10), 1e-4, both_ways(10)},
         {"pulse, n = 2", with_horizon(pulse(10), 2), 1e-3, both_ways(10)},
         {"pulse, n = 3", with_horizon(pulse(15), 3), 1e-3, both_ways(15)},
         {"pulse, G = 1", with_G(pulse(10), 1), 5e-2, both_ways(10)},
         {"ricker to the right",
-         with_kind(with_pulse(open_scene(300, 300), Shape::ricker, 12),
+         with_kind(with_pulse(with_horizon(open_scene(300, 300), 2), Shape::ricker, 12),
                    nmbcrun::InitialKind::to_the_right),
          5e-3, [](double x, double t) { return ricker((x - 150 - t) / 12); }},
-        {"velocity", with_kind(pulse(15), nmbcrun::InitialKind::velocity), 1e-3,
+        {"velocity", with_kind(with_horizon(pulse(15), 1), nmbcrun::InitialKind::velocity), 1e-3,
          [](double x, double t) {
              const auto integral = [](double y) {
                  return 15 * std::sqrt(std::numbers::pi) / 2 * std::erf(y / 15);
              };
              return (integral(x - 150 + t) - integral(x - 150 - t)) / 2;
          }},
-        {"force", with_force(open_scene(300, 400)), 1e-3,
+        {"force", with_force(with_horizon(open_scene(300, 400), 1)), 1e-3,
          [](double x, double t) {
              const double until = t - std::abs(x - 150);
              const auto integral = [](double s) {
@@ -127,7 +127,7 @@ std::vector<Task> tasks() {
              const double since = std::clamp(t - std::abs(x - 150), 0.0, 120.0);
              return (1 - std::cos(std::numbers::pi * since / 120)) / 2;
          }},
-        {"incoming", with_incoming(open_scene(300, 400)), 1e-2,
+        {"incoming", with_incoming(with_horizon(open_scene(300, 400), 1)), 1e-2,
          [](double x, double t) { return gaussian((x - 1 - (t - 60)) / 14); }},
     };
 }
@@ -197,6 +197,7 @@ std::vector<Candidate> much_cheaper(const Scene& scene, double size) {
 }
 
 TEST_CASE("with horizon and G open, what is advised is as near to the wave equation as it says") {
+    int cheaper_ones = 0;
     for (const Task& task : tasks()) {
         CAPTURE(std::string(task.name));
         const auto found = nmbcrun::find_candidates(task.scene, task.tolerance);
@@ -207,26 +208,30 @@ TEST_CASE("with horizon and G open, what is advised is as near to the wave equat
         CAPTURE(best.cfl);
         const double error = measured_error(nmbcrun::with_lattice(task.scene, best.horizon, best.G),
                                             best.boundary, best.time_step, task.exact);
-        MESSAGE(std::string(task.name)
-                << " " << best.name << " n=" << best.horizon << " G=" << best.G << " cfl "
-                << best.cfl << " predicted " << best.boundary_error << " + " << best.interior_error
-                << " measured " << error);
         CHECK(error <= task.tolerance);
-        int n = 0;
-        double least = 1e9;
+        // What is predicted is what is measured, within a factor: errors of opposite sign are added
+        // up, and what happens while the sources last is not looked at.
+        CHECK(error >= 0.4 * best.error());
+        CHECK(error <= 1.7 * best.error());
         for (const Candidate& cheaper : much_cheaper(task.scene, size_of(best))) {
             CAPTURE(cheaper.name);
             CAPTURE(cheaper.G);
             CAPTURE(cheaper.cfl);
-            const double e =
-                measured_error(nmbcrun::with_lattice(task.scene, cheaper.horizon, cheaper.G),
-                               cheaper.boundary, cheaper.time_step, task.exact);
-            CHECK(e > task.tolerance);
-            least = std::min(least, e);
-            ++n;
+            CHECK(measured_error(nmbcrun::with_lattice(task.scene, cheaper.horizon, cheaper.G),
+                                 cheaper.boundary, cheaper.time_step, task.exact) > task.tolerance);
+            ++cheaper_ones;
         }
-        MESSAGE(n << " cheaper, least " << least);
     }
+    CHECK(cheaper_ones >= 30);  // 39 as the tables are: the comparison is not an empty one
+}
+
+TEST_CASE("an open lattice is refused where a lattice is needed") {
+    const Scene scene = with_pulse(open_scene(100, 10), Shape::gaussian, 10);
+    CHECK_THROWS_WITH_AS(nmbcrun::Simulation{scene}, doctest::Contains("model.horizon is \"auto\""),
+                         nmbcrun::SceneError);
+    CHECK_THROWS_WITH_AS(nmbcrun::lattice_of(with_horizon(scene, 1)),
+                         doctest::Contains("model.G is \"auto\""), nmbcrun::SceneError);
+    CHECK_NOTHROW(nmbcrun::lattice_of(with_G(with_horizon(scene, 1), 0.5)));
 }
 
 }  // namespace

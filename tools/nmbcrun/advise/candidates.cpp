@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <nmbc/lattice.hpp>
 #include <utility>
 
 #include "tools/nmbcrun/advise/search.hpp"
 #include "tools/nmbcrun/advise/stabilisations.hpp"
-#include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
+#include "tools/nmbcrun/simulation/time_step.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -32,6 +33,14 @@ double work_of(const Candidate& candidate) {
     return double(candidate.steps) * (4 * candidate.horizon + 1);
 }
 
+/// Whether the steps that the scene gives, if it does, are too long for its lattice.
+bool is_too_long(const Scene& scene) {
+    const nmbc::Lattice lattice = lattice_of(scene);
+    const double cfl =
+        scene.step ? *scene.step * highest_frequency(scene, lattice) / 2 : scene.cfl.value_or(0);
+    return cfl > nmbc::interior_cfl(lattice);
+}
+
 /// least_work: of the candidates so far, but those whose ends cost as much as an interior.
 OfHorizon candidates_of(const Scene& scene, int horizon, double tolerance, double& least_work) {
     constexpr double far_dearer = 4;  // twice as much is told from as much by measuring it
@@ -44,6 +53,9 @@ OfHorizon candidates_of(const Scene& scene, int horizon, double tolerance, doubl
     double best_G = 0;
     for (const auto& [G, cfl] : stabilisations) {
         const Scene settled = with_lattice(scene, horizon, G);
+        if (is_too_long(settled)) {
+            continue;
+        }
         Search search(
             settled, tolerance, Reference::continuum,
             {.favoured_cfl = cfl, .most_steps = far_dearer * least_work / (4 * horizon + 1)});
@@ -61,12 +73,16 @@ OfHorizon candidates_of(const Scene& scene, int horizon, double tolerance, doubl
             best_G = G;
         }
     }
-    result.why_none =
-        interior_meets
-            ? fmt::format("no end meets it, or in four times the work at least, such as at G = {}",
-                          best_G)
-            : fmt::format("dispersion and steps make an error of {:.2g}, at the best G of {}",
-                          least_error, best_G);
+    if (interior_meets) {
+        result.why_none = fmt::format(
+            "no end meets it, or in four times the work at least, such as at G = {}", best_G);
+    } else if (least_error < std::numeric_limits<double>::infinity()) {
+        result.why_none =
+            fmt::format("dispersion and steps make an error of {:.2g}, at the best G of {}",
+                        least_error, best_G);
+    } else {
+        result.why_none = "the scene's steps are too long for it";
+    }
     return result;
 }
 
@@ -75,6 +91,9 @@ Candidates open_lattice_candidates(const Scene& scene, double tolerance) {
     double least_work = std::numeric_limits<double>::infinity();
     const std::vector<int> horizons =
         scene.auto_horizon ? horizons_of(scene) : std::vector{scene.horizon};
+    if (horizons.empty()) {
+        lattice_of(with_lattice(scene, scene.horizon, 0));  // throws: says what there is
+    }
     for (const int horizon : horizons) {
         OfHorizon found = candidates_of(scene, horizon, tolerance, least_work);
         if (found.meet.empty()) {

@@ -2,6 +2,7 @@
 #include "tools/nmbcrun/advise/predicted_error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -43,9 +44,14 @@ std::vector<Arrival> arrivals(const Outgoing& outgoing, nmbc::End end, std::size
     return result;
 }
 
+/// Interior nodes, counted inwards from the end, at which what is sent back is looked at: waves
+/// that add up to little at one may not at another.
+constexpr std::array<int, 11> depths{0, 1, 2, 3, 5, 8, 13, 21, 34, 55, 89};
+using AtDepths = std::array<Complex, depths.size()>;
+
 /// What a wave is sent back as.
 struct SentBack {
-    Complex amplitude;  ///< of all of it, at the outermost interior node, over the wave's own there
+    AtDepths amplitudes;  ///< of all of it, over the wave's own at the outermost interior node
     double most;  ///< a bound of what any wave that arrives becomes on the other side of the chain
 };
 
@@ -71,11 +77,14 @@ SentBack sent_back(const nmbcgen::Reflection& reflection, double xi, std::size_t
         constexpr double arrives = 1e-12;
         most = fading(column) > arrives ? std::max(most, sum) : most;
     }
-    Complex sum = 0;
+    AtDepths amplitudes{};
     for (Eigen::Index o = 0; o < reflection.amplitudes.rows(); ++o) {
-        sum += reflection.amplitudes(o, incident) * k_of(o);
+        for (std::size_t i = 0; i < depths.size(); ++i) {
+            amplitudes[i] += reflection.amplitudes(o, incident) * k_of(incident) *
+                             std::pow(k_of(o), depths[i] + 1);
+        }
     }
-    return {sum * k_of(incident), most};
+    return {amplitudes, most};
 }
 
 /// most^2 + .. + most^(1 + trips): the second round trip, and those that follow.
@@ -89,8 +98,15 @@ double later_trips(double most, int trips) {
     return sum;
 }
 
-/// max over 0 <= t <= duration of |Re sum amplitude exp(-i omega' t)|, omega' in time steps.
-double largest_sum(std::vector<Arrival> waves, double duration, double time_step) {
+/// When the first wave arrives, and when the run ends [dX/c].
+struct Span {
+    double first;
+    double last;
+};
+
+/// max over these times of |Re sum amplitude exp(-i omega' t)|, omega' in time steps: of the first
+/// 4000 times, ten in the shortest period, between two of which a crest rises by 5 %.
+double largest_sum(std::vector<Arrival> waves, const Span& span, double time_step) {
     double highest = 0;
     for (const Arrival& wave : waves) {
         highest = std::max(highest, frequency_in_steps(wave.band->omega, time_step));
@@ -98,16 +114,18 @@ double largest_sum(std::vector<Arrival> waves, double duration, double time_step
     if (highest == 0) {
         return 0;
     }
-    // Ten times in the shortest period: between two of them a crest rises by 5 %.
+    constexpr double most_times = 4000;
     const double between = 2 * std::numbers::pi / highest / 10;
     std::vector<Complex> turns;
     turns.reserve(waves.size());
-    for (const Arrival& wave : waves) {
-        turns.push_back(
-            std::polar(1.0, -frequency_in_steps(wave.band->omega, time_step) * between));
+    for (Arrival& wave : waves) {
+        const double omega = frequency_in_steps(wave.band->omega, time_step);
+        turns.push_back(std::polar(1.0, -omega * between));
+        wave.amplitude *= std::polar(1.0, -omega * span.first);
     }
     double largest = 0;
-    for (double time = 0; time <= duration; time += between) {
+    const double last = std::min(span.last, span.first + most_times * between);
+    for (double time = span.first; time <= last; time += between) {
         double sum = 0;
         for (std::size_t i = 0; i < waves.size(); ++i) {
             sum += waves[i].amplitude.real();
@@ -116,6 +134,12 @@ double largest_sum(std::vector<Arrival> waves, double duration, double time_step
         largest = std::max(largest, std::abs(sum));
     }
     return largest;
+}
+
+Span span_of(const Outgoing& outgoing, nmbc::End end) {
+    const auto way = double(end == nmbc::End::left ? outgoing.from_left : outgoing.from_right);
+    const double fastest = fastest_speed(outgoing);
+    return {fastest > 0 ? std::min(way / fastest, outgoing.remaining) : 0, outgoing.remaining};
 }
 
 }  // namespace
@@ -146,31 +170,45 @@ double ReflectionError::of(const Boundary& boundary, double time_step) {
         modes_ = std::make_unique<nmbcgen::KnownModes>(in_time);
     }
     const auto end = in_steps(in_time, boundary.ghosts, time_step);
-    const auto error_of = [&](std::vector<Arrival> waves) {
+    const auto error_of = [&](const std::vector<Arrival>& waves, nmbc::End side) {
         double later = 0;
-        for (Arrival& wave : waves) {
+        std::vector<AtDepths> sent_back_at;
+        sent_back_at.reserve(waves.size());
+        for (const Arrival& wave : waves) {
             const double omega = wave.band->omega;
             const auto sent =
                 sent_back(end.is_damped() ? nmbcgen::reflection(end, omega)
                                           : nmbcgen::reflection(end, omega, modes_->at(omega)),
                           wave.band->xi, scene_.nodes);
             later += std::abs(wave.amplitude) * later_trips(sent.most, wave.more_trips);
-            wave.amplitude *= std::conj(sent.amplitude);
+            sent_back_at.push_back(sent.amplitudes);
         }
-        return later + largest_sum(std::move(waves), outgoing_.remaining, time_step);
+        double largest = 0;
+        for (std::size_t depth = 0; depth < depths.size(); ++depth) {
+            if (std::size_t(depths[depth]) >= scene_.nodes) {
+                break;
+            }
+            std::vector<Arrival> returned = waves;
+            for (std::size_t i = 0; i < waves.size(); ++i) {
+                returned[i].amplitude *= std::conj(sent_back_at[i][depth]);
+            }
+            largest = std::max(
+                largest, largest_sum(std::move(returned), span_of(outgoing_, side), time_step));
+        }
+        return later + largest;
     };
-    return of_both(error_of(left_), error_of(right_));
+    return of_both(error_of(left_, nmbc::End::left), error_of(right_, nmbc::End::right));
 }
 
 double ReflectionError::of_fixed_ends(double time_step) const {
-    const auto error_of = [&](const std::vector<Arrival>& waves) {
+    const auto error_of = [&](const std::vector<Arrival>& waves, nmbc::End side) {
         double later = 0;
         for (const Arrival& wave : waves) {
             later += std::abs(wave.amplitude) * wave.more_trips;
         }
-        return later + largest_sum(waves, outgoing_.remaining, time_step);
+        return later + largest_sum(waves, span_of(outgoing_, side), time_step);
     };
-    return of_both(error_of(left_), error_of(right_));
+    return of_both(error_of(left_, nmbc::End::left), error_of(right_, nmbc::End::right));
 }
 
 }  // namespace nmbcrun

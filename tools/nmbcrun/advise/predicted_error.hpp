@@ -22,7 +22,7 @@ struct Arrival {
 };
 
 /// max |u - u_ref| / max |u_ref| by what the ends send back: the outgoing waves, each times what
-/// the end makes of it, added up in phase where the interior begins at times up to the end of the
+/// the end makes of it, added up in phase at some nodes near the end, at times up to the end of the
 /// run. The larger of the two ends, or their sum where there is time for the two to meet; and a
 /// bound of what comes back again, the sum of |amplitude| times a product of reflections.
 class ReflectionError {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
 #include "tools/nmbcrun/simulation/time_step.hpp"
 
@@ -134,7 +135,7 @@ void Search::add(const std::string& name, const Boundary& boundary, double highe
     std::string why_not_longer = given ? "the scene gives them" : limit;
     for (double cfl = given.value_or(highest); cfl >= lowest; cfl = next_shorter(cfl)) {
         Candidate one = candidate(name, boundary, cfl);
-        if (double(one.steps) > scope_.most_steps) {
+        if (double(one.steps) > scope_.most_steps || one.steps > most_steps(boundary.kind)) {
             break;
         }
         one.why_not_longer = why_not_longer;
@@ -150,7 +151,7 @@ void Search::add(const std::string& name, const Boundary& boundary, double highe
         }
     }
     leave_out(name, best < infinity ? fmt::format("predicted error {:.2g}", best)
-                                    : "in no steps is their own error within the tolerance");
+                                    : "no steps that it may take are within the tolerance");
 }
 
 void Search::add_ends_of_the_lattice() {

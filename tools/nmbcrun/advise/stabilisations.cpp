@@ -7,6 +7,7 @@
 #include <nmbc/lattice.hpp>
 #include <nmbc/table.hpp>
 #include <numbers>
+#include <utility>
 
 #include "tools/nmbcrun/advise/candidates.hpp"
 #include "tools/nmbcrun/advise/continuum.hpp"
@@ -50,20 +51,6 @@ std::vector<Weight> spectrum_of(const Scene& scene) {
     return weights;
 }
 
-/// How far the waves are off in a unit of time, squared, in steps of time_step_of(lattice) [dX/c].
-template <class TimeStepOf>
-double misfit(const Scene& scene, double G, const std::vector<Weight>& spectrum,
-              TimeStepOf time_step_of) {
-    const nmbc::Lattice lattice = lattice_of(with_lattice(scene, scene.horizon, G));
-    const double time_step = time_step_of(lattice);
-    double sum = 0;
-    for (const Weight& one : spectrum) {
-        const double omega = std::sqrt(std::max(nmbc::omega_squared(lattice, one.xi), 0.0));
-        sum += one.weight * std::pow(frequency_in_steps(omega, time_step) - one.xi, 2);
-    }
-    return sum;
-}
-
 /// Where value(x) is least, 0 <= x <= highest, to a ten-thousandth of that or so.
 template <class Value>
 double minimum(Value value, double highest) {
@@ -80,7 +67,7 @@ double minimum(Value value, double highest) {
     }
     double low = std::max(best - 1, 0) * part;
     double high = std::min(best + 1, parts) * part;
-    for (int i = 0; i < 16; ++i) {
+    for (int i = 0; i < 14; ++i) {
         const double inset = (high - low) * (1 - 1 / std::numbers::phi);
         if (value(low + inset) > value(high - inset)) {
             low += inset;
@@ -95,7 +82,62 @@ double to_four_digits(double value) {
     return std::round(value * 1e4) / 1e4;
 }
 
-/// The largest cfl that a table is certified for, with the G of each.
+/// The lattices of one horizon beside the wave equation.
+class Fit {
+  public:
+    /// Among G from 0 to the highest. The scene's horizon is settled.
+    Fit(const Scene& scene, std::vector<Weight> spectrum, double highest)
+        : scene_(scene), spectrum_(std::move(spectrum)), highest_(highest) {}
+
+    /// The G at which the waves are least off, in steps of time_step_of(omega_max) [dX/c].
+    template <class TimeStepOf>
+    double best_G(TimeStepOf time_step_of) {
+        return to_four_digits(minimum(
+            [&](double G) {
+                const Band& band = band_of(G);
+                return misfit(band, time_step_of(band.omega_max));
+            },
+            highest_));
+    }
+
+  private:
+    struct Band {
+        double omega_max;
+        std::vector<double> omega;  // of the spectrum's wave numbers
+    };
+
+    const Band& band_of(double G) {
+        const auto [known, is_new] = bands_.try_emplace(G);
+        if (is_new) {
+            const nmbc::Lattice lattice = lattice_of(with_lattice(scene_, scene_.horizon, G));
+            Band& band = known->second;
+            band.omega_max = nmbc::maximum_frequency(lattice);
+            band.omega.reserve(spectrum_.size());
+            for (const Weight& one : spectrum_) {
+                band.omega.push_back(
+                    std::sqrt(std::max(nmbc::omega_squared(lattice, one.xi), 0.0)));
+            }
+        }
+        return known->second;
+    }
+
+    /// How far the waves are off in a unit of time, squared.
+    double misfit(const Band& band, double time_step) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < spectrum_.size(); ++i) {
+            const auto& [xi, weight] = spectrum_[i];
+            sum += weight * std::pow(frequency_in_steps(band.omega[i], time_step) - xi, 2);
+        }
+        return sum;
+    }
+
+    const Scene& scene_;
+    std::vector<Weight> spectrum_;
+    double highest_;
+    std::map<double, Band> bands_;  // by G
+};
+
+/// The largest cfl that tables are certified for, with their windows of G.
 std::vector<nmbc::StableStep> longest_steps(const Scene& scene) {
     std::vector<nmbc::StableStep> steps;
     for (const nmbc::MatchingTable* table : tables_of(scene)) {
@@ -104,6 +146,29 @@ std::vector<nmbc::StableStep> longest_steps(const Scene& scene) {
         }
     }
     return steps;
+}
+
+/// Each G with the cfl it is best in, of all cfl worth a look.
+std::map<double, double> best_in_steps(const Scene& scene, Fit& fit) {
+    std::map<double, double> best;  // G by cfl
+    const auto best_at = [&](double cfl) {
+        const auto [known, is_new] = best.try_emplace(cfl, 0.0);
+        if (is_new) {
+            known->second = fit.best_G([cfl](double omega_max) { return 2 * cfl / omega_max; });
+        }
+        return known->second;
+    };
+    std::map<double, double> cfls;
+    for (const double cfl : {0.05, 0.3, 0.5, 0.7, 0.9, 0.99}) {
+        cfls[best_at(cfl)] = cfl;
+    }
+    for (const nmbc::StableStep& longest : longest_steps(scene)) {
+        const double G = best_at(longest.cfl);
+        if (longest.window.contains(G)) {
+            cfls[G] = longest.cfl;
+        }
+    }
+    return cfls;
 }
 
 }  // namespace
@@ -115,34 +180,17 @@ std::vector<Stabilisation> stabilisations_to_try(const Scene& scene) {
     if (!is_stabilised(nmbc::make_lattice(any, base))) {
         return {{}};
     }
-    const std::vector<Weight> spectrum = spectrum_of(with_lattice(scene, scene.horizon, base));
-    const double unit = scene.spacing / std::sqrt(scene.youngs_modulus / scene.density);
-    std::map<double, double> best;  // G by cfl
-    const auto best_at = [&](double cfl) {
-        const auto [known, is_new] = best.try_emplace(cfl, 0.0);
-        if (is_new) {
-            const auto time_step_of = [&](const nmbc::Lattice& lattice) {
-                return scene.step ? *scene.step / unit : 2 * cfl / nmbc::maximum_frequency(lattice);
-            };
-            known->second = to_four_digits(minimum(
-                [&](double G) { return misfit(scene, G, spectrum, time_step_of); }, 2 * base));
-        }
-        return known->second;
-    };
-    std::map<double, double> cfls{{0, 0}};  // by G
+    Fit fit(scene, spectrum_of(with_lattice(scene, scene.horizon, base)), 2 * base);
+    std::map<double, double> cfls;  // by G
     if (scene.step || scene.cfl) {
-        cfls[best_at(scene.cfl.value_or(0))] = 0;
+        const double unit = scene.spacing / std::sqrt(scene.youngs_modulus / scene.density);
+        cfls[fit.best_G([&](double omega_max) {
+            return scene.step ? *scene.step / unit : 2 * *scene.cfl / omega_max;
+        })] = 0;
     } else {
-        for (const double cfl : {0.05, 0.3, 0.5, 0.7, 0.9, 0.99}) {
-            cfls[best_at(cfl)] = cfl;
-        }
-        for (const nmbc::StableStep& longest : longest_steps(scene)) {
-            const double G = best_at(longest.cfl);
-            if (longest.window.contains(G)) {
-                cfls[G] = longest.cfl;
-            }
-        }
+        cfls = best_in_steps(scene, fit);
     }
+    cfls.try_emplace(0, 0);
     std::vector<Stabilisation> result;
     result.reserve(cfls.size());
     for (const auto& [G, cfl] : cfls) {
