@@ -97,6 +97,17 @@ inline double omega_squared(const Lattice& lattice, double xi) {
     return detail::symbol_at(lattice.symbol, xi);
 }
 
+/// d(omega^2)/d(xi) [c^2/dX^2 per 1/dX], analytic, without damping; 2 omega times the group
+/// velocity.
+inline double omega_squared_slope(const Lattice& lattice, double xi) {
+    double slope = 0;
+    for (std::size_t m = 1; m < lattice.symbol.size(); ++m) {
+        slope -=
+            2 * static_cast<double>(m) * lattice.symbol[m] * std::sin(static_cast<double>(m) * xi);
+    }
+    return slope;
+}
+
 /// The largest omega of the band without damping, omega_max [c/dX], in which time steps are
 /// counted: cfl = dt omega_max / 2.
 inline double maximum_frequency(const Lattice& lattice) {

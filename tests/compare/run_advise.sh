@@ -36,10 +36,73 @@ expect "the ends alone" grep -q "in the scene's own time step" "$scratch/stdout"
 expect "2744 steps in every row" awk '/^meets/ { table = 1; next } /^cost/ { table = 0 }
     table && !/ 0.091      2744 / { exit 1 }' "$scratch/stdout"
 
+expect "why the steps are no longer" grep -q 'longer steps *the scene gives them' "$scratch/stdout"
+
 # Nothing gets to the ends: no boundary.
 try advise "${bar[@]}" --tolerance 1e-2 --set time.end=20 --quiet
 expect_exit 0
 expect "no boundary" grep -q '^advice     no boundary (fixed)' "$scratch/stdout"
+
+# Horizon and G left open: against the wave equation.
+cat >"$scratch/open.toml" <<'END'
+[model]
+horizon = "auto"
+G = "auto"
+[domain]
+nodes = 160
+[initial]
+shape = "gaussian"
+amplitude = 1
+width = 10
+centre = 80
+[time]
+end = 220
+END
+try advise "$scratch/open.toml" --tolerance 1e-4
+expect_exit 0
+expect_no_stderr
+for what in 'against the wave equation' 'longer steps' 'horizon 5 .* dispersion and steps make an error of'; do
+    expect "says: $what" grep -q -- "$what" "$scratch/stdout"
+done
+expect "at most a dozen rows, and a line at most for each horizon left out" awk '
+    /^meets/ { table = 1; next } /^cost/ { table = 0 } table { rows++ } /^  horizon/ { lines++ }
+    END { exit !(rows >= 1 && rows <= 12 && lines >= 1 && lines <= 5) }' "$scratch/stdout"
+settings=$(sed -n 's/^settings   //p' "$scratch/stdout")
+expect "a lattice to set" grep -q -- '--set model.horizon=[1-5] --set model.G=' <<<"$settings"
+read -ra words <<<"$settings"
+try verify "$scratch/open.toml" "${words[@]}" --tolerance 1e-4 --quiet
+expect_exit 0
+try run "$scratch/open.toml" --tolerance 1e-2 --set model.horizon=2 --quiet
+expect_exit 0
+expect "the G first" grep -q '^advice     --set model.G=.* --set boundary.kind=' "$scratch/stdout"
+
+# Any other command needs a lattice, and sources that are the same in any.
+for command in run verify chart; do
+    tolerance=()
+    [ "$command" = verify ] && tolerance=(--tolerance 1e-2)
+    try "$command" "$scratch/open.toml" "${tolerance[@]}"
+    expect_exit 2
+    expect_stderr 'model.horizon is "auto", which advise and run --tolerance choose'
+done
+try run "$scratch/open.toml" --set model.horizon=1
+expect_exit 2
+expect_stderr 'model.G is "auto"'
+refused() {  # refused WHAT --set KEY=VALUE ..
+    local what=$1
+    shift
+    try advise "$scratch/open.toml" --tolerance 1e-2 "$@"
+    expect_exit 2
+    expect_stderr "$what"
+}
+drive=(--set drive.amplitude=1 --set drive.duration=20 --set drive.centre=80)
+refused 'drive.half_width is in horizons: beside model.horizon = "auto" it has to be given as 0' \
+    "${drive[@]}"
+refused 'drive has to be the only source' "${drive[@]}" --set drive.half_width=0
+refused 'model.damping must be 0 beside model.horizon = "auto"' --set model.damping=1/10
+refused 'there is nothing of this family' --set model.family=nothing
+refused 'model.horizon must be a whole number' --set model.horizon=automatic
+refused 'must be an exact number' --set model.G=automatic
+refused "horizon 1: the scene's steps are too long for it" --set time.cfl=2
 
 try advise "${bar[@]}" --tolerance 1e-15
 expect_exit 2

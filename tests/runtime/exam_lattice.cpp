@@ -44,6 +44,29 @@ TEST_CASE("the band is (41)") {
     }
 }
 
+TEST_CASE("the slope of omega^2") {
+    for (int n = 1; n <= 5; ++n) {
+        for (const double G : {0.0, 0.4, 1.7}) {
+            const auto lattice = lattice_of(n, G);
+            for (double xi = 0.05; xi < 3.1; xi += 0.1) {
+                constexpr double h = 1e-4;
+                const double difference =
+                    (nmbc::omega_squared(lattice, xi + h) - nmbc::omega_squared(lattice, xi - h)) /
+                    (2 * h);
+                // omega^2 has terms up to cos(2n xi), so the difference is off by up to h^2/6 of
+                // (2n)^3 sum 2 |symbol|: 1e-8/6 * 1000 * 30; its roundings are 1e-15/h.
+                CHECK(nmbc::omega_squared_slope(lattice, xi) ==
+                      doctest::Approx(difference).epsilon(0).scale(1).epsilon(5e-5));
+            }
+            // Long waves travel at c: omega^2 = xi^2, but for terms of xi^4, at most 1e-2 here.
+            CHECK(nmbc::omega_squared_slope(lattice, 1e-3) == doctest::Approx(2e-3).epsilon(1e-4));
+        }
+    }
+    // n = 1: omega^2 = sin(xi)^2 + 2G(1 - cos(xi))^2, so at xi = pi/2 the slope is 4G.
+    CHECK(nmbc::omega_squared_slope(lattice_of(1, 0.5), std::numbers::pi / 2) ==
+          doctest::Approx(2).epsilon(1e-15));
+}
+
 TEST_CASE("the largest frequency") {
     // n = 1, with x = cos xi: omega^2 = 1 - x^2 + 2G(1-x)^2 has its maximum at x = 2G/(2G-1) for
     // G < 1/4, and at x = -1 (value 8G) from there on.

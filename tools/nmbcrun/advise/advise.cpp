@@ -4,6 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
 
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/errors.hpp"
@@ -11,30 +15,35 @@
 namespace nmbcrun {
 namespace {
 
-/// The scene as advised: boundaries and time step.
-Scene advised(Scene scene, const Candidate& candidate) {
-    scene.left = candidate.boundary;
-    scene.right = candidate.boundary;
-    scene.allow_unstable = false;
+/// The scene as advised: lattice, boundaries and time step.
+Scene advised(const Scene& scene, const Candidate& candidate) {
+    Scene result = with_lattice(scene, candidate.horizon, candidate.G);
+    result.left = candidate.boundary;
+    result.right = candidate.boundary;
+    result.allow_unstable = false;
     if (!scene.step && !scene.cfl && candidate.boundary.matched_step == "0") {
-        scene.cfl = candidate.cfl;
+        result.cfl = candidate.cfl;
     }
-    return scene;
+    return result;
 }
 
 /// The settings that make a scene the advised one, as --set takes them.
-std::string settings_of(const Candidate& candidate) {
+std::string settings_of(const Scene& scene, const Candidate& candidate) {
     const Boundary& boundary = candidate.boundary;
-    std::string settings = fmt::format("--set boundary.kind={}", name_of(boundary.kind));
+    std::string settings;
+    if (scene.auto_horizon) {
+        settings += fmt::format("--set model.horizon={} ", candidate.horizon);
+    }
+    if (scene.auto_G) {
+        settings += fmt::format("--set model.G={} ", candidate.G);
+    }
+    settings += fmt::format("--set boundary.kind={}", name_of(boundary.kind));
     if (boundary.kind == BoundaryKind::nmbc) {
         settings += fmt::format(" --set boundary.order={} --set boundary.stride={}", boundary.order,
                                 boundary.stride);
         if (boundary.matched_step != "0") {
             return settings + fmt::format(" --set boundary.matched_step={}", boundary.matched_step);
         }
-    }
-    if (boundary.layer > 0) {
-        settings += fmt::format(" --set boundary.layer={}", boundary.layer);
     }
     return settings + fmt::format(" --set time.cfl={:.4g}", candidate.cfl);
 }
@@ -76,6 +85,80 @@ void rank(std::vector<Candidate>& candidates) {
     });
 }
 
+/// Of many candidates with open lattices those worth a measurement: of each horizon and kind of end
+/// the few that take the fewest steps, the simplest first among equals.
+std::vector<Candidate> worth_measuring(std::vector<Candidate> candidates) {
+    std::ranges::sort(candidates, {},
+                      [](const Candidate& one) { return std::tuple(one.steps, size_of(one)); });
+    std::map<std::pair<int, BoundaryKind>, int> so_far;
+    std::erase_if(candidates, [&](const Candidate& one) {
+        const int most = one.boundary.kind == BoundaryKind::nmbc ? 4 : 1;
+        return ++so_far[{one.horizon, one.boundary.kind}] > most;
+    });
+    // Steps are measured beside those of the first one's interior: the fastest.
+    std::ranges::stable_sort(candidates, {}, &Candidate::horizon);
+    return candidates;
+}
+
+std::string with_lattice_named(const Scene& scene, const Candidate& one) {
+    return has_open_lattice(scene) ? fmt::format("n = {}, G = {}: {}", one.horizon, one.G, one.name)
+                                   : one.name;
+}
+
+void print_ranked(const Scene& scene, const std::vector<Candidate>& ranked) {
+    constexpr std::size_t most_rows = 12;
+    const bool open = has_open_lattice(scene);
+    const int width = open ? 52 : 36;
+    fmt::print("{:<{}}  {:>5}  {:>8}  {:>10}  {:>10}  {:>8}\n", "meets it by prediction", width,
+               "cfl", "steps", "ends", open ? "interior" : "time step", "cost");
+    for (std::size_t i = 0; i < std::min(ranked.size(), most_rows); ++i) {
+        const Candidate& one = ranked[i];
+        fmt::print("{:<{}}  {:5.3f}  {:8}  {:10.1e}  {:10.1e}  {:8.2f}\n",
+                   with_lattice_named(scene, one), width, one.cfl, one.steps, one.boundary_error,
+                   one.interior_error, one.cost / ranked.front().cost);
+    }
+    fmt::print("cost: time of the run over that of the first, measured now\n\n");
+}
+
+/// Of the horizons that meet the tolerance, and are not the advised one: what they cost at least.
+void add_dearer_horizons(const std::vector<Candidate>& ranked, std::vector<LeftOut>& left_out) {
+    std::set<int> told{ranked.front().horizon};
+    for (const Candidate& one : ranked) {
+        if (told.insert(one.horizon).second) {
+            left_out.push_back({fmt::format("horizon {}", one.horizon),
+                                fmt::format("{:.2f} times the cost at least, {} at G = {}",
+                                            one.cost / ranked.front().cost, one.name, one.G)});
+        }
+    }
+}
+
+void print_left_out(const Scene& scene, const Advice& advice) {
+    const auto print = [](const std::string& name, const std::string& reason) {
+        fmt::print("  {:<36}  {}\n", name, reason);
+    };
+    const Candidate& best = advice.ranked.front();
+    fmt::print("left out\n");
+    for (const LeftOut& one : advice.left_out) {
+        print(one.name, one.reason);
+    }
+    print("longer steps", best.why_not_longer);
+    if (!scene.step && !scene.cfl) {
+        print("shorter steps", "not needed: it meets the tolerance in these");
+    }
+    if (!scene.field) {
+        print("stored fields", "nobody asked for them (output.field)");
+    }
+    fmt::print("\n");
+}
+
+const char* what_counts(const Scene& scene) {
+    if (has_open_lattice(scene)) {
+        return "of the ends and, against the wave equation, of lattice and time step";
+    }
+    return scene.step || scene.cfl ? "in the scene's own time step"
+                                   : "of the ends and of the time step together";
+}
+
 }  // namespace
 
 Advice advice_for(const Scene& scene, double tolerance) {
@@ -87,14 +170,18 @@ Advice advice_for(const Scene& scene, double tolerance) {
         }
         throw SceneError(fmt::format("nothing meets the tolerance {:g}:{}", tolerance, reasons));
     }
+    if (has_open_lattice(scene)) {
+        candidates.meet = worth_measuring(std::move(candidates.meet));
+    }
     measure_costs(scene, candidates.meet);
     rank(candidates.meet);
+    add_dearer_horizons(candidates.meet, candidates.left_out);
     return {std::move(candidates.meet), std::move(candidates.left_out)};
 }
 
 Scene as_advised(const Scene& scene, double tolerance) {
     const Candidate best = advice_for(scene, tolerance).ranked.front();
-    const std::string settings = settings_of(best);
+    const std::string settings = settings_of(scene, best);
     fmt::print("advice     {}\n", settings);
     Scene result = advised(scene, best);
     result.given["the advice"] = settings;  // a checkpoint is for this, too
@@ -106,26 +193,12 @@ void advise(const Scene& scene, double tolerance, bool quiet) {
     const Candidate& best = advice.ranked.front();
     if (!quiet) {
         fmt::print("scene      {}\n", scene.title);
-        fmt::print("tolerance  {:g} of max |u|, {}\n\n", tolerance,
-                   scene.step || scene.cfl ? "in the scene's own time step"
-                                           : "of the ends and of the time step together");
-        fmt::print("{:<36}  {:>5}  {:>8}  {:>10}  {:>10}  {:>8}\n", "meets it by prediction", "cfl",
-                   "steps", "ends", "time step", "cost");
-        for (const Candidate& one : advice.ranked) {
-            fmt::print("{:<36}  {:5.3f}  {:8}  {:10.1e}  {:10.1e}  {:8.2f}\n", one.name, one.cfl,
-                       one.steps, one.boundary_error, one.time_error, one.cost / best.cost);
-        }
-        fmt::print("cost: time of the run over that of the first, measured now\n\nleft out\n");
-        for (const LeftOut& one : advice.left_out) {
-            fmt::print("  {:<36}  {}\n", one.name, one.reason);
-        }
-        if (!scene.field) {
-            fmt::print("  {:<36}  {}\n", "stored fields", "nobody asked for them (output.field)");
-        }
-        fmt::print("\n");
+        fmt::print("tolerance  {:g} of max |u|, {}\n\n", tolerance, what_counts(scene));
+        print_ranked(scene, advice.ranked);
+        print_left_out(scene, advice);
     }
-    fmt::print("advice     {}, cfl = {:.3g}\nsettings   {}\n", best.name, best.cfl,
-               settings_of(best));
+    fmt::print("advice     {}, cfl = {:.3g}\nsettings   {}\n", with_lattice_named(scene, best),
+               best.cfl, settings_of(scene, best));
 }
 
 }  // namespace nmbcrun

@@ -4,9 +4,11 @@
 
 #include <complex>
 #include <cstddef>
-#include <nmbc/lattice.hpp>
+#include <nmbc/chain.hpp>
+#include <optional>
 #include <vector>
 
+#include "tools/nmbcrun/advise/wave_grid.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
@@ -25,20 +27,48 @@ struct WaveBand {
 
 /// What is under way when the sources have ended, as if there were no ends.
 struct Outgoing {
-    std::vector<WaveBand> bands;  ///< equal parts of 0 .. pi; none stands still
-    double largest = 0;           ///< |u| at any time up to then, what errors are relative to
+    std::vector<WaveBand> bands;  ///< of all wave numbers of a WaveGrid of `nodes`
+    std::size_t nodes = 0;        ///< of interior and layers, the same in any time step
+    double largest = 0;           ///< |u| of the interior, what errors are relative to
     double duration = 0;          ///< of the sources [dX/c]
-    double remaining = 0;         ///< of the run after them [dX/c]
+    double remaining = 0;         ///< of the run after them
+    double time_step = 0;         ///< in which the waves have come there [dX/c]
     /// Interior nodes between the outermost one that moves then and each end.
     std::size_t from_left = 0;
     std::size_t from_right = 0;
 };
 
-/// Steps the scene without ends, in steps of this cfl, until its sources have ended.
-/// Throws as Simulation does.
-Outgoing outgoing_waves(const Scene& scene, double cfl);
+/// A scene without ends, and without a preload, which does not move. What comes in is there as the
+/// waves it is made of (docs/scenes.md).
+class EndlessScene {
+  public:
+    /// The scene's own step and cfl do not count. Throws as Simulation does.
+    explicit EndlessScene(const Scene& scene);
 
-/// theta of leapfrog's step for a wave of frequency omega, sin(theta/2) = omega dt/2.
-double angle_of_step(double omega, double time_step);
+    /// Steps it in steps of this cfl until its sources have ended, and the middle of what comes in
+    /// has arrived. `largest` is that of these steps
+    /// alone. Throws as Simulation does.
+    Outgoing outgoing(double cfl);
+
+  private:
+    void add_waves(const nmbc::Chain& chain, Outgoing& outgoing);
+    void add_incoming(Outgoing& outgoing);
+
+    Scene scene_;  // between layers that nothing returns from
+    std::optional<Incoming> incoming_;
+    double unit_;  // dX/c
+    double omega_max_;
+    WaveGrid grid_;
+    std::vector<WaveBand> at_rest_;
+};
+
+/// max |u| of so many interior nodes at some times after the sources.
+double largest_after(const Outgoing& outgoing, std::size_t interior_nodes);
+
+/// theta/dt: what leapfrog makes of omega, sin(theta/2) = omega dt/2.
+double frequency_in_steps(double omega, double time_step);
+
+/// The speed of the fastest of the waves that matter.
+double fastest_speed(const Outgoing& outgoing);
 
 }  // namespace nmbcrun

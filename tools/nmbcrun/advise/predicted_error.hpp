@@ -1,24 +1,34 @@
 // SPDX-License-Identifier: MIT
-/// Errors of a boundary and of time steps, predicted from the waves a scene sends out.
+/// What the ends of a scene send back, predicted from the waves that its sources send out.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <nmbc/inwards.hpp>
+#include <vector>
 
+#include "generator/stability/half_space.hpp"
+#include "generator/stability/modes.hpp"
 #include "tools/nmbcrun/advise/outgoing.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
 
-/// max |u - u_ref| / max |u_ref| by what the ends send back once: the outgoing waves, each times
-/// what the end makes of it, added up where the interior begins at times up to the end of the run.
-/// The larger of the two ends. Second round trips and waves that meet from both ends are left out.
+/// A wave that has come to an end, as Re amplitude exp(-i omega t) at its outermost interior node.
+struct Arrival {
+    const WaveBand* band;
+    std::complex<double> amplitude;
+    int more_trips;  ///< to the other end and so on, that there is time for
+};
+
+/// max |u - u_ref| / max |u_ref| by what the ends send back: the outgoing waves, each times what
+/// the end makes of it, added up in phase at some nodes near the end, at times up to the end of the
+/// run. The larger of the two ends, or their sum where there is time for the two to meet; and a
+/// bound of what comes back again, the sum of |amplitude| times a product of reflections.
 class ReflectionError {
   public:
-    /// Both live as long as this.
-    ReflectionError(const Scene& scene, const Outgoing& outgoing);
-    ~ReflectionError();
-    ReflectionError(const ReflectionError&) = delete;
-    ReflectionError& operator=(const ReflectionError&) = delete;
+    /// Both live as long as this. What adds up to less than `negligible` of max |u| is left out.
+    ReflectionError(const Scene& scene, const Outgoing& outgoing, double negligible);
 
     /// Of an nmbc at both ends, in steps of time_step [dX/c].
     double of(const Boundary& boundary, double time_step);
@@ -27,16 +37,15 @@ class ReflectionError {
     double of_fixed_ends(double time_step) const;
 
   private:
-    struct Modes;
+    const nmbcgen::HalfSpace& half_space(const Boundary& boundary);
+    double of_both(double left, double right) const;
 
     const Scene& scene_;
     const Outgoing& outgoing_;
-    std::unique_ptr<Modes> modes_;
+    std::vector<Arrival> left_;
+    std::vector<Arrival> right_;
+    std::map<const nmbc::MatchingTable*, nmbcgen::HalfSpace> half_spaces_;
+    std::unique_ptr<nmbcgen::KnownModes> modes_;  // of an undamped lattice, which all ends share
 };
-
-/// Likewise what leapfrog in such steps makes of waves in continuous time, |u - u_ref| of the
-/// interior nodes at 40 times of the run, in half of the sources' own time, too. What the
-/// sources themselves are off by is left out.
-double time_error(const Outgoing& outgoing, std::size_t nodes, double time_step);
 
 }  // namespace nmbcrun

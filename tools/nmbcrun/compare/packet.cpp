@@ -28,13 +28,10 @@ double width_about(double middle) {
 }  // namespace
 
 double group_velocity(const nmbc::Lattice& lattice, double xi, double time_step) {
-    double slope = 0;  // of omega^2
-    for (std::size_t m = 1; m < lattice.symbol.size(); ++m) {
-        slope -= 2 * double(m) * lattice.symbol[m] * std::sin(double(m) * xi);
-    }
     const double squared = std::max(nmbc::omega_squared(lattice, xi), 0.0);
     const double cosine = std::sqrt(std::max(1 - squared * time_step * time_step / 4, 1e-12));
-    return squared > 0 ? slope / (2 * std::sqrt(squared)) / cosine : 0;
+    return squared > 0 ? nmbc::omega_squared_slope(lattice, xi) / (2 * std::sqrt(squared)) / cosine
+                       : 0;
 }
 
 double Wave::energy() const {

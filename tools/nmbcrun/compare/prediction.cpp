@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "generator/stability/band_reflection.hpp"
-#include "generator/stability/half_space.hpp"
-#include "tools/nmbcrun/simulation/exact_table.hpp"
+#include "tools/nmbcrun/simulation/half_space.hpp"
 #include "tools/nmbcrun/simulation/tables.hpp"
 
 namespace nmbcrun {
@@ -22,10 +21,7 @@ std::optional<double> predicted_reflection(const Scene& scene, const Boundary& b
         return std::nullopt;
     }
     const auto half_space =
-        stepped(make_half_space(exact_table(table_of(scene, boundary)), nmbcgen::Rational(scene.G)),
-                time_step,
-                boundary.ghosts == nmbc::GhostRule::midpoint ? nmbcgen::GhostLevel::midpoint
-                                                             : nmbcgen::GhostLevel::old);
+        in_steps(half_space_of(table_of(scene, boundary), scene.G), boundary.ghosts, time_step);
     double reflected = 0;
     double total = 0;
     for (const Wave& wave : packet.waves()) {

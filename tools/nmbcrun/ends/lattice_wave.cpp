@@ -23,15 +23,6 @@ std::complex<double> folded(const Transform& transform, double xi) {
     return sum;
 }
 
-/// d(omega^2)/d(xi) [c^2/dX^2].
-double slope(const nmbc::Lattice& lattice, double xi) {
-    double sum = 0;
-    for (std::size_t m = 1; m < lattice.symbol.size(); ++m) {
-        sum -= 2 * double(m) * lattice.symbol[m] * std::sin(double(m) * xi);
-    }
-    return sum;
-}
-
 /// zeta - 1 = y, of y^2 + (A + B) y + A = 0, A = (dt omega)^2, B = dt tau sigma; `sign` is that of
 /// the frequency.
 std::complex<double> change_of(double A, double B, int sign) {
@@ -67,7 +58,7 @@ std::vector<LatticeWave> one_way_waves(const Transform& transform, std::size_t p
         const double damping =
             lattice.damping.empty() || q == 0 ? 0 : nmbc::detail::symbol_at(lattice.damping, xi);
         const double A = courant * courant * square;
-        const double steepness = slope(lattice, xi);
+        const double steepness = nmbc::omega_squared_slope(lattice, xi);
         const int sign = steepness < 0 ? -right : right;
         const double cosine = std::sqrt(std::max(1 - A / 4, 0.0));  // of omega_d dt/2
         const double speed = 2 * std::sqrt(square) * cosine;

@@ -191,4 +191,28 @@ void read_sources(SceneReader& reader, const std::string& path, Scene& scene) {
     }
 }
 
+void require_physical_sources(const SceneReader& reader, const Scene& scene) {
+    if (!scene.auto_horizon && !scene.auto_G) {
+        return;
+    }
+    const std::string beside =
+        scene.auto_horizon ? "model.horizon = \"auto\"" : "model.G = \"auto\"";
+    if (scene.auto_horizon && scene.drive && scene.drive->half_width != 0) {
+        reader.fail("drive.half_width",
+                    "is in horizons: beside " + beside + " it has to be given as 0, one node");
+    }
+    if (scene.drive && (scene.initial || scene.force || scene.incoming)) {
+        reader.fail("drive", "has to be the only source beside " + beside +
+                                 ": what it makes of the others' waves is not predicted");
+    }
+    if (scene.initial && scene.initial->kind == InitialKind::file) {
+        reader.fail("initial.shape", "must not be \"csv\" beside " + beside +
+                                         ": that is the field of one lattice and time step");
+    }
+    if (scene.tau != "0") {
+        reader.fail("model.damping", "must be 0 beside " + beside +
+                                         ": the wave equation, whose waves are sought, has none");
+    }
+}
+
 }  // namespace nmbcrun

@@ -14,4 +14,8 @@ namespace nmbcrun {
 /// is none at all.
 void read_sources(SceneReader& reader, const std::string& path, Scene& scene);
 
+/// Of a scene whose horizon or G is "auto": throws SceneError where its sources or its damping are
+/// not the same at any lattice, or where the wave equation's answer to them is not known.
+void require_physical_sources(const SceneReader& reader, const Scene& scene);
+
 }  // namespace nmbcrun

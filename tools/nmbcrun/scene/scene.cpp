@@ -248,9 +248,14 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     scene.name = read_name(reader, path);
     scene.title = printable(reader.text("title").value_or(scene.name));
     scene.family = reader.text("model.family").value_or(scene.family);
-    scene.horizon = read_horizon(reader, scene.family);
-    scene.G = read_G(reader).value_or(scene.G);
+    scene.auto_horizon = reader.is_word("model.horizon", "auto");
+    scene.auto_G = reader.is_word("model.G", "auto");
+    scene.horizon = scene.auto_horizon ? scene.horizon : read_horizon(reader, scene.family);
+    scene.G = scene.auto_G ? scene.G : read_G(reader).value_or(scene.G);
     scene.tau = read_exact(reader, "model.damping").value_or(scene.tau);
+    if (scene.auto_horizon && reader.has("model.influence")) {
+        reader.fail("model.influence", "needs a model.horizon that is a number");
+    }
     scene.weights = read_influence(reader, scene.horizon);
     for (const std::string& file : reader.texts("model.tables")) {
         scene.table_files.push_back(std::filesystem::path(path).parent_path() / file);
@@ -262,6 +267,7 @@ Scene read_scene_text(const std::string& text, const std::string& path,
         reader.required("domain.nodes", reader.whole_number("domain.nodes", 1, most_nodes)));
     scene.spacing = reader.number("domain.spacing", positive).value_or(scene.spacing);
     read_sources(reader, path, scene);
+    require_physical_sources(reader, scene);
     const Boundary both = read_boundary(reader, "boundary", {});
     scene.left = read_boundary(reader, "boundary.left", both);
     scene.right = read_boundary(reader, "boundary.right", both);

@@ -75,7 +75,9 @@ struct Scene {
     std::string family = "nopd1d";
     int horizon = 1;
     double G = 0;
-    std::string tau = "0";  ///< damping [c/dX], "p/q" in lowest terms
+    bool auto_horizon = false;  ///< left to be chosen, and what horizon or G says does not count;
+    bool auto_G = false;        ///< what needs the lattice refuses the scene then (tables.hpp)
+    std::string tau = "0";      ///< damping [c/dX], "p/q" in lowest terms
     /// Of the influence, w_1 = "1" .. w_n, "p/q" in lowest terms; none: constant.
     std::vector<std::string> weights{};
     std::vector<std::filesystem::path> table_files{};  ///< the user's own, in the order to look in

@@ -243,6 +243,10 @@ std::optional<std::string> SceneReader::number_or_text(std::string_view key) {
     return text_of(*node);
 }
 
+bool SceneReader::is_word(std::string_view key, std::string_view word) {
+    return is_text(key) && text(key) == word;
+}
+
 std::optional<bool> SceneReader::truth(std::string_view key) {
     const toml::node* node = find(key);
     if (node != nullptr && !node->is_boolean()) {

@@ -70,6 +70,8 @@ class SceneReader {
 
     /// Whether the key is there; it is known then.
     bool has(std::string_view key) { return find(key) != nullptr; }
+    /// Whether it is there and this string; it is known then.
+    bool is_word(std::string_view key, std::string_view word);
     /// Whether it is there and a string.
     bool is_text(std::string_view key) const { return document_.at_path(key).is_string(); }
 

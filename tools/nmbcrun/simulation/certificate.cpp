@@ -13,7 +13,7 @@
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/round_trip.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
-#include "tools/nmbcrun/simulation/exact_table.hpp"
+#include "tools/nmbcrun/simulation/half_space.hpp"
 #include "tools/nmbcrun/simulation/silent_layer.hpp"
 
 namespace nmbcrun {
@@ -21,11 +21,8 @@ namespace {
 
 nmbcgen::ChainEnd end_of(const Boundary& boundary, const nmbc::MatchingTable& table, double G,
                          double time_step) {
-    const auto ghosts = boundary.ghosts == nmbc::GhostRule::midpoint ? nmbcgen::GhostLevel::midpoint
-                                                                     : nmbcgen::GhostLevel::old;
     // A fixed or free end is the same in any steps, but in a damped lattice the waves are not.
-    const auto half_space =
-        stepped(make_half_space(exact_table(table), nmbcgen::Rational(G)), time_step, ghosts);
+    const auto half_space = in_steps(half_space_of(table, G), boundary.ghosts, time_step);
     switch (boundary.kind) {
         case BoundaryKind::fixed:
         case BoundaryKind::extended:

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <nmbc/coefficients.hpp>
 #include <nmbc/ends.hpp>
@@ -75,6 +76,11 @@ bool takes_table(BoundaryKind kind) {
 
 bool has_certificate(BoundaryKind kind) {
     return kind == BoundaryKind::nmbc || adds_no_energy(kind);
+}
+
+std::size_t most_steps(BoundaryKind kind) {
+    return kind == BoundaryKind::exact ? ExactEnd::most_steps
+                                       : std::numeric_limits<std::size_t>::max();
 }
 
 nmbc::ChainEnd chain_end(const Scene& scene, const Boundary& boundary) {

@@ -2,6 +2,7 @@
 /// The ends of a scene, as the chain takes them.
 #pragma once
 
+#include <cstddef>
 #include <nmbc/end_condition.hpp>
 
 #include "tools/nmbcrun/scene/scene.hpp"
@@ -13,6 +14,9 @@ bool takes_table(BoundaryKind kind);
 
 /// Whether there can be a certificate for a chain with this end.
 bool has_certificate(BoundaryKind kind);
+
+/// Steps that a run between such ends may have at most.
+std::size_t most_steps(BoundaryKind kind);
 
 /// Throws SceneError where there is no table for it, nmbc::CoefficientError where its coefficients
 /// do not exist at the scene's G. Whether it is stable is certificate.hpp's to say.

@@ -19,13 +19,6 @@ namespace {
 constexpr double slow = 0.05;
 constexpr double fast = 0.15;
 
-/// From 0 to 1, with all derivatives.
-double share_of(double speed) {
-    const auto rise = [](double x) { return x > 0 ? std::exp(-1 / x) : 0.0; };
-    const double x = (speed - slow) / (fast - slow);
-    return rise(x) / (rise(x) + rise(1 - x));
-}
-
 /// The pulse's waves of this period, those that come in.
 std::vector<LatticeWave> waves_of(const Scene& scene, const Transform& transform, double period,
                                   const nmbc::Lattice& lattice, const nmbc::ChainParameters& p) {
@@ -35,7 +28,7 @@ std::vector<LatticeWave> waves_of(const Scene& scene, const Transform& transform
     auto waves =
         one_way_waves(transform, 2 * std::size_t(std::ceil(period / 2)), towards, lattice, p);
     for (LatticeWave& wave : waves) {
-        wave.amplitude *= share_of(std::abs(wave.group_velocity) / c);
+        wave.amplitude *= share_of_incoming(std::abs(wave.group_velocity) / c);
     }
     std::erase_if(waves, [](const LatticeWave& wave) { return wave.amplitude == 0.0; });
     return waves;
@@ -76,6 +69,13 @@ void require_few(double period, const Transform& transform) {
 }
 
 }  // namespace
+
+// It rises with all derivatives.
+double share_of_incoming(double speed) {
+    const auto rise = [](double x) { return x > 0 ? std::exp(-1 / x) : 0.0; };
+    const double x = (speed - slow) / (fast - slow);
+    return rise(x) / (rise(x) + rise(1 - x));
+}
 
 void add_incoming_wave(const Scene& scene, const nmbc::Lattice& lattice,
                        const nmbc::ChainParameters& p, std::size_t steps, Background& background) {

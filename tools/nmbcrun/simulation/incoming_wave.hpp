@@ -18,4 +18,7 @@ void add_incoming_wave(const Scene& scene, const nmbc::Lattice& lattice,
                        const nmbc::ChainParameters& parameters, std::size_t steps,
                        Background& background);
 
+/// How much of a wave of this group velocity [c] comes in, 0 to 1: those that hardly move do not.
+double share_of_incoming(double speed);
+
 }  // namespace nmbcrun

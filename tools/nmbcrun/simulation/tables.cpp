@@ -75,6 +75,15 @@ void require_one_lattice(const nmbc::MatchingTable& one, const nmbc::MatchingTab
     }
 }
 
+void require_settled(const Scene& scene) {
+    if (scene.auto_horizon || scene.auto_G) {
+        throw SceneError(fmt::format(
+            "{} is \"auto\", which advise and run --tolerance choose (docs/advise.md): give a "
+            "number, such as one of the settings that advise prints",
+            scene.auto_horizon ? "model.horizon" : "model.G"));
+    }
+}
+
 /// Of the scene's family, horizon and influence, or else which of those there are.
 std::string what_there_is(const Scene& scene) {
     std::string names;
@@ -118,7 +127,18 @@ std::vector<const nmbc::MatchingTable*> tables_of(const Scene& scene) {
     return tables;
 }
 
+std::vector<int> horizons_of(const Scene& scene) {
+    std::set<int> horizons;
+    for_each_of_the_influence(scene, [&](const nmbc::MatchingTable& table) {
+        if (table.family == scene.family && table.tau == scene.tau) {
+            horizons.insert(table.horizon);
+        }
+    });
+    return {horizons.begin(), horizons.end()};
+}
+
 const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary) {
+    require_settled(scene);
     const bool matching = takes_table(boundary.kind);
     const auto tables = tables_of(scene);
     const auto found = std::ranges::find_if(tables, [&](const nmbc::MatchingTable* table) {

@@ -16,9 +16,14 @@ namespace nmbcrun {
 /// symbols, and where the scene has a G and the family has no stabilisation.
 std::vector<const nmbc::MatchingTable*> tables_of(const Scene& scene);
 
+/// The horizons that there is a lattice of the scene's family, influence and damping with,
+/// ascending.
+std::vector<int> horizons_of(const Scene& scene);
+
 /// The table of an end with the scene's lattice, damping included. For a fixed or free one, any
 /// with this lattice will do. Throws SceneError as above; and where there is none, with the tables
-/// of this family and horizon, or which there are, and the command that makes it.
+/// of this family and horizon, or which there are, and the command that makes it. Throws it, too,
+/// where the scene's horizon or G is "auto".
 const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary);
 
 /// The file of the scene's own tables that has this one, where it was written without a

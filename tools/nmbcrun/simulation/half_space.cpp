@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/simulation/exact_table.hpp"
+#include "tools/nmbcrun/simulation/half_space.hpp"
 
 #include <nmbc/coefficients.hpp>
 #include <string>
+#include <utility>
 
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
@@ -26,8 +27,8 @@ std::vector<nmbcgen::RationalFunction> exact(std::span<const nmbc::RationalFunct
     return result;
 }
 
-}  // namespace
-
+/// Family, horizon, order, stride, tau, time step, symbol, damping, c and b of the table; the rest
+/// stays empty.
 nmbcgen::Table exact_table(const nmbc::MatchingTable& table) {
     nmbcgen::Table result;
     result.specification = {.family = std::string(table.family),
@@ -47,6 +48,19 @@ nmbcgen::Table exact_table(const nmbc::MatchingTable& table) {
     result.c = exact(table.c);
     result.b = exact(table.b);
     return result;
+}
+
+}  // namespace
+
+nmbcgen::HalfSpace half_space_of(const nmbc::MatchingTable& table, double G) {
+    return make_half_space(exact_table(table), nmbcgen::Rational(G));
+}
+
+nmbcgen::HalfSpace in_steps(nmbcgen::HalfSpace half_space, nmbc::GhostRule ghosts,
+                            double time_step) {
+    return stepped(std::move(half_space), time_step,
+                   ghosts == nmbc::GhostRule::midpoint ? nmbcgen::GhostLevel::midpoint
+                                                       : nmbcgen::GhostLevel::old);
 }
 
 }  // namespace nmbcrun

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+/// A compiled table's end, as the generator's stability analysis takes it.
+#pragma once
+
+#include <nmbc/table.hpp>
+
+#include "generator/stability/half_space.hpp"
+
+namespace nmbcrun {
+
+/// A table's end at G, in continuous time. Throws std::domain_error at a pole of the coefficients.
+nmbcgen::HalfSpace half_space_of(const nmbc::MatchingTable& table, double G);
+
+/// Such an end in steps of time_step [dX/c], with these ghosts.
+nmbcgen::HalfSpace in_steps(nmbcgen::HalfSpace half_space, nmbc::GhostRule ghosts,
+                            double time_step);
+
+}  // namespace nmbcrun
