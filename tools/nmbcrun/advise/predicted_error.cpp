@@ -52,7 +52,8 @@ using AtDepths = std::array<Complex, depths.size()>;
 /// What a wave is sent back as.
 struct SentBack {
     AtDepths amplitudes;  ///< of all of it, over the wave's own at the outermost interior node
-    double most;  ///< a bound of what any wave that arrives becomes on the other side of the chain
+    double most =
+        0;  ///< a bound of what any wave that arrives becomes on the other side of the chain
 };
 
 /// Nodes are counted inwards from the innermost ghost, and time goes as exp(+i omega t).

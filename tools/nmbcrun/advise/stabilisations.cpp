@@ -102,7 +102,7 @@ class Fit {
 
   private:
     struct Band {
-        double omega_max;
+        double omega_max = 0;
         std::vector<double> omega;  // of the spectrum's wave numbers
     };
 
