@@ -33,6 +33,11 @@ for kind in extended exact; do
     expect_exit 0
 done
 
+# A wave comes in once, through however wide a layer. 1e-12: roundings of the sum of waves.
+try verify "$2/tools/scenes/incoming.toml" --set boundary.kind=exact --tolerance 1e-12
+expect_exit 0
+expect "it has left" awk '/^energy left/ { exit !($3 < 1e-20 && $NF < 1e-20) }' "$scratch/stdout"
+
 try verify "$scene"
 expect_exit 2
 expect_stderr "--tolerance is required"

@@ -10,6 +10,7 @@
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/simulation/pulse.hpp"
+#include "tools/nmbcrun/simulation/silent_layer.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -97,8 +98,10 @@ void add_incoming_wave(const Scene& scene, const nmbc::Lattice& lattice,
     }
     const Speeds speeds = speeds_of(rough);
     // How far from the outermost interior node an end may look, and to spare.
-    const double near = double(boundary.layer + 2 * lattice.reach()) +
-                        double(boundary.order) * boundary.stride + 10;
+    const double unit = p.spacing / p.wave_speed();
+    const std::size_t layer = layer_of(scene, boundary, lattice, p.time_step / unit);
+    const double near =
+        double(layer + 2 * lattice.reach()) + double(boundary.order) * boundary.stride + 10;
     const double end = double(steps) * p.time_step;
     // Where waves are faded in, the pulse has tails.
     const bool has_tails = speeds.lowest < fast * p.wave_speed() / p.spacing;

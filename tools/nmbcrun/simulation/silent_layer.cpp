@@ -34,14 +34,28 @@ std::size_t silent_layer(const nmbc::Lattice& lattice, double time_step, double 
     return std::size_t(std::ceil(fastest * duration / 2 + 12 * unit)) + 8 * lattice.reach();
 }
 
+namespace {
+
+double duration_of(const Scene& scene) {  // [dX/c]
+    return scene.end * std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
+}
+
+}  // namespace
+
+std::size_t layer_of(const Scene& scene, const Boundary& boundary, const nmbc::Lattice& lattice,
+                     double time_step) {
+    return boundary.kind == BoundaryKind::extended && boundary.layer == 0
+               ? silent_layer(lattice, time_step, duration_of(scene))
+               : boundary.layer;
+}
+
 bool is_half_line(const Scene& scene, const Boundary& boundary, const nmbc::Lattice& lattice,
                   double time_step) {
     if (boundary.kind != BoundaryKind::extended) {
         return boundary.kind == BoundaryKind::exact;
     }
-    const double c = std::sqrt(scene.youngs_modulus / scene.density);
     return boundary.layer == 0 ||
-           boundary.layer >= silent_layer(lattice, time_step, scene.end * c / scene.spacing);
+           boundary.layer >= silent_layer(lattice, time_step, duration_of(scene));
 }
 
 }  // namespace nmbcrun
