@@ -271,7 +271,9 @@ OwnTable TableReader::read() {
     own.is_certified = !json_.at("certificate").is_null();
     if (own.is_certified) {
         json_.at("certificate").text();
-    } else if (!table.modal.empty() || !table.max_cfl.empty()) {
+    } else if (!table.reflection.empty() || !table.modal.empty() || !table.contractive.empty() ||
+               !table.max_cfl.empty() || !table.max_cfl_contractive.empty() ||
+               !table.max_cfl_explicit.empty()) {
         json_.at("certificate").must_be("a string where there are windows and steps");
     }
     return own;

@@ -17,7 +17,7 @@ namespace nmbcrun {
 /// times the time from there to the middle of the step. So the error of steps is of second order.
 class Driver {
   public:
-    /// time_step [time]. Throws SceneError where no node is driven, or for less than a step.
+    /// time_step [time]. Throws SceneError where no node is driven, or for no more than a step.
     Driver(const Scene& scene, double time_step);
 
     /// Whether the nodes are driven, or let go, in the step that ends at this time.
