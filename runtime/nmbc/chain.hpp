@@ -49,6 +49,9 @@ class BasicChain {
             throw std::invalid_argument("the chain needs at least " + std::to_string(least) +
                                         " interior nodes for these ends");
         }
+        if (parameters.nodes > memory_.max_size() / 4) {
+            throw std::length_error("so many nodes fit in no memory");
+        }
         const std::size_t second = detail::second_field<Real>(nodes());
         memory_.resize(second + nodes(), 0);
         displacement_ = std::span(memory_).first(nodes());

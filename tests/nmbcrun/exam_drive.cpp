@@ -44,18 +44,24 @@ TEST_CASE("the error of steps is of second order, wherever between two of them t
     for (const double steps : {481., 485., 486., 487., 490.}) {
         CAPTURE(steps);
         const double error = largest_difference(driven(steps), reference);
-        // A quarter of that of half as many steps, but for terms of higher order.
-        CHECK(error * std::pow(steps / 240, 2) == doctest::Approx(at_a_level).epsilon(0.05));
+        // A quarter of that of half as many steps, and where the drive ends far from a level, up to
+        // a third more, also of second order: the nodes are held till the next one.
+        CHECK(error * std::pow(steps / 240, 2) ==
+              doctest::Approx(at_a_level).scale(0).epsilon(0.25));
     }
 }
 
-TEST_CASE("a drive that takes less than a step is refused") {
+TEST_CASE("a drive that takes no more than a step is refused") {
     Scene scene = bar(200, end);
     scene.drive = Drive{0.01, 0.1, 50, 1};
     scene.cfl.reset();
     scene.step = 0.12;
-    CHECK_THROWS_WITH_AS(Simulation{scene}, "drive.duration is 0.1, less than a time step of 0.12",
-                         SceneError);
+    CHECK_THROWS_WITH_AS(Simulation{scene},
+                         "drive.duration is 0.1, not longer than a time step of 0.12", SceneError);
+    scene.step = 0.1;
+    CHECK_THROWS_AS(Simulation{scene}, SceneError);
+    scene.step = 0.0999999;
+    CHECK_NOTHROW(Simulation{scene});
 }
 
 }  // namespace

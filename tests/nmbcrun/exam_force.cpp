@@ -89,7 +89,7 @@ TEST_CASE("a force moves the bar by its impulse over 2 rho c") {
         const double impulse = 0.3 * nodes * 0.5 * 2 * std::sqrt(std::numbers::pi);
         const double u =
             simulation.chain().displacement()[simulation.chain().first_interior() + 199];
-        CHECK(u == doctest::Approx(impulse / (2 * 3 * 2)).epsilon(1e-6));
+        CHECK(u == doctest::Approx(impulse / (2 * 3 * 2)).scale(0).epsilon(1e-6));
     }
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("the very first step: v = dt f(0) / rho") {
     Simulation simulation(forced(force));
     simulation.step();
     const double v = simulation.chain().velocity()[simulation.chain().first_interior() + 199];
-    CHECK(v == doctest::Approx(simulation.plan().time_step * 0.3 / 3).epsilon(1e-15));
+    CHECK(v == doctest::Approx(simulation.plan().time_step * 0.3 / 3).scale(0).epsilon(1e-15));
 }
 
 TEST_CASE("a force without nodes is refused") {

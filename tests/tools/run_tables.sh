@@ -145,17 +145,19 @@ file 2 "scenes/long.json has 100000000 bytes; at most 16000000 are allowed" long
 long=(--quiet --set time.end=1e9 --set output.checkpoint=1e-9 --set output.every=1000)
 "$program" run "$scene" "${long[@]}" --out stopped >/dev/null 2>&1 &
 run=$!
-until test -e stopped/own.checkpoint; do sleep 0.05; done
+until test -e stopped/own.checkpoint || ! kill -0 "$run" 2>/dev/null; do sleep 0.05; done
 kill -TERM "$run"
 wait "$run" || true
 cp "$table" "$scratch/kept"
 echo >>"$table"
 refuses 2 "stopped/own.checkpoint is of another scene: there the checksum of $table is " "${long[@]}" --out stopped --resume
 cp "$scratch/kept" "$table"
+touch mark
 "$program" run "$scene" "${long[@]}" --out stopped --resume >/dev/null 2>"$scratch/stderr" &
 run=$!
-sleep 1
-kill -TERM "$run"
+until test stopped/own.checkpoint -nt mark || ! kill -0 "$run" 2>/dev/null; do sleep 0.05; done
+rm mark
+kill -TERM "$run" 2>/dev/null || true
 code=0
 wait "$run" || code=$?
 expect_exit 130 # it went on, till it was stopped again

@@ -22,7 +22,7 @@ expect "what limits it" grep -qF '): a twentieth of drive.duration' "$scratch/st
 # A given step is taken as it is, but for a drive that takes less.
 try run "$scene" "${short[@]}" --set drive.duration=0.001
 expect_exit 2
-expect_stderr "drive.duration is 0.001, less than a time step of 0.02"
+expect_stderr "drive.duration is 0.001, not longer than a time step of 0.02"
 # Matched in time steps: these, whatever the drive says, and no others.
 matched=(--set model.horizon=1 --set model.G=0.5 --set boundary.order=2 --set time.end=4
     --set boundary.matched_step=0.5)

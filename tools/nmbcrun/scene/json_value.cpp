@@ -18,7 +18,14 @@ std::string as_written(const nlohmann::json& value) {
     }
     constexpr std::size_t longest = 60;
     const std::string text = value.dump();
-    return text.size() <= longest ? text : text.substr(0, longest) + "..";
+    if (text.size() <= longest) {
+        return text;
+    }
+    std::size_t size = longest;  // of whole letters: no byte 10xxxxxx is the next one
+    while ((static_cast<unsigned char>(text[size]) & 0xc0U) == 0x80U) {
+        --size;
+    }
+    return text.substr(0, size) + "..";
 }
 
 }  // namespace

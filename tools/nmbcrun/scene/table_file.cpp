@@ -24,6 +24,7 @@ std::string text_of(const std::filesystem::path& path) {
     std::string text(TableFile::most_bytes + 1, '\0');
     stream.read(text.data(), std::streamsize(text.size()));
     text.resize(std::size_t(stream.gcount()));
+    text.shrink_to_fit();
     if (stream.bad()) {
         throw FileError(fmt::format("cannot read {}", path.string()));
     }

@@ -93,6 +93,7 @@ class TableReader {
     std::span<const nmbc::RationalFunction> functions(const char* key, std::size_t size);
     std::span<const nmbc::RationalFunction> symbol();
     std::span<const nmbc::RationalFunction> damping(std::size_t size);
+    void require_damping_of_stabilisation(std::size_t size) const;
     std::span<const nmbc::EnergySquare> energy();
     nmbcgen::EnergySquare square(const JsonValue& json, std::size_t reach) const;
     nmbc::EnergySquare view(const JsonValue& json, const nmbcgen::EnergySquare& square);
@@ -176,6 +177,30 @@ std::span<const nmbc::RationalFunction> TableReader::damping(std::size_t size) {
         }
     }
     return numbers;
+}
+
+/// tau times the symbol of the stabilisation at G = 1, to which its weights are proportional.
+void TableReader::require_damping_of_stabilisation(std::size_t size) const {
+    const nmbcgen::Rational G = what_.stabilisation.value_or(1);
+    std::vector<nmbcgen::EnergySquare> squares;
+    for (const JsonValue& each : json_.at("energy").elements()) {
+        squares.push_back(square(each, size - 1));
+    }
+    std::erase_if(squares, [](const nmbcgen::EnergySquare& each) {
+        return each.part != nmbcgen::EnergyPart::stabilisation;
+    });
+    std::vector<nmbcgen::Polynomial> sigma(size);
+    if (!squares.empty()) {
+        std::ranges::copy(symbol_of(squares), sigma.begin());
+    }
+    const std::vector<JsonValue> stated = json_.at("damping").elements();
+    for (std::size_t m = 0; m < size; ++m) {
+        const nmbcgen::Polynomial of_m = polynomial_of(stated[m], exact(stated[m]));
+        if (of_m.evaluate(1) !=
+            sigma[m].evaluate(what_.stabilisation ? 0 : 1) * what_.damping / G) {
+            json_.at("damping").must_be("tau times the symbol of the stabilisation at G = 1");
+        }
+    }
 }
 
 /// Of which the symbol is the one in the table.
@@ -265,13 +290,18 @@ OwnTable TableReader::read() {
         .max_cfl_explicit = steps("max_cfl_explicit"),
         .least_nodes = json_.at("least_nodes").whole_number(0, std::numeric_limits<int>::max())};
     const nmbc::MatchingTable& table = own.table;
+    if (what_.damping > 0 && what_.stabilisation != 0) {  // at G = 0 the squares have lost it
+        require_damping_of_stabilisation(table.damping.size());
+    }
     if (table.c[0].numerator != "1" || table.c[0].denominator != "1") {
         json_.at("c").must_be("a list that begins with 1");
     }
     own.is_certified = !json_.at("certificate").is_null();
     if (own.is_certified) {
         json_.at("certificate").text();
-    } else if (!table.modal.empty() || !table.max_cfl.empty()) {
+    } else if (!table.reflection.empty() || !table.modal.empty() || !table.contractive.empty() ||
+               !table.max_cfl.empty() || !table.max_cfl_contractive.empty() ||
+               !table.max_cfl_explicit.empty()) {
         json_.at("certificate").must_be("a string where there are windows and steps");
     }
     return own;

@@ -14,10 +14,11 @@ namespace nmbcrun {
 /// The drive's velocities, step by step. While it lasts, u reaches its prescribed value, on top of
 /// the preload's, at the new time. The step after that lets the nodes go from rest, as they are at
 /// the end of the drive, wherever between two time levels this is: v is the lattice's acceleration
-/// times the time from there to the middle of the step. So the error of steps is of second order.
+/// times the time from there to the middle of the step. So the error of steps is of second order
+/// where the lattice is undamped.
 class Driver {
   public:
-    /// time_step [time]. Throws SceneError where no node is driven, or for less than a step.
+    /// time_step [time]. Throws SceneError where no node is driven, or for no more than a step.
     Driver(const Scene& scene, double time_step);
 
     /// Whether the nodes are driven, or let go, in the step that ends at this time.

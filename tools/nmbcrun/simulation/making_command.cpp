@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "generator/emit/emit.hpp"
@@ -28,8 +29,11 @@ bool is_known_lattice(const nmbcgen::Specification& what) {
         return false;
     }
     try {
-        nmbcgen::make_model(what.family, what.horizon, what.damping, what.weights);
-        return true;
+        const auto model =
+            nmbcgen::make_model(what.family, what.horizon, what.damping, what.weights);
+        return what.stabilisation == 0 ||
+               std::ranges::find(model.energy, nmbcgen::EnergyPart::stabilisation,
+                                 &nmbcgen::EnergySquare::part) != model.energy.end();
     } catch (const nmbcgen::NoSuchModel&) {
         return false;
     }
