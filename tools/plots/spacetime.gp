@@ -22,6 +22,10 @@ array raw[panels]
 largest = 0
 do for [p = 1:panels] {
     file = ARGV[2 * p + 1]
+    if (strstrt(file, "'") > 0) {
+        printerr sprintf("spacetime.gp: no name with an apostrophe: %s", file)
+        exit status 2
+    }
     nodes[p] = count(file, "x")
     snapshots[p] = count(file, "time")
     if (nodes[p] < 2 || snapshots[p] < 2) {

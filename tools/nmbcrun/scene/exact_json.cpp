@@ -10,7 +10,7 @@
 namespace nmbcrun {
 namespace {
 
-constexpr std::size_t most_digits = 10'000;
+constexpr std::size_t most_digits = 4000;
 
 bool is_integer(std::string_view text) {
     const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
