@@ -230,21 +230,20 @@ goes_on_to_the_end
 
 # In the way from the start: no step is taken, and nothing changes.
 for name in bar1d{.csv,_probes.csv,_field.csv,.h5,.checkpoint}; do
-    for make in mkdir mkfifo; do
-        for resume in "" --resume; do
-            fresh
-            rm -f "results/$name"
-            "$make" "results/$name"
-            ls -lR --full-time results >"$scratch/before"
-            # shellcheck disable=SC2086  # nothing, or the option
-            try run "$scene" "${long[@]}" $resume
-            expect_exit 5
-            expect_stderr "cannot write results/$name: "
-            expect_stderr "of that name is in the way"
-            expect_stderr_lines 1
-            expect_no_stdout
-            expect "nothing changed" diff "$scratch/before" <(ls -lR --full-time results)
-        done
+    for way in "mkdir" "mkfifo --resume"; do
+        read -r make resume <<<"$way"
+        fresh
+        rm -f "results/$name"
+        "$make" "results/$name"
+        ls -lR --full-time results >"$scratch/before"
+        # shellcheck disable=SC2086  # nothing, or the option
+        try run "$scene" "${long[@]}" $resume
+        expect_exit 5
+        expect_stderr "cannot write results/$name: "
+        expect_stderr "of that name is in the way"
+        expect_stderr_lines 1
+        expect_no_stdout
+        expect "nothing changed" diff "$scratch/before" <(ls -lR --full-time results)
     done
 done
 finish

@@ -107,8 +107,7 @@ std::vector<Journal*> Recorder::journals() const {
     return all;
 }
 
-/// A field is written at the end only, and the copies of what grows: what is in their way is to be
-/// known before the first step.
+/// Of all files, whatever the scene asks for: those it does not are removed at the end.
 void Recorder::require_free_names() const {
     for (const char* const ending : {".csv", "_probes.csv", ".h5", "_field.csv"}) {
         const std::filesystem::path name = path(ending);
