@@ -147,7 +147,7 @@ void require_replaceable(const std::filesystem::path& path) {
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
         throw FileError(
             fmt::format("cannot write {}: {} of that name is in the way", path.string(),
-                        std::filesystem::is_directory(status) ? "a folder" : "something else"));
+                        std::filesystem::is_directory(status) ? "a folder" : "a special file"));
     }
 }
 
