@@ -134,6 +134,54 @@ expect "it starts with the energy it was left with" awk -F, '
     NR == FNR { last = $6; next }
     FNR == 2 { exit !(($6 / last - 1)^2 < 1e-24) }' "$scratch/scenes/fed.csv" results/more.csv
 
+# What a run has read it does not replace or remove.
+cp -r "$scratch/scenes" "$scratch/before"
+try run "$scratch/scenes/fed.toml" "${short[@]}" --set initial.shape=csv \
+    --set initial.file=fed_field.csv --out "$scratch/scenes"
+expect_exit 2
+expect_stderr "fed_field.csv, which this run would replace or remove"
+expect_no_stdout
+expect "nothing changed" diff -r "$scratch/before" "$scratch/scenes"
+
+# The files of one run: what an earlier one of that name has published beside its energies goes.
+everything=(--set output.field=true --set 'output.probes=[7]' --set output.snapshots=50)
+unstable=(--set boundary.order=2 --set model.G=1 --set boundary.allow_unstable=true)
+published() { # what is there after the two runs, the second with these arguments
+    rm -rf results
+    try run "$scene" "${short[@]}" "${everything[@]}"
+    expect "four files" test "$(files_in results)" -eq 4
+    cp -r results earlier
+    echo 7 >results/bar1d_chart.csv # not of a run
+    try run "$scene" "$@"
+    ls results >"$scratch/published"
+    if [ "$code" -ne 2 ]; then
+        expect "other energies" test "$(cmp -s {earlier,results}/bar1d.csv; echo $?)" -eq 1
+    fi
+    rm -r earlier
+}
+expect_published() { expect "these files: $*" diff "$scratch/published" <(printf '%s\n' "$@"); }
+published --set time.end=3
+expect_exit 0
+expect_published bar1d.csv bar1d_chart.csv
+published --set time.end=3 --set 'output.probes=[8]'
+expect_published bar1d.csv bar1d_chart.csv bar1d_probes.csv
+published "${unstable[@]}"
+expect_exit 4
+expect_published bar1d.csv bar1d_chart.csv
+published "${unstable[@]}" "${everything[@]}"
+expect_exit 4
+expect_published bar1d.csv bar1d.h5 bar1d_chart.csv bar1d_probes.csv
+published --set time.end=-1
+expect_exit 2
+expect_published bar1d.csv bar1d.h5 bar1d_chart.csv bar1d_field.csv bar1d_probes.csv
+# A scene may have such a name: its energies are no field.
+rm -r results
+for name in bar1d_field bar1d_probes bar1d; do
+    try run "$scene" "${short[@]}" --set output.name="$name"
+    expect_exit 0
+done
+for name in bar1d_field bar1d_probes; do expect_same results/bar1d.csv "results/$name.csv"; done
+
 # Stopped on the way: the energies so far under their own name, and nothing else.
 rm -rf results
 "$program" run "$scene" --quiet --set time.end=1e7 >"$scratch/stdout" 2>"$scratch/stderr" &

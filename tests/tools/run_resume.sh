@@ -159,23 +159,91 @@ for file in "$checkpoint" "$(journal)"; do
 done
 expect "nothing changed" diff -r stopped results
 
-# A full disk, as a limit of file size, on the way and at the end: the checkpoint goes on later.
-# The last of the limits is just below the size of the HDF5 file.
-for blocks in 1 20 60 $(($(stat -c %s whole/bar1d.h5) / 1024)); do # of 1024 bytes
-    fresh
-    cp "$checkpoint" "$scratch/old"
-    tried="run --resume on a disk of $blocks blocks a file"
+# Nothing was published: what was there is as it was.
+expect_nothing_published() {
+    for file in bar1d.csv bar1d_probes.csv bar1d.h5; do expect_same "stopped/$file" "results/$file"; done
+    expect "no field" test ! -f results/bar1d_field.csv
+}
+goes_on_to_the_end() {
+    try run "$scene" "${long[@]}" --resume
+    expect_exit 0
+    expect_whole_run results
+}
+
+# A full disk, as a limit of file size, on the way and at the end: a checkpoint goes on later.
+try_full_disk() { # BLOCKS ARGUMENT..: of 1024 bytes a file
+    tried="run ${*:2} on a disk of $1 blocks a file"
     code=0
     (
-        ulimit -f "$blocks"
-        exec "$program" run "$scene" "${long[@]}" --resume --set output.checkpoint=1e9 
+        ulimit -f "$1"
+        exec "$program" run "$scene" "${long[@]}" --set output.checkpoint=1e9 "${@:2}"
     ) >"$scratch/stdout" 2>"$scratch/stderr" || code=$?
     expect_exit 5
     expect_stderr "File too large"
     expect_stderr_lines 1
-    expect_same "$scratch/old" "$checkpoint"
-    try run "$scene" "${long[@]}" --resume
-    expect_exit 0
-    expect_whole_run results
+}
+below_h5=$(($(stat -c %s whole/bar1d.h5) / 1024)) # its journal is that much smaller
+for blocks in 1 20 60; do
+    fresh
+    try_full_disk "$blocks" --resume
+    expect_stderr "--resume goes on from results/bar1d.checkpoint"
+    expect_same stopped/bar1d.checkpoint "$checkpoint"
+    expect_nothing_published
+    goes_on_to_the_end
+done
+fresh
+rm "$checkpoint" results/*.new-*
+cp -r results before
+try_full_disk 20
+expect_stderr "nothing is kept of this run"
+expect "nothing changed" diff -r before results
+rm -r before
+# While the files are published the checkpoint is stored in their place: it is at the last step.
+for resume in "" --resume; do
+    fresh
+    if [ -z "$resume" ]; then rm "$checkpoint" results/*.new-*; fi
+    # shellcheck disable=SC2086  # nothing, or the option
+    try_full_disk "$below_h5" $resume
+    expect_stderr "cannot write results/bar1d.h5: File too large. --resume goes on from results/bar1d.checkpoint"
+    expect "another checkpoint" test "$(cmp -s stopped/bar1d.checkpoint "$checkpoint"; echo $?)" -eq 1
+    expect "the growing files only" test "$(find results -name '*.new-*' | wc -l)" -eq 3
+    expect_nothing_published
+    try_full_disk "$below_h5" --resume # again, without a step
+    expect_nothing_published
+    goes_on_to_the_end
+done
+
+# Likewise where a folder gets in the way during the run.
+fresh
+rm "$checkpoint" results/*.new-*
+tried="run, and a folder of the name of its field"
+"$program" run "$scene" "${long[@]}" >"$scratch/stdout" 2>"$scratch/stderr" &
+while [ -z "$(awaited='csv.new-*' written results)" ] && kill -0 $! 2>/dev/null; do sleep 0.01; done
+mkdir results/bar1d_field.csv
+code=0
+wait $! || code=$?
+expect_exit 5
+expect_stderr "bar1d_field.csv: a folder of that name is in the way. --resume goes on"
+expect_nothing_published
+rmdir results/bar1d_field.csv
+goes_on_to_the_end
+
+# In the way from the start: no step is taken, and nothing changes.
+for name in bar1d{.csv,_probes.csv,_field.csv,.h5,.checkpoint}; do
+    for way in "mkdir" "mkfifo --resume"; do
+        read -r make resume <<<"$way"
+        fresh
+        rm -f "results/$name"
+        "$make" "results/$name"
+        ls -lR --full-time results >"$scratch/before"
+        # shellcheck disable=SC2086  # nothing, or the option
+        try run "$scene" "${long[@]}" $resume
+        expect_exit 5
+        expect_stderr "cannot write results/$name: "
+        expect_stderr "of that name is in the way"
+        expect_stderr_lines 1
+        expect_no_stdout
+        expect "nothing changed" diff "$scratch/before" <(ls -lR --full-time results)
+    done
 done
 finish

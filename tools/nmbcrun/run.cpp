@@ -78,6 +78,7 @@ class Run {
           ledger_(simulation_.chain()),
           quiet_(options.quiet),
           checkpoint_(options.folder / (scene.name + ".checkpoint")) {
+        require_replaceable(checkpoint_);
         if (options.resume) {
             const Checkpoint from = load_checkpoint(checkpoint_);
             require_same(from.scene, identity(simulation_), checkpoint_);
@@ -85,6 +86,7 @@ class Run {
             simulation_.resume(from.chain);
             ledger_.resume(simulation_.chain(), from.ledger);
             highlights_ = from.highlights;
+            is_stored_ = true;
         } else {
             recorder_.emplace(scene, simulation_.chain(), options.folder);
             highlights_.driven_peak = simulation_.energies().total();
@@ -93,6 +95,7 @@ class Run {
     }
 
     void to_the_end();
+    std::string what_is_kept() const;
     void print() const;
 
     const Simulation& simulation() const { return simulation_; }
@@ -103,7 +106,10 @@ class Run {
     void record();
     void look_at(const Sample& sample);
     void keep_for_report(const Sample& sample);
+    void advance();
     void store();
+    void publish_end();
+    void clean_up();
     std::string place() const;
     Unstable unstable(const std::string& what) const;
 
@@ -113,6 +119,7 @@ class Run {
     Highlights highlights_;
     bool quiet_;
     std::filesystem::path checkpoint_;
+    bool is_stored_ = false;  // whether the checkpoint is one of this run
 };
 
 std::string Run::place() const {
@@ -180,41 +187,65 @@ void Run::step() {
 void Run::store() {
     save_checkpoint(checkpoint_, {identity(simulation_), chain().state(), ledger_.totals(),
                                   highlights_, recorder_->marks()});
+    recorder_->keep(true);
+    is_stored_ = true;
+}
+
+/// Where the disk does not take the files, it may take a checkpoint.
+void Run::publish_end() {
+    try {
+        recorder_->publish(chain(), true);
+    } catch (const FileError&) {
+        store();
+        throw;
+    }
+}
+
+std::string Run::what_is_kept() const {
+    return is_stored_ ? fmt::format("--resume goes on from {}", checkpoint_.string())
+                      : "no checkpoint was stored, nothing is kept of this run";
 }
 
 void Run::to_the_end() {
+    try {
+        advance();
+        publish_end();
+    } catch (const Unstable&) {
+        recorder_->publish(chain(), false);  // the energies up to there
+        clean_up();
+        throw;
+    }
+    clean_up();
+}
+
+void Run::clean_up() {
+    recorder_->keep(false);
+    remove_checkpoint(checkpoint_);
+}
+
+void Run::advance() {
     using Clock = std::chrono::steady_clock;
     const std::chrono::duration<double> pause(simulation_.scene().checkpoint);
     Progress progress(simulation_.plan().steps, quiet_, chain().steps());
     auto stored = Clock::now();
-    try {
-        while (!simulation_.is_done()) {
-            step();
-            progress.update(chain().steps());
-            if (simulation_.is_done()) {
-                break;
-            }
-            if (interrupted()) {
-                store();
-                recorder_->publish(chain(), false);
-                throw Interrupted(
-                    fmt::format("stopped at {} of {}. Energies up to there: {}. --resume goes on",
-                                place(), simulation_.plan().steps, recorder_->energies().string()));
-            }
-            if (chain().steps() % look_every == 0 && Clock::now() - stored > pause) {
-                store();
-                stored = Clock::now();
-            }
+    while (!simulation_.is_done()) {
+        step();
+        progress.update(chain().steps());
+        if (simulation_.is_done()) {
+            break;
         }
-    } catch (const Unstable&) {
-        recorder_->publish(chain(), false);  // the energies up to there
-        recorder_->finish();
-        remove_checkpoint(checkpoint_);
-        throw;
+        if (interrupted()) {
+            store();
+            recorder_->publish(chain(), false);
+            throw Interrupted(
+                fmt::format("stopped at {} of {}. Energies up to there: {}. --resume goes on",
+                            place(), simulation_.plan().steps, recorder_->energies().string()));
+        }
+        if (chain().steps() % look_every == 0 && Clock::now() - stored > pause) {
+            store();
+            stored = Clock::now();
+        }
     }
-    recorder_->publish(chain(), true);
-    recorder_->finish();
-    remove_checkpoint(checkpoint_);
 }
 
 void Run::print() const {
@@ -241,7 +272,11 @@ void run(const Scene& scene, const RunOptions& options) {
     if (!options.quiet) {
         print_heading(run.simulation());
     }
-    run.to_the_end();
+    try {
+        run.to_the_end();
+    } catch (const FileError& error) {
+        throw FileError(fmt::format("{}. {}", error.what(), run.what_is_kept()));
+    }
     run.print();
 }
 

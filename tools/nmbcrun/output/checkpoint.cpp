@@ -195,16 +195,11 @@ void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkp
     std::string head(sizeof(header), '\0');
     std::memcpy(head.data(), &header, sizeof(header));
     PosixFile file = PosixFile::create_beside(path);
-    try {
-        file.write(head);
-        file.write(body);
-        file.sync();
-        replace(file.path(), path);
-    } catch (const FileError&) {
-        std::error_code ignored;
-        std::filesystem::remove(file.path(), ignored);
-        throw;
-    }
+    NewFile whole(file.path(), path);
+    file.write(head);
+    file.write(body);
+    file.sync();
+    publish({&whole, 1});
     remove_leftovers(path);
     remove_journals(path, replaced);  // less those of this run, which are open
 }

@@ -5,9 +5,9 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/posix_file.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -28,41 +28,28 @@ class Closing {
 
 }  // namespace
 
-Hdf5File::Hdf5File(std::filesystem::path path) : path_(std::move(path)) {
+Hdf5File::Hdf5File(const std::filesystem::path& path)
+    : made_(PosixFile::create_beside(path).path(), path) {
     // After a write that failed the library crashes in what it does at the end of the program
     // (h5py, issue 914); everything is closed here.
     H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what fails is reported by exceptions
-    temporary_ = PosixFile::create_beside(path_).path();
-    try {
-        file_ = checked(H5Fcreate(temporary_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
-    } catch (const FileError&) {
-        close();
-        throw;
-    }
+    file_ = checked(H5Fcreate(made_.temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
 }
 
 Hdf5File::~Hdf5File() {
-    close();
-}
-
-void Hdf5File::close() {
     for (const auto& [name, dataset] : datasets_) {
         H5Dclose(dataset);
     }
-    datasets_.clear();
     if (file_ >= 0) {
         H5Fclose(file_);
-        file_ = H5I_INVALID_HID;
     }
-    std::error_code ignored;
-    std::filesystem::remove(temporary_, ignored);
 }
 
 hid_t Hdf5File::checked(hid_t result) const {
     if (result < 0) {
         const int reason = errno;  // HDF5 passes it on from where it failed, as a rule
-        throw FileError(fmt::format("cannot write {}: {}", path_.string(),
+        throw FileError(fmt::format("cannot write {}: {}", made_.path().string(),
                                     reason == 0 ? "HDF5 refuses" : std::strerror(reason)));
     }
     return result;
@@ -115,14 +102,14 @@ void Hdf5File::write(const std::string& name, std::span<const double> values) {
                      values.data()));
 }
 
-void Hdf5File::publish() {
+NewFile Hdf5File::whole() {
     for (const auto& [name, dataset] : datasets_) {
         checked(H5Dclose(dataset));
     }
     datasets_.clear();
     checked(H5Fclose(std::exchange(file_, H5I_INVALID_HID)));
-    PosixFile::open(temporary_).sync();
-    replace(temporary_, path_);
+    PosixFile::open(made_.temporary()).sync();
+    return std::move(made_);
 }
 
 }  // namespace nmbcrun

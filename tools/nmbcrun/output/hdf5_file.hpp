@@ -12,16 +12,18 @@
 #include <utility>
 #include <vector>
 
+#include "tools/nmbcrun/output/posix_file.hpp"
+
 namespace nmbcrun {
 
-/// Appears under its name when it is published. The same calls make the same file, byte by byte.
+/// Has a temporary name until it is published. The same calls make the same file, byte by byte.
 /// Every member throws FileError.
 class Hdf5File {
   public:
     using Attributes = std::vector<std::pair<std::string, std::string>>;
 
-    explicit Hdf5File(std::filesystem::path path);
-    /// Removes the file unless it was published.
+    explicit Hdf5File(const std::filesystem::path& path);
+    /// Removes the file unless it is whole.
     ~Hdf5File();
     Hdf5File(const Hdf5File&) = delete;
     Hdf5File& operator=(const Hdf5File&) = delete;
@@ -39,15 +41,14 @@ class Hdf5File {
     /// Writes a whole dataset, row by row.
     void write(const std::string& name, std::span<const double> values);
 
-    void publish();
+    /// Closes it; all of it is on the disk.
+    NewFile whole();
 
   private:
     hid_t checked(hid_t result) const;
     void attach(hid_t object, const Attributes& attributes) const;
-    void close();
 
-    std::filesystem::path path_;
-    std::filesystem::path temporary_;
+    NewFile made_;
     hid_t file_ = H5I_INVALID_HID;
     std::map<std::string, hid_t> datasets_;
 };

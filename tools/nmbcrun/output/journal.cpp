@@ -69,6 +69,7 @@ void Journal::append(std::string_view bytes) {
 }
 
 void Journal::flush() {
+    file_.cut_to(mark_.size - buffer_.size());  // a write that failed may have left a part
     file_.write(buffer_);
     buffer_.clear();
 }
@@ -84,21 +85,16 @@ const std::filesystem::path& Journal::source() {
     return file_.path();
 }
 
-void Journal::publish() {
+NewFile Journal::copy() {
     flush();
-    PosixFile copy = PosixFile::create_beside(path_);
-    try {
-        if (!read_blocks(file_, mark_.size, [&](std::string_view bytes) { copy.write(bytes); })) {
-            throw FileError(
-                fmt::format("cannot read {}: it has become shorter", file_.path().string()));
-        }
-        copy.sync();
-        replace(copy.path(), path_);
-    } catch (const FileError&) {
-        std::error_code ignored;
-        std::filesystem::remove(copy.path(), ignored);
-        throw;
+    PosixFile file = PosixFile::create_beside(path_);
+    NewFile copy(file.path(), path_);
+    if (!read_blocks(file_, mark_.size, [&](std::string_view bytes) { file.write(bytes); })) {
+        throw FileError(
+            fmt::format("cannot read {}: it has become shorter", file_.path().string()));
     }
+    file.sync();
+    return copy;
 }
 
 }  // namespace nmbcrun

@@ -33,13 +33,13 @@ class Journal {
 
     void append(std::string_view bytes);
 
-    /// All that was appended is on the disk.
+    /// All that was appended is on the disk. After a member that threw it may be tried again.
     Mark mark();
     /// From here on the file stays when the journal ends, or does not.
     void keep(bool kept) { is_kept_ = kept; }
 
-    /// Makes a copy of it appear as path(), at once and whole.
-    void publish();
+    /// A copy of it, on the disk, that is to be path().
+    NewFile copy();
 
     /// Bytes appended so far, and the file that has them all.
     std::uint64_t size() const { return mark_.size; }

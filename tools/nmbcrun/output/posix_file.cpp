@@ -36,6 +36,7 @@ PosixFile::~PosixFile() {
 }
 
 PosixFile PosixFile::create_beside(const std::filesystem::path& path) {
+    require_replaceable(path);
     std::error_code error;
     std::filesystem::create_directories(path.parent_path(), error);
     if (error) {
@@ -114,15 +115,39 @@ void PosixFile::sync() {
     }
 }
 
-void replace(const std::filesystem::path& by, const std::filesystem::path& path) {
-    if (::rename(by.c_str(), path.c_str()) != 0) {
-        fail("write", path);
+NewFile::NewFile(std::filesystem::path temporary, std::filesystem::path path)
+    : temporary_(std::move(temporary)), path_(std::move(path)) {}
+
+NewFile::NewFile(NewFile&& other) noexcept
+    : temporary_(std::exchange(other.temporary_, {})), path_(std::move(other.path_)) {}
+
+NewFile::~NewFile() {
+    std::error_code ignored;
+    std::filesystem::remove(temporary_, ignored);
+}
+
+void publish(std::span<NewFile> files) {
+    for (NewFile& file : files) {
+        if (::rename(file.temporary_.c_str(), file.path_.c_str()) != 0) {
+            fail("write", file.path_);
+        }
+        file.temporary_.clear();
     }
-    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    const std::filesystem::path folder = files.front().path_.parent_path();
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor >= 0) {  // as far as the file system can do that
         ::fsync(descriptor);
         ::close(descriptor);
+    }
+}
+
+void require_replaceable(const std::filesystem::path& path) {
+    std::error_code ignored;  // what is not there, or not to be seen, is in nobody's way
+    const auto status = std::filesystem::status(path, ignored);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+        throw FileError(
+            fmt::format("cannot write {}: {} of that name is in the way", path.string(),
+                        std::filesystem::is_directory(status) ? "a folder" : "a special file"));
     }
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 namespace nmbcrun {
@@ -14,7 +15,7 @@ namespace nmbcrun {
 class PosixFile {
   public:
     /// A file of a name that was not there, PATH.new-PROCESS, in a folder that is made where it is
-    /// missing.
+    /// missing; it may take the place of PATH (require_replaceable).
     static PosixFile create_beside(const std::filesystem::path& path);
     /// A file that is there, to be read and written. Nobody else may have it open.
     static PosixFile open(const std::filesystem::path& path);
@@ -44,8 +45,33 @@ class PosixFile {
     int descriptor_;
 };
 
-/// The whole file takes the place of another one, and the change of names is on the disk.
-void replace(const std::filesystem::path& by, const std::filesystem::path& path);
+/// A whole file under a temporary name, which goes with this object unless it is published.
+class NewFile {
+  public:
+    /// temporary: the file that is there, in the folder of `path`, its name to be.
+    NewFile(std::filesystem::path temporary, std::filesystem::path path);
+    NewFile(NewFile&& other) noexcept;
+    NewFile& operator=(NewFile&&) = delete;
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+    ~NewFile();
+
+    const std::filesystem::path& temporary() const { return temporary_; }
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    friend void publish(std::span<NewFile> files);
+
+    std::filesystem::path temporary_;  // none: it has its name
+    std::filesystem::path path_;
+};
+
+/// Gives files of one folder their names, one right after the other, in the place of what has them;
+/// the change is on the disk then. Their bytes must be there (PosixFile::sync). Throws FileError.
+void publish(std::span<NewFile> files);
+
+/// Throws FileError where the name is that of a folder or anything else but a regular file.
+void require_replaceable(const std::filesystem::path& path);
 
 /// Removes the file unless a process has it open as a PosixFile; nothing where it is not there.
 void remove_unless_open(const std::filesystem::path& path);

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <fstream>
+#include <string_view>
 #include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
@@ -28,10 +31,33 @@ std::string probes_header(const std::vector<std::size_t>& probes) {
     return header + "\n";
 }
 
+/// What not every run of a name publishes, and how such a file begins.
+constexpr std::pair<const char*, std::string_view> optional_files[] = {
+    {"_probes.csv", "time,u"}, {"_field.csv", field_header}, {".h5", "\x89HDF\r\n\x1a\n"}};
+
+bool begins_with(const std::filesystem::path& path, std::string_view beginning) {
+    std::string found(beginning.size(), '\0');
+    std::ifstream stream(path, std::ios::binary);
+    return stream.read(found.data(), std::streamsize(found.size())) && found == beginning;
+}
+
+/// The files that a scene is read from, besides its own.
+std::vector<std::filesystem::path> inputs(const Scene& scene) {
+    std::vector<std::filesystem::path> files = scene.table_files;
+    if (scene.initial) {
+        files.push_back(scene.initial->file);
+    }
+    if (scene.force) {
+        files.push_back(scene.force->file);
+    }
+    return files;
+}
+
 }  // namespace
 
 Recorder::Recorder(Scene scene, const nmbc::Chain& chain, std::filesystem::path folder)
     : scene_(std::move(scene)), folder_(std::move(folder)) {
+    require_free_names();
     energies_ = std::make_unique<Journal>(path(".csv"));
     energies_->append(fmt::format("{}\n", energies_header));
     if (!scene_.probes.empty()) {
@@ -50,6 +76,7 @@ Recorder::Recorder(Scene scene, const nmbc::Chain& chain, std::filesystem::path 
 Recorder::Recorder(Scene scene, std::filesystem::path folder,
                    const std::vector<Journal::Mark>& marks)
     : scene_(std::move(scene)), folder_(std::move(folder)) {
+    require_free_names();
     auto mark = marks.begin();
     const auto next = [&](const char* ending) {
         if (mark == marks.end()) {
@@ -80,6 +107,23 @@ std::vector<Journal*> Recorder::journals() const {
     return all;
 }
 
+/// Of all files, whatever the scene asks for: those it does not are removed at the end.
+void Recorder::require_free_names() const {
+    for (const char* const ending : {".csv", "_probes.csv", ".h5", "_field.csv"}) {
+        const std::filesystem::path name = path(ending);
+        require_replaceable(name);
+        for (const std::filesystem::path& input : inputs(scene_)) {
+            std::error_code none;  // of them is there
+            if (std::filesystem::equivalent(input, name, none)) {
+                throw SceneError(
+                    fmt::format("the scene reads {}, which this run would replace or remove; "
+                                "another output.name or --out is needed",
+                                name.string()));
+            }
+        }
+    }
+}
+
 void Recorder::record(const Sample& sample, const nmbc::Chain& chain) {
     energies_->append(energies_row(sample));
     if (!probed_) {
@@ -103,29 +147,42 @@ std::vector<Journal::Mark> Recorder::marks() {
     std::vector<Journal::Mark> marks;
     for (Journal* const journal : journals()) {
         marks.push_back(journal->mark());
-        journal->keep(true);
     }
     return marks;
 }
 
-void Recorder::finish() {
+void Recorder::keep(bool kept) {
     for (Journal* const journal : journals()) {
-        journal->keep(false);
+        journal->keep(kept);
     }
 }
 
 void Recorder::publish(const nmbc::Chain& chain, bool at_end) {
-    energies_->publish();
+    std::vector<NewFile> files;
+    files.push_back(energies_->copy());
     if (probed_) {
-        probed_->publish();
+        files.push_back(probed_->copy());
     }
     if (snapshots_) {
-        publish_snapshots(*snapshots_, *energies_, chain.parameters());
+        files.push_back(write_snapshots(*snapshots_, *energies_, chain.parameters()));
     }
     if (at_end && scene_.field) {
-        CsvFile field(path("_field.csv"), field_header);
-        append_field(field, chain);
-        field.publish();
+        files.push_back(write_field(path("_field.csv"), chain));
+    }
+    remove_others(files);
+    nmbcrun::publish(files);
+}
+
+/// Only what is a file of that kind: NAME_field.csv can be the energies of a scene of that name.
+void Recorder::remove_others(const std::vector<NewFile>& files) const {
+    for (const auto& [ending, beginning] : optional_files) {
+        const std::filesystem::path other = path(ending);
+        const bool is_new = std::ranges::find(files, other, &NewFile::path) != files.end();
+        std::error_code error;
+        if (!is_new && begins_with(other, beginning) && !std::filesystem::remove(other, error)) {
+            throw FileError(fmt::format("cannot remove {} of an earlier run: {}", other.string(),
+                                        error.message()));
+        }
     }
 }
 

@@ -16,7 +16,8 @@ namespace nmbcrun {
 
 /// FOLDER/NAME.csv, the energies; NAME_probes.csv and NAME.h5 (the snapshots) where the scene has
 /// some; NAME_field.csv where it asks for it. They grow under temporary names, and what is
-/// published of them is whole. Every member throws FileError.
+/// published of them is whole. Every member throws FileError; the constructors do where something
+/// else than a file is in the way of one, and SceneError where the scene reads one of them.
 class Recorder {
   public:
     /// Of a run that starts.
@@ -30,15 +31,15 @@ class Recorder {
     /// To be called at every step: takes a snapshot where one is due.
     void look(const nmbc::Chain& chain);
 
-    /// All that was recorded is on the disk: where to go on from. From here on the growing files
-    /// stay there, unless finish() is called.
+    /// All that was recorded is on the disk: where to go on from.
     std::vector<Journal::Mark> marks();
+    /// From here on the growing files stay when the recorder ends, or do not.
+    void keep(bool kept);
 
-    /// Publishes what is there; of a run that has reached its end the field, too.
+    /// Publishes what is there, of a run that has reached its end the field, too, all or nothing
+    /// as far as the file system can do that; and removes what an earlier run has published of
+    /// the others.
     void publish(const nmbc::Chain& chain, bool at_end);
-
-    /// The growing files are not needed any more.
-    void finish();
 
     /// The files of a whole run, a line each.
     std::string files() const;
@@ -47,6 +48,8 @@ class Recorder {
   private:
     std::filesystem::path path(const char* ending) const;
     std::vector<Journal*> journals() const;
+    void require_free_names() const;
+    void remove_others(const std::vector<NewFile>& files) const;
 
     Scene scene_;
     std::filesystem::path folder_;

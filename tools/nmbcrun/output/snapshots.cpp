@@ -59,7 +59,7 @@ void append_snapshot(Journal& snapshots, const nmbc::Chain& chain) {
     append(snapshots, chain.velocity().subspan(first, nodes));
 }
 
-void publish_snapshots(Journal& snapshots, Journal& energies, const nmbc::ChainParameters& p) {
+NewFile write_snapshots(Journal& snapshots, Journal& energies, const nmbc::ChainParameters& p) {
     const std::size_t times = snapshots.size() / (sizeof(double) * (1 + 2 * p.nodes));
     const auto columns =
         std::size_t(std::ranges::count(std::string_view(energies_header), ',')) + 1;
@@ -105,7 +105,7 @@ void publish_snapshots(Journal& snapshots, Journal& energies, const nmbc::ChainP
             throw FileError(fmt::format("cannot read {}", snapshots.source().string()));
         }
     }
-    file.publish();
+    return file.whole();
 }
 
 }  // namespace nmbcrun

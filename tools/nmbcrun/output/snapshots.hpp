@@ -18,6 +18,6 @@ void append_snapshot(Journal& snapshots, const nmbc::Chain& chain);
 /// Writes the HDF5 file that the journal of snapshots is for: `time` [snapshots], `x` [nodes], `u`
 /// and `v` [snapshots x nodes], `energies` [rows x columns], what the journal of energies has under
 /// energies_header. Throws FileError.
-void publish_snapshots(Journal& snapshots, Journal& energies, const nmbc::ChainParameters& p);
+NewFile write_snapshots(Journal& snapshots, Journal& energies, const nmbc::ChainParameters& p);
 
 }  // namespace nmbcrun
