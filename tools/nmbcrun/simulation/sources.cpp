@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/simulation/sources.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
+#include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/simulation/incoming_wave.hpp"
 #include "tools/nmbcrun/simulation/initial_fields.hpp"
 #include "tools/nmbcrun/simulation/preload.hpp"
@@ -98,12 +102,39 @@ void Sources::start(nmbc::Chain& chain) {
         at_start[entry] =
             (waves.before[entry] + waves.after[entry]) / 2 + (is_staggered ? 0 : v[entry]);
     }
-    chain.start(u, at_start);
+    start_from(chain, u, at_start);
     if (is_staggered) {
         const std::span<double> velocity = chain.velocity();
         for (std::size_t entry = chain.ghosts(); entry + chain.ghosts() < v.size(); ++entry) {
             velocity[entry] = v[entry] + waves.before[entry];
         }
+    }
+}
+
+/// An exact end refuses what moves next to it: says which end, what moves and what to do.
+void Sources::start_from(nmbc::Chain& chain, std::span<const double> u,
+                         std::span<const double> v) const {
+    const auto is_exact = [&](nmbc::End side) {
+        return (side == nmbc::End::left ? scene_.left : scene_.right).kind == BoundaryKind::exact;
+    };
+    const auto is_at_rest = [&](nmbc::End side) {
+        const auto near = std::ptrdiff_t(2 * chain.ghosts());
+        const auto first = side == nmbc::End::left ? u.begin() : u.end() - near;
+        return std::all_of(first, first + near, [](double value) { return value == 0; });
+    };
+    try {
+        chain.start(u, v);
+    } catch (const std::invalid_argument&) {
+        if (!is_exact(nmbc::End::left) && !is_exact(nmbc::End::right)) {
+            throw;
+        }
+        const bool is_left = is_exact(nmbc::End::left) &&
+                             !(is_exact(nmbc::End::right) && is_at_rest(nmbc::End::left));
+        throw SceneError(fmt::format(
+            "the exact end on the {} starts from rest, and something moves there at t = 0: {}",
+            is_left ? "left" : "right",
+            scene_.incoming ? "give a later incoming.arrival"
+                            : "initial has to be farther from it"));
     }
 }
 

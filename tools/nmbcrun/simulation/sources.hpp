@@ -39,10 +39,15 @@ class Sources {
     /// Whether a source still feeds the chain in the step that ends at this time.
     bool is_driven(double time) const;
 
+    /// In words: what the time steps miss of the sources; empty where they do not.
+    std::string warning() const { return forcing_ ? forcing_->warning() : ""; }
+
     /// In words: why a chain with these sources may have had no energy at any time.
     std::string why_no_energy() const;
 
   private:
+    void start_from(nmbc::Chain& chain, std::span<const double> u, std::span<const double> v) const;
+
     Scene scene_;
     double time_step_;
     std::size_t first_interior_ = 0;
