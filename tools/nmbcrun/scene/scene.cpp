@@ -151,7 +151,7 @@ void require_wave_speed(SceneReader& reader, const Scene& scene) {
     constexpr double fastest = 1e150;
     const double c = std::sqrt(scene.youngs_modulus / scene.density);
     if (!(c >= 1 / fastest && c <= fastest)) {
-        reader.fail(reader.has("material.density") ? "material.density" : "material.youngs_modulus",
+        reader.fail("material",
                     fmt::format("makes the wave speed sqrt(youngs_modulus / density) {:g}; it must "
                                 "be from {:g} to {:g}",
                                 c, 1 / fastest, fastest));

@@ -46,6 +46,9 @@ class Sources {
     std::string why_no_energy() const;
 
   private:
+    nmbc::End exact_end_that_moves(const nmbc::Chain& chain, std::span<const double> u,
+                                   std::span<const double> v) const;
+    /// Throws SceneError, with the end, where an exact end refuses what moves next to it.
     void start_from(nmbc::Chain& chain, std::span<const double> u, std::span<const double> v) const;
 
     Scene scene_;
