@@ -60,7 +60,7 @@ double measured_error(const Scene& scene, const Candidate& candidate) {
 
 TEST_CASE("what is sent back in a domain of 6000 nodes, after 3000 dX/c") {
     const Scene scene = with_pulse(scene_of(1, 0.5, 6000, 4000), nmbcrun::Shape::gaussian, 20);
-    const auto found = nmbcrun::find_candidates(scene, 0.02);
+    const auto found = nmbcrun::find_candidates(scene, 0.02, [] {});
     const Candidate best =
         best_boundary(found.meet, [](const Candidate& one) { return one.steps; });
     CHECK(best.boundary.kind == nmbcrun::BoundaryKind::nmbc);
@@ -98,7 +98,7 @@ TEST_CASE("the grid of waves repeats beyond all nodes, and gives back what it wa
 TEST_CASE("the advised set-up meets the tolerance, and none certified in 2/3 of its steps does") {
     for (const Task& task : tasks()) {
         CAPTURE(task.name);
-        const auto found = nmbcrun::find_candidates(task.scene, task.tolerance);
+        const auto found = nmbcrun::find_candidates(task.scene, task.tolerance, [] {});
         const Candidate best =
             best_boundary(found.meet, [](const Candidate& one) { return one.steps; });
         CAPTURE(best.name);

@@ -200,7 +200,7 @@ TEST_CASE("with horizon and G open, what is advised is as near to the wave equat
     int cheaper_ones = 0;
     for (const Task& task : tasks()) {
         CAPTURE(std::string(task.name));
-        const auto found = nmbcrun::find_candidates(task.scene, task.tolerance);
+        const auto found = nmbcrun::find_candidates(task.scene, task.tolerance, [] {});
         const Candidate best = best_boundary(found.meet, size_of);
         CAPTURE(best.name);
         CAPTURE(best.horizon);

@@ -102,11 +102,38 @@ refused 'model.damping must be 0 beside model.horizon = "auto"' --set model.damp
 refused 'there is nothing of this family' --set model.family=nothing
 refused 'model.horizon must be a whole number' --set model.horizon=automatic
 refused 'must be an exact number' --set model.G=automatic
-refused "horizon 1: the scene's steps are too long for it" --set time.cfl=2
+try advise "$scratch/open.toml" --tolerance 1e-2 --set time.cfl=2
+expect_exit 1
+expect_stderr "horizon 1: the scene's steps are too long for it"
 
-try advise "${bar[@]}" --tolerance 1e-15
-expect_exit 2
-expect_stderr "nothing meets the tolerance 1e-15"
+for command in advise run; do
+    try "$command" "${bar[@]}" --tolerance 1e-15
+    expect_exit 1
+    expect_stderr "nothing meets the tolerance 1e-15"
+    expect "a line for each" grep -q '^  higdon, mbc: not certified' "$scratch/stderr"
+done
+
+# Stopped: at once, wherever it is. One that is not done by then would take minutes.
+notes_signals() {  # SIGTERM, bit 14 of those that the process catches
+    local caught
+    caught=$(sed -n 's/^SigCgt:\t//p' "/proc/$1/status")
+    ((16#$caught & 0x4000))
+}
+for seconds in 0 1; do
+    "$program" advise "$scratch/bar.toml" --set model.horizon=auto --set model.G=auto \
+        --set drive.half_width=0 --set domain.nodes=20000 --set drive.centre=10000 --tolerance 1e-3 \
+        >"$scratch/stdout" 2>"$scratch/stderr" &
+    for _ in {1..200}; do
+        notes_signals $! && break
+        sleep 0.1
+    done
+    sleep $seconds
+    kill -TERM $!
+    code=0
+    wait $! || code=$?
+    expect_exit 130
+    expect_stderr "stopped; nothing was advised"
+done
 try advise "${bar[@]}"
 expect_exit 2
 try run "${bar[@]}" --tolerance 1e-3 --resume

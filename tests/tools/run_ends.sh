@@ -35,6 +35,19 @@ stable --set boundary.kind=exact
 expect_stdout_line "boundary  exact"
 stable --set boundary.right.kind=exact --set model.horizon=1 --set model.G=1
 expect_stdout_line "right     exact"
+# It starts from rest.
+rm -r results
+early=(--set incoming.shape=gaussian --set incoming.amplitude=1 --set incoming.end=left
+    --set boundary.kind=exact --set domain.nodes=100 --set model.G=1.85)
+refuses 2 "the exact end on the right starts from rest, and something moves there at t = 0: give a later incoming.arrival" \
+    "$sourceless" "${early[@]}" --set incoming.width=99 --set incoming.arrival=1
+for side in left right; do
+    centre=5
+    [ $side = right ] && centre=495
+    refuses 2 "the exact end on the $side starts from rest, and something moves there at t = 0: initial" \
+        "$sourceless" --set boundary.kind=exact --set initial.shape=gaussian --set initial.of=velocity \
+        --set initial.amplitude=1 --set initial.width=9 --set initial.centre=$centre
+done
 stable --set boundary.kind=fixed --set model.damping=0.0
 expect_stdout_line "boundary  fixed"
 stable --set boundary.right.kind=free

@@ -198,6 +198,17 @@ expect_stderr "--resume goes on"
 expect_file results/bar1d.csv
 expect "and to go on from, a checkpoint and a growing file" test "$(files_in results)" -eq 3
 
+# While a scene is waited for, a signal ends the program; one that comes through a pipe is read.
+mkfifo "$scratch/pipe"
+"$program" run "$scratch/pipe" >"$scratch/stdout" 2>"$scratch/stderr" &
+sleep 0.2
+kill -TERM $!
+code=0
+wait $! || code=$?
+expect_exit 143  # the shell's word for SIGTERM
+try run /dev/stdin "${short[@]}" --quiet <"$scene"
+expect_exit 0
+
 # The shortest run is one step.
 try run "$scene" --set time.end=1e-9
 expect_exit 0

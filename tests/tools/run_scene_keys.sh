@@ -9,6 +9,7 @@ setting() { refuses "$1" "$2" "$scene" --set "$3"; }
 setting 2 "model.horizn is not a key of a scene; the nearest one is model.horizon" model.horizn=2
 setting 2 "must be a whole number from 1 to 1000, not 0" model.horizon=0
 setting 2 "must be a whole number from 1 to 1000, not 1.5" model.horizon=1.5
+setting 2 "must be a whole number from 1 to 1000, written without a point and an exponent" model.horizon=1e3
 setting 2 "must be a whole number from 1 to 1000, not 'abc'" model.horizon=abc
 setting 2 "no table for family nopd1d, horizon 7" model.horizon=7
 setting 2 "must be a table" model=3
@@ -44,6 +45,12 @@ refuses 4 "NMBC1 is certified against a pml end at no time step at n = 2, G = 1;
     "$scene" --set boundary.left.kind=pml --set boundary.left.layer=10 --set model.G=1
 setting 2 "must not be 0" drive.amplitude=0
 setting 2 "whole number from 1 to 100000000, not 0" domain.nodes=0
+setting 2 "from 1 to 100000000, written without a point and an exponent" domain.nodes=1e8
+setting 2 "domain.spacing must be a positive number of size 1e+300 at most, not 1e+308" domain.spacing=1e308
+for extreme in material.density=1e-320 material.youngs_modulus=1e-310; do
+    setting 2 "makes the wave speed sqrt(youngs_modulus / density)" "$extreme"
+done
+setting 2 "is too long for time steps of" time.step=1e-320
 setting 2 "whole number from 1 to 100000000, not 100000001" domain.nodes=100000001
 refuses 2 "boundary.layer must be a whole number from 1 to 10000000, not 100000000" \
     "$scene" --set boundary.kind=sponge --set boundary.layer=100000000
@@ -66,7 +73,8 @@ for bad in 0 -1 nan inf true '"2"' '[1]'; do
 done
 setting 2 "output.probes must be a list of numbers, [1, 2.5], not 3" output.probes=3
 setting 2 "output.probes must be a list of numbers, each a number; one of them is" 'output.probes=[1, "a"]'
-for bad in nan inf 1e301 '[1]' true; do
+setting 2 "each a number of size 1e+300 at most; one of them is 1e+301" 'output.probes=[1e301]'
+for bad in nan inf '[1]' true; do
     setting 2 "output.probes must be a list of numbers, each a number; one of them is" "output.probes=[$bad]"
 done
 for bad in 0.4 500.6 -3 1e+300; do
@@ -117,6 +125,16 @@ source_of 2 "initial.file is missing" initial.shape=csv
 source_of 2 "initial.centre has no meaning for a csv" initial.shape=csv initial.file=a.csv initial.centre=3
 source_of 5 "$scratch/nowhere.csv: No such file" initial.shape=csv initial.file=nowhere.csv
 source_of 5 "Is a directory" initial.shape=csv initial.file=.
+# A byte order mark is skipped; entries that no column is of are not.
+printf '\xef\xbb\xbftime,force\r\n0,0\r\n1,2\r\n' >"$scratch/marked.csv"
+csv=(force.history=csv force.centre=250)
+try run "$sourceless" "${short[@]}" --set force.history=csv --set force.file=marked.csv \
+    --set force.centre=250
+expect_exit 0
+expect_no_stderr
+rm -r results
+printf 'time,force\n0,0\n1,2,3\n' >"$scratch/longer.csv"
+source_of 2 "longer.csv:3: the row has 3 entries, the header 2" "${csv[@]}" force.file=longer.csv
 source_of 2 "force.history is missing" force.centre=9
 source_of 2 "force.centre is missing" force.history=sine
 force=(force.centre=9 force.amplitude=1)
@@ -143,12 +161,30 @@ refuses 3 "C(1) = 0" "$scene" --set model.horizon=1 --set model.G=1 --set bounda
 refuses 5 "No such file" nowhere.toml
 refuses 5 "Is a directory" /
 refuses 2 "SCENE is required"
+refuses 2 "SCENE: must not be empty" ""
+refuses 2 "--out: must not be empty" "$scene" --out ""
+try frob
+expect_exit 2
+expect_stderr "there is no subcommand or option 'frob'; the subcommands are run, verify, chart and advise"
+for command in run verify chart advise; do
+    try $command --help
+    expect "$command --help: exit codes" grep -q '130 stopped by Ctrl-C' "$scratch/stdout"
+done
 
 # Keys that do not count for the kind beside them.
 layer=(--set boundary.layer=20)
 idle() { refuses 2 "$1" "$scene" "${@:2}"; }
 idle 'boundary.layer does not count for kind "fixed", which has no keys of its own' \
     --set boundary.kind=fixed "${layer[@]}"
+# .. or, where none is given, for the default one.
+for key in boundary.layer boundary.left.layer; do
+    idle "$key does not count for kind \"nmbc\", whose keys are order, stride" --set $key=5
+done
+sed 's/^\[boundary\].*/&\nlayer = 50/' "$scene" >"$scratch/default.toml"
+refuses 2 'default.toml:25: boundary.layer does not count for kind "nmbc"' "$scratch/default.toml"
+try run "$scratch/default.toml" "${short[@]}" --set boundary.left.kind=sponge --set boundary.right.kind=free
+expect_exit 0
+rm -r results
 idle 'boundary.right.stride does not count for kind "higdon", whose keys are order' \
     --set boundary.right.kind=higdon --set boundary.right.stride=2
 idle 'boundary.target does not count for kind "nmbc", whose keys are order, stride' \

@@ -40,6 +40,10 @@ expect_stderr "no table for family nopd1d, horizon 1, order 2, stride 1, matched
 try run "$automatic" "${matched[@]}" --set boundary.ghosts='"explicit"'
 expect_exit 2
 expect_stderr "a boundary that is matched in time steps needs midpoint ghosts"
+try run "$automatic" --set boundary.order=1 --set boundary.matched_step=3/2
+expect_exit 2
+expect_stderr "NMBC1 is the same in time steps of any length: leave out boundary.matched_step"
+expect "no command that nmbcgen would refuse" test "$(grep -c nmbcgen "$scratch/stderr")" -eq 0
 # n = 2, N = 3, s = 2: steps of 1 dX/c are cfl 0.625 at G = 2, more than is certified.
 long_step=(--set model.horizon=2 --set model.G=2 --set boundary.order=3 --set boundary.stride=2
     --set boundary.matched_step=1 --set time.end=4)
@@ -93,5 +97,17 @@ expect "a twentieth of its time" grep -qF ': a twentieth of incoming.width / c' 
 try run "$scratch/stepless.toml" "${wave[@]}" --set incoming.shape=packet --set incoming.width=100 \
     --set incoming.wave_number=1
 expect "a twentieth of its period" grep -qF ': a twentieth of the period of incoming.wave_number' "$scratch/stdout"
+# A history from a file does not limit them: what is between two steps is missed, and that is said.
+printf 'time,force\n0,0\n1,2\n1.001,0\n' >"$scratch/history.csv"
+history=(--set force.history=csv --set force.file=history.csv --set force.centre=250 --set time.end=4)
+for command in run verify; do
+    try "$command" "$sourceless" "${history[@]}" --tolerance 1 --quiet
+    expect_exit 0
+    expect_stderr "history.csv has rows 0.001 apart, less than a time step of 0."
+    expect_stderr "give time.step = 0.001 or less"
+done
+try run "$sourceless" "${history[@]}" --set time.step=0.001 --quiet
+expect_exit 0
+expect_no_stderr
 
 finish

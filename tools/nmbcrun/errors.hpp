@@ -11,6 +11,11 @@ struct SceneError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A comparison did not hold: nothing meets a tolerance (1); what() has lines of its own.
+struct NotMet : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// The ends are not stable together, no time step is certified for them, or the run became
 /// non-finite, grew without a cause or had no energy at all (4); what() says how, or at which step
 /// and node.

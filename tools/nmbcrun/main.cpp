@@ -38,9 +38,41 @@ struct Arguments {
     bool resume = false;
 };
 
+/// Read while a signal still ends the program: a pipe that nobody writes into is waited for.
 nmbcrun::Scene scene_of(const Arguments& arguments) {
-    return nmbcrun::read_scene(arguments.scene, nmbcrun::split_settings(arguments.settings));
+    nmbcrun::Scene scene =
+        nmbcrun::read_scene(arguments.scene, nmbcrun::split_settings(arguments.settings));
+    nmbcrun::note_interrupts();
+    return scene;
 }
+
+void stop_where_interrupted() {
+    if (nmbcrun::interrupted()) {
+        throw nmbcrun::Interrupted("stopped; nothing was advised");
+    }
+}
+
+constexpr const char* exit_codes =
+    "Exit codes: 0 done; 1 verify: the error is above the tolerance, advise and run --tolerance:\n"
+    "nothing meets it; 2 wrong arguments or scene; 3 there is no such boundary condition;\n"
+    "4 the ends are not stable together, or the run became non-finite or had no energy;\n"
+    "5 a file could not be read or written; 130 stopped by Ctrl-C or SIGTERM.";
+
+/// What CLI11 says, but of what is no subcommand: that alone, and not that one is required.
+std::string problem_of(const CLI::ParseError& error, const CLI::App& app) {
+    const auto unknown = app.remaining();
+    if (!app.get_subcommands().empty() || unknown.empty()) {
+        return error.what();
+    }
+    return "there is no subcommand or option '" + unknown.front() +
+           "'; the subcommands are run, verify, chart and advise";
+}
+
+const CLI::Validator not_empty(
+    [](const std::string& text) {
+        return text.empty() ? std::string("must not be empty") : std::string();
+    },
+    "", "not_empty");
 
 /// The exit code of a command, errors told.
 template <class Command>
@@ -59,6 +91,9 @@ int exit_code_of(Command command) {
         return failed(error, bad_input);
     } catch (const std::invalid_argument& error) {
         return failed(error, bad_input);
+    } catch (const nmbcrun::NotMet& error) {
+        std::cerr << "nmbcrun: " << nmbcrun::printable_lines(error.what()) << "\n";
+        return does_not_hold;
     } catch (const nmbc::CoefficientError& error) {
         return failed(error, no_such_boundary);
     } catch (const nmbcrun::Unstable& error) {
@@ -81,10 +116,12 @@ int main(int argc, char** argv) {
     CLI::App app("nmbcrun: runs scenes with nonlocal matching boundary conditions.", "nmbcrun");
     app.set_version_flag("--version", "nmbcrun " NMBC_VERSION);
     app.require_subcommand(1);
+    app.footer(exit_codes);  // of the subcommands, too, which are added below
     const auto add_command = [&](const std::string& name, const std::string& description) {
         auto* const command = app.add_subcommand(name, description);
         command->add_option("SCENE", arguments.scene, "scene file (TOML, docs/scenes.md)")
-            ->required();
+            ->required()
+            ->check(not_empty);
         command
             ->add_option("--set", arguments.settings,
                          "KEY=VALUE, e.g. boundary.order=2: overrides the scene; may be repeated")
@@ -94,7 +131,8 @@ int main(int argc, char** argv) {
         return command;
     };
     auto* const run = add_command("run", "run a scene and report its energies");
-    run->add_option("--out", arguments.folder, "folder for the results (default results)");
+    run->add_option("--out", arguments.folder, "folder for the results (default results)")
+        ->check(not_empty);
     auto* const resume = run->add_flag("--resume", arguments.resume,
                                        "go on from the checkpoint of a run that was stopped");
     run->add_option("--tolerance", arguments.tolerance,
@@ -109,15 +147,10 @@ int main(int argc, char** argv) {
                      "largest max |u - u_ref| / max |u_ref| that is right")
         ->required()
         ->check(tools::number_between(1e-16, 1e16));
-    app.footer(
-        "Exit codes: 0 done; 1 verify: the error is above the tolerance; 2 wrong arguments or "
-        "scene;\n"
-        "3 there is no such boundary condition;\n"
-        "4 the ends are not stable together, or the run became non-finite or had no energy;\n"
-        "5 a file could not be read or written.");
     auto* const chart = add_command(
         "chart", "cost and error of every boundary there is for a scene (docs/chart.md)");
-    chart->add_option("--out", arguments.folder, "folder for the results (default results)");
+    chart->add_option("--out", arguments.folder, "folder for the results (default results)")
+        ->check(not_empty);
     chart
         ->add_option("--endurance", arguments.endurance,
                      "steps of the run that each boundary is followed through (default 1000000)")
@@ -133,15 +166,15 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& help) {
         return app.exit(help, std::cout, std::cerr);
     } catch (const CLI::ParseError& error) {
-        std::cerr << "nmbcrun: " << nmbcrun::printable(error.what()) << "\nSee nmbcrun --help.\n";
+        std::cerr << "nmbcrun: " << nmbcrun::printable(problem_of(error, app))
+                  << "\nSee nmbcrun --help.\n";
         return bad_input;
     }
-    nmbcrun::note_interrupts();
     if (run->parsed()) {
         return exit_code_of([&] {
             nmbcrun::Scene scene = scene_of(arguments);
             if (arguments.tolerance > 0) {
-                scene = nmbcrun::as_advised(scene, arguments.tolerance);
+                scene = nmbcrun::as_advised(scene, arguments.tolerance, stop_where_interrupted);
             }
             nmbcrun::run(scene, {arguments.folder, arguments.quiet, arguments.resume});
             return done;
@@ -149,7 +182,8 @@ int main(int argc, char** argv) {
     }
     if (advise->parsed()) {
         return exit_code_of([&] {
-            nmbcrun::advise(scene_of(arguments), arguments.tolerance, arguments.quiet);
+            nmbcrun::advise(scene_of(arguments), arguments.tolerance, arguments.quiet,
+                            stop_where_interrupted);
             return done;
         });
     }

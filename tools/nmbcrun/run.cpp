@@ -14,6 +14,7 @@
 #include "tools/nmbcrun/output/progress.hpp"
 #include "tools/nmbcrun/output/recorder.hpp"
 #include "tools/nmbcrun/report.hpp"
+#include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 
 namespace nmbcrun {
@@ -268,6 +269,9 @@ void run(const Scene& scene, const RunOptions& options) {
     Run run(scene, options);
     if (!run.simulation().plan().objection.empty()) {
         fmt::print(stderr, "nmbcrun: warning: {}\n", run.simulation().plan().objection);
+    }
+    if (!run.simulation().warning().empty()) {
+        fmt::print(stderr, "nmbcrun: warning: {}\n", printable(run.simulation().warning()));
     }
     if (!options.quiet) {
         print_heading(run.simulation());

@@ -14,6 +14,7 @@
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 
@@ -109,6 +110,9 @@ void print_reflections(const Simulation& simulation, const nmbc::Chain& endless)
 bool verify(const Scene& scene, double tolerance, bool quiet) {
     Simulation simulation(scene);
     Simulation reference(endless(scene, simulation.plan().time_step));
+    if (!simulation.warning().empty()) {
+        fmt::print(stderr, "nmbcrun: warning: {}\n", printable(simulation.warning()));
+    }
     if (!quiet) {
         fmt::print("scene      {}\n", scene.title);
         fmt::print("ends       {}; {}\n", heading_of(scene.left), heading_of(scene.right));

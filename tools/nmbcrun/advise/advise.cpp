@@ -48,14 +48,15 @@ std::string settings_of(const Scene& scene, const Candidate& candidate) {
     return settings + fmt::format(" --set time.cfl={:.4g}", candidate.cfl);
 }
 
-void measure_costs(const Scene& scene, std::vector<Candidate>& candidates) {
+void measure_costs(const Scene& scene, std::vector<Candidate>& candidates, const Pause& pause) {
     std::vector<Scene> scenes;
     scenes.reserve(candidates.size());
     for (const Candidate& candidate : candidates) {
         scenes.push_back(advised(scene, candidate));
         scenes.back().step = candidate.time_step;
     }
-    const auto costs = relative_costs(scenes, [] {});
+    const auto costs = relative_costs(
+        scenes, [] {}, pause);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         candidates[i].cost = costs[i].of_run(candidates[i].steps);
     }
@@ -161,26 +162,26 @@ const char* what_counts(const Scene& scene) {
 
 }  // namespace
 
-Advice advice_for(const Scene& scene, double tolerance) {
-    Candidates candidates = find_candidates(scene, tolerance);
+Advice advice_for(const Scene& scene, double tolerance, const Pause& pause) {
+    Candidates candidates = find_candidates(scene, tolerance, pause);
     if (candidates.meet.empty()) {
         std::string reasons;
         for (const LeftOut& one : candidates.left_out) {
             reasons += fmt::format("\n  {}: {}", one.name, one.reason);
         }
-        throw SceneError(fmt::format("nothing meets the tolerance {:g}:{}", tolerance, reasons));
+        throw NotMet(fmt::format("nothing meets the tolerance {:g}:{}", tolerance, reasons));
     }
     if (has_open_lattice(scene)) {
         candidates.meet = worth_measuring(std::move(candidates.meet));
     }
-    measure_costs(scene, candidates.meet);
+    measure_costs(scene, candidates.meet, pause);
     rank(candidates.meet);
     add_dearer_horizons(candidates.meet, candidates.left_out);
     return {std::move(candidates.meet), std::move(candidates.left_out)};
 }
 
-Scene as_advised(const Scene& scene, double tolerance) {
-    const Candidate best = advice_for(scene, tolerance).ranked.front();
+Scene as_advised(const Scene& scene, double tolerance, const Pause& pause) {
+    const Candidate best = advice_for(scene, tolerance, pause).ranked.front();
     const std::string settings = settings_of(scene, best);
     fmt::print("advice     {}\n", settings);
     Scene result = advised(scene, best);
@@ -188,8 +189,8 @@ Scene as_advised(const Scene& scene, double tolerance) {
     return result;
 }
 
-void advise(const Scene& scene, double tolerance, bool quiet) {
-    const Advice advice = advice_for(scene, tolerance);
+void advise(const Scene& scene, double tolerance, bool quiet, const Pause& pause) {
+    const Advice advice = advice_for(scene, tolerance, pause);
     const Candidate& best = advice.ranked.front();
     if (!quiet) {
         fmt::print("scene      {}\n", scene.title);

@@ -42,11 +42,12 @@ bool is_too_long(const Scene& scene) {
 }
 
 /// least_work: of the candidates so far, but those whose ends cost as much as an interior.
-OfHorizon candidates_of(const Scene& scene, int horizon, double tolerance, double& least_work) {
+OfHorizon candidates_of(const Scene& scene, int horizon, double tolerance, double& least_work,
+                        const Pause& pause) {
     constexpr double far_dearer = 4;  // twice as much is told from as much by measuring it
     const Scene of_horizon = with_lattice(scene, horizon, scene.G);
-    const auto stabilisations =
-        scene.auto_G ? stabilisations_to_try(of_horizon) : std::vector{Stabilisation{scene.G, 0}};
+    const auto stabilisations = scene.auto_G ? stabilisations_to_try(of_horizon, pause)
+                                             : std::vector{Stabilisation{scene.G, 0}};
     OfHorizon result;
     bool interior_meets = false;
     double least_error = std::numeric_limits<double>::infinity();
@@ -57,7 +58,7 @@ OfHorizon candidates_of(const Scene& scene, int horizon, double tolerance, doubl
             continue;
         }
         Search search(
-            settled, tolerance, Reference::continuum,
+            settled, tolerance, Reference::continuum, pause,
             {.favoured_cfl = cfl, .most_steps = far_dearer * least_work / (4 * horizon + 1)});
         for (Candidate& one : search.all().meet) {
             if (one.boundary.kind == BoundaryKind::nmbc ||
@@ -86,7 +87,7 @@ OfHorizon candidates_of(const Scene& scene, int horizon, double tolerance, doubl
     return result;
 }
 
-Candidates open_lattice_candidates(const Scene& scene, double tolerance) {
+Candidates open_lattice_candidates(const Scene& scene, double tolerance, const Pause& pause) {
     Candidates result;
     double least_work = std::numeric_limits<double>::infinity();
     const std::vector<int> horizons =
@@ -95,7 +96,7 @@ Candidates open_lattice_candidates(const Scene& scene, double tolerance) {
         lattice_of(with_lattice(scene, scene.horizon, 0));  // throws: says what there is
     }
     for (const int horizon : horizons) {
-        OfHorizon found = candidates_of(scene, horizon, tolerance, least_work);
+        OfHorizon found = candidates_of(scene, horizon, tolerance, least_work, pause);
         if (found.meet.empty()) {
             result.left_out.push_back({fmt::format("horizon {}", horizon), found.why_none});
         }
@@ -118,10 +119,10 @@ Scene with_lattice(Scene scene, int horizon, double G) {
     return scene;
 }
 
-Candidates find_candidates(const Scene& scene, double tolerance) {
+Candidates find_candidates(const Scene& scene, double tolerance, const Pause& pause) {
     Candidates result = has_open_lattice(scene)
-                            ? open_lattice_candidates(scene, tolerance)
-                            : Search(scene, tolerance, Reference::lattice).all();
+                            ? open_lattice_candidates(scene, tolerance, pause)
+                            : Search(scene, tolerance, Reference::lattice, pause).all();
     result.left_out.push_back(layers);
     result.left_out.push_back(without_certificate);
     return result;

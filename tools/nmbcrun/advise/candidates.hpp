@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/nmbcrun/advise/pause.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
@@ -49,6 +50,6 @@ Scene with_lattice(Scene scene, int horizon, double G);
 /// it meets the tolerance; a scene's own time.step or time.cfl is kept. Its own boundaries do not
 /// count. Where horizon or G is "auto": those of every horizon of its family that there is, at some
 /// G; what is left out is told by horizon then. Throws as Simulation does.
-Candidates find_candidates(const Scene& scene, double tolerance);
+Candidates find_candidates(const Scene& scene, double tolerance, const Pause& pause);
 
 }  // namespace nmbcrun

@@ -30,7 +30,7 @@ class Superposition {
 
     void add_initial();
     void add_drive();
-    void add_force();
+    void add_force(const Pause& pause);
     void add_incoming();
     const ContinuumWaves& waves() const { return waves_; }
 
@@ -126,7 +126,7 @@ void Superposition::add_drive() {
     add_state(u, v, outgoing_.duration - let_go);
 }
 
-void Superposition::add_force() {
+void Superposition::add_force(const Pause& pause) {
     const Forcing forcing(scene_, outgoing_.time_step * unit_);
     const auto nodes = nodes_within(scene_, scene_.force->centre, scene_.force->half_width);
     const auto place = amplitudes([&](double node) {
@@ -144,6 +144,7 @@ void Superposition::add_force() {
                         unit_ * unit_);
     }
     for (std::size_t band = 0; band < place.size(); ++band) {
+        pause();
         const double xi = grid_.wave_number(band);
         const Complex turn = std::polar(1.0, xi * step);
         Complex sum = 0;
@@ -170,7 +171,7 @@ void Superposition::add_incoming() {
 
 }  // namespace
 
-ContinuumWaves continuum_waves(const Scene& scene, const Outgoing& outgoing) {
+ContinuumWaves continuum_waves(const Scene& scene, const Outgoing& outgoing, const Pause& pause) {
     Superposition sum(scene, outgoing);
     if (scene.initial) {
         sum.add_initial();
@@ -179,7 +180,7 @@ ContinuumWaves continuum_waves(const Scene& scene, const Outgoing& outgoing) {
         sum.add_drive();
     }
     if (scene.force) {
-        sum.add_force();
+        sum.add_force(pause);
     }
     if (scene.incoming) {
         sum.add_incoming();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/nmbcrun/advise/outgoing.hpp"
+#include "tools/nmbcrun/advise/pause.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
@@ -20,6 +21,6 @@ struct ContinuumWaves {
 /// The waves under way at outgoing.duration, at its wave numbers. Sources have the values that the
 /// scene gives its nodes, and nothing between the nodes that these do not resolve; the nodes
 /// between the outermost of a drive move as it prescribes, and waves go out from these two.
-ContinuumWaves continuum_waves(const Scene& scene, const Outgoing& outgoing);
+ContinuumWaves continuum_waves(const Scene& scene, const Outgoing& outgoing, const Pause& pause);
 
 }  // namespace nmbcrun

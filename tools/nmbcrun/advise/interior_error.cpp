@@ -36,8 +36,9 @@ class Moving {
 }  // namespace
 
 InteriorError::InteriorError(const Scene& scene, EndlessScene& endless, const Outgoing& outgoing,
-                             Reference reference)
+                             Reference reference, const Pause& pause)
     : endless_(endless),
+      pause_(pause),
       nodes_(scene.nodes),
       duration_(outgoing.duration),
       largest_(outgoing.largest),
@@ -49,7 +50,7 @@ InteriorError::InteriorError(const Scene& scene, EndlessScene& endless, const Ou
         }
         return;
     }
-    const ContinuumWaves waves = continuum_waves(scene, outgoing);
+    const ContinuumWaves waves = continuum_waves(scene, outgoing, pause);
     for (std::size_t band = 0; band < outgoing.bands.size(); ++band) {
         reference_.push_back(
             {outgoing.bands[band].xi, waves.forwards[band], waves.backwards[band]});
@@ -76,6 +77,7 @@ double InteriorError::at(double cfl, double enough) {
     double error = 0;
     std::vector<Complex> differences(reference_.size());
     for (int i = times; i > 0 && error <= enough; --i) {
+        pause_();
         for (std::size_t band = 0; band < differences.size(); ++band) {
             differences[band] = own[band].amplitude() - right[band].amplitude();
             own[band].turn_back();

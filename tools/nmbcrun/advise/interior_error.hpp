@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/nmbcrun/advise/outgoing.hpp"
+#include "tools/nmbcrun/advise/pause.hpp"
 #include "tools/nmbcrun/advise/wave_grid.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
@@ -22,9 +23,9 @@ enum class Reference {
 class InteriorError {
   public:
     /// outgoing: of the scene in steps so short that their waves are the reference's own, where
-    /// that is the lattice. `scene` and `endless` live as long as this.
+    /// that is the lattice. `endless` and `pause` live as long as this.
     InteriorError(const Scene& scene, EndlessScene& endless, const Outgoing& outgoing,
-                  Reference reference);
+                  Reference reference, const Pause& pause);
 
     /// In steps of this cfl. Where it is more than `enough`, any time's error above that, the end's
     /// to begin with. Throws as Simulation does.
@@ -38,6 +39,7 @@ class InteriorError {
     };
 
     EndlessScene& endless_;
+    const Pause& pause_;
     std::size_t nodes_;
     double duration_;  // after which the reference is
     double largest_;

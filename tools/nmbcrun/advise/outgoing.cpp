@@ -101,8 +101,9 @@ double fastest_speed(const Outgoing& outgoing) {
     return fastest;
 }
 
-EndlessScene::EndlessScene(const Scene& scene)
+EndlessScene::EndlessScene(const Scene& scene, const Pause& pause)
     : scene_(between_layers(scene)),
+      pause_(pause),
       incoming_(scene.incoming),
       unit_(scene.spacing / std::sqrt(scene.youngs_modulus / scene.density)),
       omega_max_(nmbc::maximum_frequency(lattice_of(scene))),
@@ -128,6 +129,7 @@ Outgoing EndlessScene::outgoing(double cfl) {
     const nmbc::Chain& chain = simulation.chain();
     Outgoing result{.bands = at_rest_, .nodes = chain.nodes(), .time_step = *scene.step / unit_};
     do {
+        pause_();
         simulation.step();
         for (const double u : interior(chain)) {
             result.largest = std::max(result.largest, std::abs(u));

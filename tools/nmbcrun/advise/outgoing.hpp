@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "tools/nmbcrun/advise/pause.hpp"
 #include "tools/nmbcrun/advise/wave_grid.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
@@ -42,8 +43,9 @@ struct Outgoing {
 /// waves it is made of (docs/scenes.md).
 class EndlessScene {
   public:
-    /// The scene's own step and cfl do not count. Throws as Simulation does.
-    explicit EndlessScene(const Scene& scene);
+    /// The scene's own step and cfl do not count. `pause` lives as long as this. Throws as
+    /// Simulation does.
+    EndlessScene(const Scene& scene, const Pause& pause);
 
     /// Steps it in steps of this cfl until its sources have ended, and the middle of what comes in
     /// has arrived. `largest` is that of these steps
@@ -55,6 +57,7 @@ class EndlessScene {
     void add_incoming(Outgoing& outgoing);
 
     Scene scene_;  // between layers that nothing returns from
+    const Pause& pause_;
     std::optional<Incoming> incoming_;
     double unit_;  // dX/c
     double omega_max_;

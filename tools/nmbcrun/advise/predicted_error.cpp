@@ -107,7 +107,8 @@ struct Span {
 
 /// max over these times of |Re sum amplitude exp(-i omega' t)|, omega' in time steps: of the first
 /// 4000 times, ten in the shortest period, between two of which a crest rises by 5 %.
-double largest_sum(std::vector<Arrival> waves, const Span& span, double time_step) {
+double largest_sum(std::vector<Arrival> waves, const Span& span, double time_step,
+                   const Pause& pause) {
     double highest = 0;
     for (const Arrival& wave : waves) {
         highest = std::max(highest, frequency_in_steps(wave.band->omega, time_step));
@@ -127,6 +128,7 @@ double largest_sum(std::vector<Arrival> waves, const Span& span, double time_ste
     double largest = 0;
     const double last = std::min(span.last, span.first + most_times * between);
     for (double time = span.first; time <= last; time += between) {
+        pause();
         double sum = 0;
         for (std::size_t i = 0; i < waves.size(); ++i) {
             sum += waves[i].amplitude.real();
@@ -145,9 +147,11 @@ Span span_of(const Outgoing& outgoing, nmbc::End end) {
 
 }  // namespace
 
-ReflectionError::ReflectionError(const Scene& scene, const Outgoing& outgoing, double negligible)
+ReflectionError::ReflectionError(const Scene& scene, const Outgoing& outgoing, double negligible,
+                                 const Pause& pause)
     : scene_(scene),
       outgoing_(outgoing),
+      pause_(pause),
       left_(arrivals(outgoing, nmbc::End::left, scene.nodes, negligible * outgoing.largest)),
       right_(arrivals(outgoing, nmbc::End::right, scene.nodes, negligible * outgoing.largest)) {}
 
@@ -176,6 +180,7 @@ double ReflectionError::of(const Boundary& boundary, double time_step) {
         std::vector<AtDepths> sent_back_at;
         sent_back_at.reserve(waves.size());
         for (const Arrival& wave : waves) {
+            pause_();
             const double omega = wave.band->omega;
             const auto sent =
                 sent_back(end.is_damped() ? nmbcgen::reflection(end, omega)
@@ -193,8 +198,8 @@ double ReflectionError::of(const Boundary& boundary, double time_step) {
             for (std::size_t i = 0; i < waves.size(); ++i) {
                 returned[i].amplitude *= std::conj(sent_back_at[i][depth]);
             }
-            largest = std::max(
-                largest, largest_sum(std::move(returned), span_of(outgoing_, side), time_step));
+            largest = std::max(largest, largest_sum(std::move(returned), span_of(outgoing_, side),
+                                                    time_step, pause_));
         }
         return later + largest;
     };
@@ -207,7 +212,7 @@ double ReflectionError::of_fixed_ends(double time_step) const {
         for (const Arrival& wave : waves) {
             later += std::abs(wave.amplitude) * wave.more_trips;
         }
-        return later + largest_sum(waves, span_of(outgoing_, side), time_step);
+        return later + largest_sum(waves, span_of(outgoing_, side), time_step, pause_);
     };
     return of_both(error_of(left_, nmbc::End::left), error_of(right_, nmbc::End::right));
 }

@@ -10,6 +10,7 @@
 #include "generator/stability/half_space.hpp"
 #include "generator/stability/modes.hpp"
 #include "tools/nmbcrun/advise/outgoing.hpp"
+#include "tools/nmbcrun/advise/pause.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
@@ -27,8 +28,10 @@ struct Arrival {
 /// bound of what comes back again, the sum of |amplitude| times a product of reflections.
 class ReflectionError {
   public:
-    /// Both live as long as this. What adds up to less than `negligible` of max |u| is left out.
-    ReflectionError(const Scene& scene, const Outgoing& outgoing, double negligible);
+    /// All three live as long as this. What adds up to less than `negligible` of max |u| is left
+    /// out.
+    ReflectionError(const Scene& scene, const Outgoing& outgoing, double negligible,
+                    const Pause& pause);
 
     /// Of an nmbc at both ends, in steps of time_step [dX/c].
     double of(const Boundary& boundary, double time_step);
@@ -42,6 +45,7 @@ class ReflectionError {
 
     const Scene& scene_;
     const Outgoing& outgoing_;
+    const Pause& pause_;
     std::vector<Arrival> left_;
     std::vector<Arrival> right_;
     std::map<const nmbc::MatchingTable*, nmbcgen::HalfSpace> half_spaces_;

@@ -33,7 +33,8 @@ double unit_of(const Scene& scene) {
 
 }  // namespace
 
-Search::Search(const Scene& scene, double tolerance, Reference reference, const Scope& scope)
+Search::Search(const Scene& scene, double tolerance, Reference reference, const Pause& pause,
+               const Scope& scope)
     : scene_(scene),
       tolerance_(tolerance),
       reference_(reference),
@@ -41,10 +42,10 @@ Search::Search(const Scene& scene, double tolerance, Reference reference, const 
       lattice_(lattice_of(scene)),
       omega_max_(nmbc::maximum_frequency(lattice_)),
       unit_(unit_of(scene)),
-      endless_(scene),
+      endless_(scene, pause),
       outgoing_(probing_waves()),
-      reflection_error_(scene, outgoing_, negligible * tolerance),
-      interior_error_(scene, endless_, outgoing_, reference) {}
+      reflection_error_(scene, outgoing_, negligible * tolerance, pause),
+      interior_error_(scene, endless_, outgoing_, reference, pause) {}
 
 std::optional<double> Search::given_cfl() const {
     return scene_.step ? *scene_.step / unit_ * omega_max_ / 2 : scene_.cfl;

@@ -25,7 +25,8 @@ class Search {
   public:
     /// The scene's lattice is settled. Throws as Simulation does, and SceneError where nothing
     /// moves.
-    Search(const Scene& scene, double tolerance, Reference reference, const Scope& scope = {});
+    Search(const Scene& scene, double tolerance, Reference reference, const Pause& pause,
+           const Scope& scope = {});
 
     Search(const Search&) = delete;
     Search& operator=(const Search&) = delete;

@@ -35,10 +35,10 @@ struct Weight {
 };
 
 /// Of the wave equation's waves: |amplitude|^2, but for what is too small to count.
-std::vector<Weight> spectrum_of(const Scene& scene) {
+std::vector<Weight> spectrum_of(const Scene& scene, const Pause& pause) {
     constexpr double cfl = 0.2;
-    const Outgoing outgoing = EndlessScene(scene).outgoing(cfl);
-    const ContinuumWaves waves = continuum_waves(scene, outgoing);
+    const Outgoing outgoing = EndlessScene(scene, pause).outgoing(cfl);
+    const ContinuumWaves waves = continuum_waves(scene, outgoing, pause);
     std::vector<Weight> weights;
     weights.reserve(outgoing.bands.size());
     double largest = 0;
@@ -86,14 +86,15 @@ double to_four_digits(double value) {
 class Fit {
   public:
     /// Among G from 0 to the highest. The scene's horizon is settled.
-    Fit(const Scene& scene, std::vector<Weight> spectrum, double highest)
-        : scene_(scene), spectrum_(std::move(spectrum)), highest_(highest) {}
+    Fit(const Scene& scene, std::vector<Weight> spectrum, double highest, const Pause& pause)
+        : scene_(scene), spectrum_(std::move(spectrum)), highest_(highest), pause_(pause) {}
 
     /// The G at which the waves are least off, in steps of time_step_of(omega_max) [dX/c].
     template <class TimeStepOf>
     double best_G(TimeStepOf time_step_of) {
         return to_four_digits(minimum(
             [&](double G) {
+                pause_();
                 const Band& band = band_of(G);
                 return misfit(band, time_step_of(band.omega_max));
             },
@@ -134,6 +135,7 @@ class Fit {
     const Scene& scene_;
     std::vector<Weight> spectrum_;
     double highest_;
+    const Pause& pause_;
     std::map<double, Band> bands_;  // by G
 };
 
@@ -173,14 +175,14 @@ std::map<double, double> best_in_steps(const Scene& scene, Fit& fit) {
 
 }  // namespace
 
-std::vector<Stabilisation> stabilisations_to_try(const Scene& scene) {
+std::vector<Stabilisation> stabilisations_to_try(const Scene& scene, const Pause& pause) {
     const double base = best_of_long_waves(scene.horizon);
     const nmbc::MatchingTable& any =
         table_of(with_lattice(scene, scene.horizon, 0), {.kind = BoundaryKind::fixed});
     if (!is_stabilised(nmbc::make_lattice(any, base))) {
         return {{}};
     }
-    Fit fit(scene, spectrum_of(with_lattice(scene, scene.horizon, base)), 2 * base);
+    Fit fit(scene, spectrum_of(with_lattice(scene, scene.horizon, base), pause), 2 * base, pause);
     std::map<double, double> cfls;  // by G
     if (scene.step || scene.cfl) {
         const double unit = scene.spacing / std::sqrt(scene.youngs_modulus / scene.density);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "tools/nmbcrun/advise/pause.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
@@ -19,6 +20,6 @@ struct Stabilisation {
 /// cfl = 0.99, and in the longest that a table is certified for at just that G. To four digits, by
 /// ascending G. Where the family has no stabilisation, 0 alone. The scene's horizon is settled, its
 /// G does not count. Throws as Simulation does.
-std::vector<Stabilisation> stabilisations_to_try(const Scene& scene);
+std::vector<Stabilisation> stabilisations_to_try(const Scene& scene, const Pause& pause);
 
 }  // namespace nmbcrun

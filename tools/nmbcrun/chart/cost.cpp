@@ -36,11 +36,15 @@ double seconds_of_this_thread() {
 }
 
 /// For each step of a run that begins here.
-double seconds_per_step(nmbc::Chain& chain, std::size_t steps) {
+double seconds_per_step(nmbc::Chain& chain, std::size_t steps, const std::function<void()>& pause) {
     fill(chain);
     const double start = seconds_of_this_thread();
+    constexpr std::size_t between = 100;  // pauses: a hundredth of a call for each step
     for (std::size_t step = 0; step < steps; ++step) {
         chain.step();
+        if (step % between == between - 1) {
+            pause();
+        }
     }
     return (seconds_of_this_thread() - start) / double(steps);
 }
@@ -58,7 +62,8 @@ nmbc::Chain chain_of(const Scene& scene) {
 constexpr double enough = 0.5;  // [s]: what takes long needs fewer rounds
 
 /// A chain of the scene, and what its ends take to be made.
-std::pair<nmbc::Chain, double> made(const Scene& scene, nmbc::Chain& bare, std::size_t burst) {
+std::pair<nmbc::Chain, double> made(const Scene& scene, nmbc::Chain& bare, std::size_t burst,
+                                    const std::function<void()>& pause) {
     constexpr std::size_t rounds = 51;
     std::vector<double> ratios;
     double spent = 0;
@@ -68,7 +73,8 @@ std::pair<nmbc::Chain, double> made(const Scene& scene, nmbc::Chain& bare, std::
         const double middle = seconds_of_this_thread();
         nmbc::Chain with = chain_of(scene);
         const double end = seconds_of_this_thread();
-        ratios.push_back((end - middle - (middle - start)) / seconds_per_step(bare, burst));
+        ratios.push_back((end - middle - (middle - start)) / seconds_per_step(bare, burst, pause));
+        pause();
         spent += end - middle;
         if (ratios.size() == rounds || spent > enough) {
             return {std::move(with), median(ratios)};
@@ -79,7 +85,8 @@ std::pair<nmbc::Chain, double> made(const Scene& scene, nmbc::Chain& bare, std::
 }  // namespace
 
 std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
-                                         const std::function<void()>& after_round) {
+                                         const std::function<void()>& after_round,
+                                         const std::function<void()>& pause) {
     // A twentieth of a millisecond or so: mostly undisturbed where other programs run, too. Too few
     // for the field to fade, or to grow beyond all doubles.
     constexpr double node_steps = 5e4;
@@ -91,7 +98,7 @@ std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
     costs.reserve(scenes.size());
     chains.reserve(scenes.size());
     for (const Scene& scene : scenes) {
-        auto [chain, cost] = made(scene, bare, burst);
+        auto [chain, cost] = made(scene, bare, burst, pause);
         chains.push_back(std::move(chain));
         costs.push_back({.construction = cost});
     }
@@ -107,9 +114,10 @@ std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
             if (spent[i] > enough) {
                 continue;
             }
-            const double before = seconds_per_step(bare, burst);
-            const double own = seconds_per_step(chains[i], steps_of(scenes[i]));
-            const double after = seconds_per_step(bare, burst);
+            pause();
+            const double before = seconds_per_step(bare, burst, pause);
+            const double own = seconds_per_step(chains[i], steps_of(scenes[i]), pause);
+            const double after = seconds_per_step(bare, burst, pause);
             ratios[i].push_back(2 * own / (before + after));
             spent[i] += own * double(steps_of(scenes[i]));
         }

@@ -21,9 +21,10 @@ struct RelativeCost {
 /// Of each of these scenes, which differ in their ends and steps alone, beside their interior
 /// between ends that do nothing. All take turns with the bare interior, and each figure is the
 /// median of such pairs. Each scene has its step, and the end of its run. after_round is called
-/// between two rounds of the steps.
-std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
-                                         const std::function<void()>& after_round);
+/// between two rounds of the steps, pause between two of each measurement: both may throw.
+std::vector<RelativeCost> relative_costs(
+    const std::vector<Scene>& scenes, const std::function<void()>& after_round,
+    const std::function<void()>& pause = [] {});
 
 inline constexpr std::size_t cost_rounds = 201;
 

@@ -11,4 +11,7 @@ namespace nmbcrun {
 /// terminal.
 std::string printable(std::string_view text);
 
+/// Likewise of a message in several lines, none of which a scene broke: line ends stay.
+std::string printable_lines(std::string_view text);
+
 }  // namespace nmbcrun

@@ -58,19 +58,23 @@ bool counts(std::string_view key, BoundaryKind kind) {
     return std::ranges::find(keys, key) != keys.end();
 }
 
-/// Fails for a key beside this group's own kind that counts neither for it nor for the other kinds,
-/// of ends that inherit the key. A file's keys may stay where an override changes the kind.
+/// Fails for a key of a group that counts neither for its kind nor for the other kinds, of ends
+/// that inherit the key. A file's keys may stay where an override changes one of these kinds.
 void refuse_idle_keys(SceneReader& reader, const std::string& group, BoundaryKind kind,
                       const std::vector<BoundaryKind>& others) {
-    const bool kind_is_overridden = reader.is_overridden(group + ".kind");
+    std::vector<std::string> of_kinds{"boundary.kind", group + ".kind"};
+    if (!others.empty()) {
+        of_kinds.insert(of_kinds.end(), {"boundary.left.kind", "boundary.right.kind"});
+    }
+    const bool kind_is_overridden = std::ranges::any_of(
+        of_kinds, [&](const std::string& key) { return reader.is_overridden(key); });
     for (const std::string_view name :
          {"order", "stride", "ghosts", "matched_step", "layer", "profile", "target"}) {
         const std::string key = fmt::format("{}.{}", group, name);
         const bool idle =
             !counts(name, kind) &&
             std::ranges::none_of(others, [&](BoundaryKind other) { return counts(name, other); });
-        if (idle && reader.has(group + ".kind") && reader.has(key) &&
-            (reader.is_overridden(key) || !kind_is_overridden)) {
+        if (idle && reader.has(key) && (reader.is_overridden(key) || !kind_is_overridden)) {
             const auto keys = keys_of(kind);
             reader.fail(key, fmt::format("does not count for kind \"{}\"{}{}", name_of(kind),
                                          keys.empty() ? ", which has no keys of its own"
@@ -140,6 +144,18 @@ int read_horizon(SceneReader& reader, const std::string& family) {
     const auto horizon = reader.whole_number("model.horizon", 1, 1000);
     return int(family == "chain1d" ? horizon.value_or(1)
                                    : reader.required("model.horizon", horizon));
+}
+
+/// Beyond these a time step is no double.
+void require_wave_speed(SceneReader& reader, const Scene& scene) {
+    constexpr double fastest = 1e150;
+    const double c = std::sqrt(scene.youngs_modulus / scene.density);
+    if (!(c >= 1 / fastest && c <= fastest)) {
+        reader.fail("material",
+                    fmt::format("makes the wave speed sqrt(youngs_modulus / density) {:g}; it must "
+                                "be from {:g} to {:g}",
+                                c, 1 / fastest, fastest));
+    }
 }
 
 /// The nodes nearest to the positions.
@@ -263,6 +279,7 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     scene.density = reader.number("material.density", positive).value_or(scene.density);
     scene.youngs_modulus =
         reader.number("material.youngs_modulus", positive).value_or(scene.youngs_modulus);
+    require_wave_speed(reader, scene);
     scene.nodes = std::size_t(
         reader.required("domain.nodes", reader.whole_number("domain.nodes", 1, most_nodes)));
     scene.spacing = reader.number("domain.spacing", positive).value_or(scene.spacing);

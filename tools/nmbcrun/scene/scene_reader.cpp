@@ -77,6 +77,13 @@ bool is_within(double value, const Bounds& bounds) {
            (value != bounds.lowest || bounds.lowest_allowed);
 }
 
+/// In words, for a value that is not within them.
+std::string allowed(const Bounds& bounds, const std::optional<double>& value) {
+    const bool too_large = value && std::isfinite(*value) && std::abs(*value) > largest_number;
+    return fmt::format("{}{}", bounds.words,
+                       too_large ? fmt::format(" of size {:g} at most", largest_number) : "");
+}
+
 void add_given(const toml::table& table, const std::string& prefix,
                std::map<std::string, std::string>& keys) {
     for (const auto& [name, node] : table) {
@@ -199,7 +206,7 @@ std::optional<double> SceneReader::number(std::string_view key, const Bounds& bo
     }
     const auto value = node->is_number() ? node->value<double>() : std::nullopt;
     if (!value || !is_within(*value, bounds)) {
-        fail(key, fmt::format("must be {}, not {}", bounds.words, as_written(*node)));
+        fail(key, fmt::format("must be {}, not {}", allowed(bounds, value), as_written(*node)));
     }
     return value;
 }
@@ -210,6 +217,13 @@ std::optional<long> SceneReader::whole_number(std::string_view key, long lowest,
         return std::nullopt;
     }
     const auto value = node->is_integer() ? node->value<long>() : std::nullopt;
+    const auto decimal = node->is_floating_point() ? node->value<double>() : std::nullopt;
+    if (decimal && std::isfinite(*decimal) && std::trunc(*decimal) == *decimal) {
+        fail(key,
+             fmt::format("must be a whole number from {} to {}, written without a point and an "
+                         "exponent",
+                         lowest, highest));
+    }
     if (!value || *value < lowest || *value > highest) {
         fail(key, fmt::format("must be a whole number from {} to {}, not {}", lowest, highest,
                               as_written(*node)));
@@ -269,7 +283,7 @@ std::vector<double> SceneReader::numbers(std::string_view key, const Bounds& bou
         const auto value = entry.is_number() ? entry.value<double>() : std::nullopt;
         if (!value || !is_within(*value, bounds)) {
             fail(key, fmt::format("must be a list of numbers, each {}; one of them is {}",
-                                  bounds.words, as_written(entry)));
+                                  allowed(bounds, value), as_written(entry)));
         }
         values.push_back(*value);
     }

@@ -25,12 +25,13 @@ struct Bounds {
     std::string_view words;
 };
 
-inline constexpr Bounds positive{0, 1e300, false, "a positive number"};
-inline constexpr Bounds not_negative{0, 1e300, true, "a number not below 0"};
+inline constexpr double largest_number = 1e300;
+inline constexpr Bounds positive{0, largest_number, false, "a positive number"};
+inline constexpr Bounds not_negative{0, largest_number, true, "a number not below 0"};
 inline constexpr Bounds up_to_10{0, 10, true, "a number from 0 to 10"};
 inline constexpr Bounds between_0_and_1{0, 1 - 0x1p-53, false,
                                         "a number between 0 and 1, neither of them"};
-inline constexpr Bounds any_number{-1e300, 1e300, true, "a number"};
+inline constexpr Bounds any_number{-largest_number, largest_number, true, "a number"};
 
 /// Of the file. Throws FileError where it cannot be read.
 std::string read_text(const std::string& path);

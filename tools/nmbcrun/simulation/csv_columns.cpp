@@ -57,14 +57,24 @@ std::vector<std::vector<double>> read_columns(std::istream& stream, const std::s
                                               const std::vector<std::string>& names) {
     std::vector<std::vector<double>> columns(names.size());
     std::vector<std::size_t> places;
+    std::size_t header_entries = 0;
     std::string line;
     for (std::size_t number = 1; std::getline(stream, line); ++number) {
+        constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+        if (number == 1 && line.starts_with(byte_order_mark)) {
+            line.erase(0, byte_order_mark.size());
+        }
         if (trimmed(line).empty() || trimmed(line).front() == '#') {
             continue;
         }
         const std::string where = fmt::format("{}:{}", name, number);
         const std::vector<std::string_view> entries = entries_of(line);
         const bool is_header = places.empty();
+        header_entries = is_header ? entries.size() : header_entries;
+        if (entries.size() > header_entries) {
+            throw SceneError(fmt::format("{}: the row has {} entries, the header {}", where,
+                                         entries.size(), header_entries));
+        }
         for (std::size_t i = 0; i < names.size(); ++i) {
             if (is_header) {
                 const auto found = std::ranges::find(entries, names[i]);

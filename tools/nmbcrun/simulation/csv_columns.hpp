@@ -10,9 +10,11 @@
 namespace nmbcrun {
 
 /// The columns of these names, in this order, whatever others the file has: a header line, then
-/// rows of numbers, separated by commas. Empty lines and lines that begin with # are left out.
+/// rows of numbers, separated by commas. Empty lines, lines that begin with # and a byte order mark
+/// are left out.
 /// Throws FileError where the file cannot be read, SceneError, with the line, where it has no such
-/// column, a row is too short, an entry is no finite number, or there is no row.
+/// column, a row is too short or longer than the header, an entry is no finite number, or there is
+/// no row.
 std::vector<std::vector<double>> read_columns(const std::filesystem::path& path,
                                               const std::vector<std::string>& names);
 

@@ -45,6 +45,21 @@ Forcing::Forcing(const Scene& scene, double time_step)
     }
 }
 
+std::string Forcing::warning() const {
+    double shortest = time_step_;
+    for (std::size_t row = 1; row < times_.size(); ++row) {
+        shortest = std::min(shortest, times_[row] - times_[row - 1]);
+    }
+    constexpr double as_long = 1 - 1e-5;  // to the digits that are printed
+    if (shortest >= time_step_ * as_long) {
+        return "";
+    }
+    return fmt::format(
+        "{} has rows {:.6g} apart, less than a time step of {:.6g}, so that what is between two "
+        "steps is missed: give time.step = {:.6g} or less",
+        force_.file.string(), shortest, time_step_, shortest);
+}
+
 double Forcing::linear_between_rows(double time) const {
     if (time < times_.front() || time > times_.back()) {
         return 0;

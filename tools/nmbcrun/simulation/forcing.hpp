@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tools/nmbcrun/scene/scene.hpp"
@@ -22,6 +23,9 @@ class Forcing {
 
     /// Whether the force acts, above 1e-16 of its amplitude, at this time or later.
     bool drives(double time) const { return time <= last_; }
+
+    /// In words: what the time steps miss of a history from a file; empty where they do not.
+    std::string warning() const;
 
     /// first_interior: entry of the first interior node of v. time: the end of the step.
     void operator()(std::span<double> v, std::size_t first_interior, double time) const;

@@ -57,6 +57,9 @@ std::string how_to_make(const Scene& scene, const Boundary& boundary) {
     if (!is_known_lattice(what)) {
         return "";
     }
+    if (what.order == 1 && what.time_step > 0) {
+        return ". NMBC1 is the same in time steps of any length: leave out boundary.matched_step";
+    }
     return fmt::format(
         ". To make it beside the scene: {} --format json --out FOLDER, and model.tables = "
         "[\"{}.json\"]",

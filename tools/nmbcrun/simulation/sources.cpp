@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/simulation/sources.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
+#include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/simulation/incoming_wave.hpp"
 #include "tools/nmbcrun/simulation/initial_fields.hpp"
 #include "tools/nmbcrun/simulation/preload.hpp"
@@ -98,12 +102,52 @@ void Sources::start(nmbc::Chain& chain) {
         at_start[entry] =
             (waves.before[entry] + waves.after[entry]) / 2 + (is_staggered ? 0 : v[entry]);
     }
-    chain.start(u, at_start);
+    start_from(chain, u, at_start);
     if (is_staggered) {
         const std::span<double> velocity = chain.velocity();
         for (std::size_t entry = chain.ghosts(); entry + chain.ghosts() < v.size(); ++entry) {
             velocity[entry] = v[entry] + waves.before[entry];
         }
+    }
+}
+
+/// The exact end that refuses these fields. The waves that come in are known to the end they come
+/// through, so the other one is looked at first.
+nmbc::End Sources::exact_end_that_moves(const nmbc::Chain& chain, std::span<const double> u,
+                                        std::span<const double> v) const {
+    const bool comes_from_left = scene_.incoming && scene_.incoming->end == nmbc::End::left;
+    const auto first = comes_from_left ? nmbc::End::right : nmbc::End::left;
+    const auto last = comes_from_left ? nmbc::End::left : nmbc::End::right;
+    const PreloadField preload(scene_);
+    const double unit_of_time = scene_.spacing / chain.parameters().wave_speed();
+    double largest = 0;
+    double near = 0;
+    for (std::size_t entry = 0; entry < u.size(); ++entry) {
+        const double at_rest = preload(double(entry) + 1 - double(first_interior_));
+        const double size =
+            std::max(std::abs(u[entry] - at_rest), std::abs(v[entry]) * unit_of_time);
+        const std::size_t depth = first == nmbc::End::left ? entry : u.size() - 1 - entry;
+        largest = std::max(largest, size);
+        near = depth < 2 * chain.ghosts() ? std::max(near, size) : near;
+    }
+    const Boundary& boundary = first == nmbc::End::left ? scene_.left : scene_.right;
+    constexpr double negligible = 1e-12;  // as the end has it
+    return boundary.kind == BoundaryKind::exact && near > negligible * largest ? first : last;
+}
+
+void Sources::start_from(nmbc::Chain& chain, std::span<const double> u,
+                         std::span<const double> v) const {
+    try {
+        chain.start(u, v);
+    } catch (const std::invalid_argument&) {
+        if (scene_.left.kind != BoundaryKind::exact && scene_.right.kind != BoundaryKind::exact) {
+            throw;
+        }
+        throw SceneError(fmt::format(
+            "the exact end on the {} starts from rest, and something moves there at t = 0: {}",
+            exact_end_that_moves(chain, u, v) == nmbc::End::left ? "left" : "right",
+            scene_.incoming ? "give a later incoming.arrival"
+                            : "initial has to be farther from it"));
     }
 }
 

@@ -39,10 +39,18 @@ class Sources {
     /// Whether a source still feeds the chain in the step that ends at this time.
     bool is_driven(double time) const;
 
+    /// In words: what the time steps miss of the sources; empty where they do not.
+    std::string warning() const { return forcing_ ? forcing_->warning() : ""; }
+
     /// In words: why a chain with these sources may have had no energy at any time.
     std::string why_no_energy() const;
 
   private:
+    nmbc::End exact_end_that_moves(const nmbc::Chain& chain, std::span<const double> u,
+                                   std::span<const double> v) const;
+    /// Throws SceneError, with the end, where an exact end refuses what moves next to it.
+    void start_from(nmbc::Chain& chain, std::span<const double> u, std::span<const double> v) const;
+
     Scene scene_;
     double time_step_;
     std::size_t first_interior_ = 0;

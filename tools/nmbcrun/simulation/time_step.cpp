@@ -114,6 +114,13 @@ void require_matched(const Scene& scene, double time_step) {
 
 std::size_t steps_until(double end, double time_step) {
     const double exact_steps = end / time_step;
+    if (!std::isfinite(exact_steps)) {
+        throw SceneError(
+            fmt::format("time.end = {:g} is too long for time steps of {:g}, which domain.spacing, "
+                        "the material "
+                        "or time.step and time.cfl ask for",
+                        end, time_step));
+    }
     if (exact_steps > 1e15) {
         throw SceneError(fmt::format("time.end asks for {:.3g} steps; at most 1e15", exact_steps));
     }
