@@ -84,7 +84,7 @@ inline constexpr std::size_t block_nodes = 192;
 
 /// With OpenMP, nodes from which on its threads share a sweep (docs/speed.md has the measurement).
 /// A variable, so that tests and measurements can have it otherwise.
-inline std::size_t threaded_nodes = 65536;
+inline std::size_t threaded_nodes = 16384;
 
 /// How many pieces a sweep over so many nodes is shared in.
 inline std::size_t pieces_of([[maybe_unused]] std::size_t nodes) {
