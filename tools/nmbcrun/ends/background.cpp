@@ -2,6 +2,7 @@
 #include "tools/nmbcrun/ends/background.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -16,7 +17,10 @@ class BackgroundCondition final : public nmbc::EndCondition<double> {
     BackgroundCondition(std::unique_ptr<nmbc::EndCondition<double>> inner, nmbc::End end,
                         std::shared_ptr<const Background> background, const nmbc::Lattice& lattice,
                         const nmbc::ChainParameters& p)
-        : inner_(std::move(inner)), end_(end), background_(std::move(background)) {
+        : inner_(std::move(inner)),
+          end_(end),
+          background_(std::move(background)),
+          time_step_(p.time_step) {
         const std::size_t outside = lattice.reach() + inner_->layer_nodes();
         const std::size_t nodes = outside + inner_->least_interior_nodes();
         const double first =
@@ -27,8 +31,11 @@ class BackgroundCondition final : public nmbc::EndCondition<double> {
             at_rest_.push_back(background_->per_node *
                                (first + double(node) - background_->middle));
         }
-        for (auto* field : {&u_background_, &v_background_, &u_, &v_}) {
+        for (auto* field : {&u_background_, &v_background_}) {
             field->resize(nodes);
+        }
+        for (auto* field : {&u_, &v_}) {
+            field->resize(outside + p.nodes);
         }
     }
 
@@ -40,7 +47,14 @@ class BackgroundCondition final : public nmbc::EndCondition<double> {
         const std::vector<double> v_background = v_background_;
         find_background(0);
         v_background_ = v_background;
+        // What is further inside is for the inner end to compare with what is near: an exact one
+        // takes for rest what is a rounding of the whole.
+        for (std::size_t node = at_rest_.size(); node < u_.size(); ++node) {
+            Fields({u_}, end_)[node] = u[node];
+            Fields({v_}, end_)[node] = v[node];
+        }
         take_off(u, v);
+        drop_roundings();
         inner_->start({u_, end_}, {v_, end_});
         add_again(u, {u_, end_}, {u_background_, end_});
         add_again(v, {v_, end_}, {v_background_, end_});
@@ -71,15 +85,33 @@ class BackgroundCondition final : public nmbc::EndCondition<double> {
         const Fields v_left({v_}, end_);
         const Fields u_background({u_background_}, end_);
         const Fields v_background({v_background_}, end_);
-        for (std::size_t node = 0; node < u_.size(); ++node) {
+        for (std::size_t node = 0; node < at_rest_.size(); ++node) {
             u_left[node] = u[node] - u_background[node];
             v_left[node] = v[node] - v_background[node];
         }
     }
 
+    /// Of the background, which is a sum: where it is all there is, nothing is left of it.
+    void drop_roundings() {
+        double size = 0;
+        for (const LatticeWave& wave : background_->waves) {
+            size += std::abs(wave.amplitude);
+        }
+        for (const double u : at_rest_) {
+            size = std::max(size, std::abs(u));
+        }
+        constexpr double roundings = 1e-13;
+        for (std::size_t node = 0; node < at_rest_.size(); ++node) {
+            double& u = Fields({u_}, end_)[node];
+            double& v = Fields({v_}, end_)[node];
+            u = std::abs(u) > roundings * size ? u : 0;
+            v = std::abs(v) > roundings * size / time_step_ ? v : 0;
+        }
+    }
+
     /// What the inner end has left alone stays as it is, to the last bit.
     void add_again(Fields field, Fields changed, Fields background) const {
-        for (std::size_t node = 0; node < u_.size(); ++node) {
+        for (std::size_t node = 0; node < at_rest_.size(); ++node) {
             if (changed[node] != field[node] - background[node]) {
                 field[node] = changed[node] + background[node];
             }
@@ -89,6 +121,7 @@ class BackgroundCondition final : public nmbc::EndCondition<double> {
     std::unique_ptr<nmbc::EndCondition<double>> inner_;
     nmbc::End end_;
     std::shared_ptr<const Background> background_;
+    double time_step_;
     std::optional<WavesAtNodes> waves_;
     // Of the nodes that the inner end may read or write, from left to right.
     std::vector<double> at_rest_;
