@@ -17,7 +17,7 @@ std::string as_written(const nlohmann::json& value) {
         return value.is_object() ? "an object" : fmt::format("a list of {}", value.size());
     }
     constexpr std::size_t longest = 60;
-    const std::string text = value.dump();
+    std::string text = value.dump();
     if (text.size() <= longest) {
         return text;
     }
