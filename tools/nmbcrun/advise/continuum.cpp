@@ -23,7 +23,7 @@ class Superposition {
     Superposition(const Scene& scene, const Outgoing& outgoing)
         : scene_(scene),
           outgoing_(outgoing),
-          unit_(scene.spacing / std::sqrt(scene.youngs_modulus / scene.density)),
+          unit_(unit_of_time(scene)),
           grid_(outgoing.nodes),
           outside_((outgoing.nodes - scene.nodes) / 2),
           waves_{std::vector<Complex>(grid_.bands()), std::vector<Complex>(grid_.bands())} {}

@@ -58,7 +58,7 @@ std::vector<double> field_after(WaveGrid& grid, const Outgoing& outgoing, double
 Scene between_layers(Scene scene) {
     const nmbc::Lattice lattice = lattice_of(scene);
     const double omega_max = nmbc::maximum_frequency(lattice);
-    const double unit = scene.spacing / std::sqrt(scene.youngs_modulus / scene.density);
+    const double unit = unit_of_time(scene);
     std::size_t width = 0;
     for (const double cfl : {1e-3, 0.8 * nmbc::interior_cfl(lattice)}) {
         width = std::max(width, silent_layer(lattice, 2 * cfl / omega_max, scene.end / unit));
@@ -105,7 +105,7 @@ EndlessScene::EndlessScene(const Scene& scene, const Pause& pause)
     : scene_(between_layers(scene)),
       pause_(pause),
       incoming_(scene.incoming),
-      unit_(scene.spacing / std::sqrt(scene.youngs_modulus / scene.density)),
+      unit_(unit_of_time(scene)),
       omega_max_(nmbc::maximum_frequency(lattice_of(scene))),
       grid_(scene.nodes + 2 * (scene_.left.layer + lattice_of(scene).reach())) {
     const nmbc::Lattice lattice = lattice_of(scene);

@@ -27,10 +27,6 @@ constexpr double margin = 1.1;
 /// Of the tolerance: waves that add up to less are not followed.
 constexpr double negligible = 1e-3;
 
-double unit_of(const Scene& scene) {
-    return scene.spacing / std::sqrt(scene.youngs_modulus / scene.density);
-}
-
 }  // namespace
 
 Search::Search(const Scene& scene, double tolerance, Reference reference, const Pause& pause,
@@ -41,7 +37,7 @@ Search::Search(const Scene& scene, double tolerance, Reference reference, const 
       scope_(scope),
       lattice_(lattice_of(scene)),
       omega_max_(nmbc::maximum_frequency(lattice_)),
-      unit_(unit_of(scene)),
+      unit_(unit_of_time(scene)),
       endless_(scene, pause),
       outgoing_(probing_waves()),
       reflection_error_(scene, outgoing_, negligible * tolerance, pause),

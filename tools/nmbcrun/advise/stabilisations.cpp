@@ -185,7 +185,7 @@ std::vector<Stabilisation> stabilisations_to_try(const Scene& scene, const Pause
     Fit fit(scene, spectrum_of(with_lattice(scene, scene.horizon, base), pause), 2 * base, pause);
     std::map<double, double> cfls;  // by G
     if (scene.step || scene.cfl) {
-        const double unit = scene.spacing / std::sqrt(scene.youngs_modulus / scene.density);
+        const double unit = unit_of_time(scene);
         cfls[fit.best_G([&](double omega_max) {
             return scene.step ? *scene.step / unit : 2 * *scene.cfl / omega_max;
         })] = 0;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/scene/printable.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -16,16 +17,7 @@ std::string as_written(const nlohmann::json& value) {
     if (value.is_structured()) {
         return value.is_object() ? "an object" : fmt::format("a list of {}", value.size());
     }
-    constexpr std::size_t longest = 60;
-    std::string text = value.dump();
-    if (text.size() <= longest) {
-        return text;
-    }
-    std::size_t size = longest;  // of whole letters: no byte 10xxxxxx is the next one
-    while ((static_cast<unsigned char>(text[size]) & 0xc0U) == 0x80U) {
-        --size;
-    }
-    return text.substr(0, size) + "..";
+    return beginning_of(value.dump());
 }
 
 }  // namespace

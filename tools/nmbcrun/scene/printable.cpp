@@ -31,4 +31,16 @@ std::string printable_lines(std::string_view text) {
     return result + printable(text);
 }
 
+std::string beginning_of(const std::string& text) {
+    constexpr std::size_t longest = 60;
+    if (text.size() <= longest) {
+        return text;
+    }
+    std::size_t size = longest;  // of whole letters: no byte 10xxxxxx is the next one
+    while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0U) == 0x80U) {
+        --size;
+    }
+    return text.substr(0, size) + "..";
+}
+
 }  // namespace nmbcrun

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Text of scenes for the terminal.
+/// Text of scenes and tables, as messages quote it.
 #pragma once
 
 #include <string>
@@ -13,5 +13,8 @@ std::string printable(std::string_view text);
 
 /// Likewise of a message in several lines, none of which a scene broke: line ends stay.
 std::string printable_lines(std::string_view text);
+
+/// UTF-8, cut after 60 bytes of whole letters where it is longer.
+std::string beginning_of(const std::string& text);
 
 }  // namespace nmbcrun

@@ -149,7 +149,7 @@ int read_horizon(SceneReader& reader, const std::string& family) {
 /// Beyond these a time step is no double.
 void require_wave_speed(SceneReader& reader, const Scene& scene) {
     constexpr double fastest = 1e150;
-    const double c = std::sqrt(scene.youngs_modulus / scene.density);
+    const double c = wave_speed(scene);
     if (!(c >= 1 / fastest && c <= fastest)) {
         reader.fail("material",
                     fmt::format("makes the wave speed sqrt(youngs_modulus / density) {:g}; it must "

@@ -2,6 +2,7 @@
 /// A scene: what nmbcrun runs, read from TOML. Keys, units and defaults: docs/scenes.md.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -109,6 +110,16 @@ struct Scene {
 
 inline bool is_damped(const Scene& scene) {
     return scene.tau != "0";
+}
+
+/// c = sqrt(E/rho) [length/time].
+inline double wave_speed(const Scene& scene) {
+    return std::sqrt(scene.youngs_modulus / scene.density);
+}
+
+/// dX/c [time].
+inline double unit_of_time(const Scene& scene) {
+    return scene.spacing / wave_speed(scene);
 }
 
 /// KEY=VALUE of --set, not parsed yet.

@@ -10,7 +10,9 @@
 #include <filesystem>
 #include <fstream>
 #include <numeric>
-#include <sstream>
+
+#include "tools/nmbcrun/scene/printable.hpp"
+#include "tools/nmbcrun/scene/toml_text.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -35,41 +37,8 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
     return row.back();
 }
 
-/// The whole value, but for what is nested deeper than any value of a scene. toml++ 3.3 formats
-/// lists and tables itself, but not with an infinity in them (a conversion that is undefined).
-std::string text_of(const toml::node& node, int levels = 16) {
-    if (levels == 0) {
-        return "..";
-    }
-    if (const toml::array* list = node.as_array()) {
-        std::string text;
-        for (const toml::node& element : *list) {
-            text += (text.empty() ? "" : ", ") + text_of(element, levels - 1);
-        }
-        return "[" + text + "]";
-    }
-    if (const toml::table* table = node.as_table()) {
-        std::string text;
-        for (const auto& [name, element] : *table) {
-            text += (text.empty() ? "" : ", ") + std::string(name.str()) + " = " +
-                    text_of(element, levels - 1);
-        }
-        return "{" + text + "}";
-    }
-    // 1 and 1.0 are the same number, but not every whole number is a double.
-    if (const auto number = node.value<double>(); number && node.is_number()) {
-        return fmt::format("{}", *number);
-    }
-    std::ostringstream stream;
-    node.visit([&stream](const auto& value) { stream << value; });
-    return stream.str();
-}
-
-/// The beginning of it, where it is long.
 std::string as_written(const toml::node& node) {
-    constexpr std::size_t longest = 60;
-    const std::string text = text_of(node);
-    return text.size() <= longest ? text : text.substr(0, longest) + "..";
+    return beginning_of(text_of(node));
 }
 
 bool is_within(double value, const Bounds& bounds) {

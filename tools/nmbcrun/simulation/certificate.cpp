@@ -175,7 +175,7 @@ const Boundary* alone_on_a_half_line(const Scene& scene, const nmbc::Lattice& la
 
 std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
                       const nmbc::MatchingTable& right, double time_step, double cfl) {
-    const double c = std::sqrt(scene.youngs_modulus / scene.density);
+    const double c = wave_speed(scene);
     const double step = time_step * c / scene.spacing;  // in dX/c
     const std::string place = place_of(scene, cfl);
     if (const Boundary* own = alone_on_a_half_line(scene, make_lattice(left, scene.G), step)) {

@@ -40,14 +40,23 @@ void Driver::operator()(std::span<const double> u, std::span<double> v, std::siz
     if (!drives(time)) {
         return;
     }
-    const bool is_let_go = time > (last_ + 0.5) * time_step_;
+    if (time > (last_ + 0.5) * time_step_) {
+        let_go(v.subspan(first_interior));
+        return;
+    }
+    const double prescribed = value(time);
+    for (const std::size_t node : driven_) {
+        const std::size_t entry = first_interior + node;
+        v[entry] = (prescribed + preload_(double(node + 1)) - u[entry]) / time_step_;
+    }
+}
+
+void Driver::let_go(std::span<double> v) const {
     const double last_time = last_ * time_step_;
     const double last_velocity = (value(last_time) - value(last_time - time_step_)) / time_step_;
     const double since_the_end = (last_time - drive_.duration) / time_step_ + 0.5;
     for (const std::size_t node : driven_) {
-        const std::size_t entry = first_interior + node;
-        v[entry] = is_let_go ? (v[entry] - last_velocity) * since_the_end
-                             : (value(time) + preload_(double(node + 1)) - u[entry]) / time_step_;
+        v[node] = (v[node] - last_velocity) * since_the_end;
     }
 }
 

@@ -34,6 +34,9 @@ class Driver {
     /// What is prescribed at this time [length].
     double value(double time) const;
 
+    /// The first step after the drive. v: of the nodes from the first interior one on.
+    void let_go(std::span<double> v) const;
+
     Drive drive_;
     PreloadField preload_;
     double time_step_;

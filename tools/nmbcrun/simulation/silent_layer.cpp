@@ -37,7 +37,7 @@ std::size_t silent_layer(const nmbc::Lattice& lattice, double time_step, double 
 namespace {
 
 double duration_of(const Scene& scene) {  // [dX/c]
-    return scene.end * std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
+    return scene.end * wave_speed(scene) / scene.spacing;
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ TimeScale shortest_time_scale(const Scene& scene, const nmbc::Lattice& lattice) 
     }
     if (scene.incoming) {
         const Pulse& pulse = scene.incoming->pulse;
-        const double c = std::sqrt(scene.youngs_modulus / scene.density);
+        const double c = wave_speed(scene);
         scales.push_back({pulse.width / c, "incoming.width / c"});
         const double square = nmbc::omega_squared(lattice, pulse.wave_number);
         if (pulse.shape == Shape::packet && square > 0) {

@@ -91,12 +91,11 @@ std::optional<AutomaticStep> matched_step(const Scene& scene, const nmbc::Lattic
 }  // namespace
 
 double highest_frequency(const Scene& scene, const nmbc::Lattice& lattice) {
-    return nmbc::maximum_frequency(lattice) * std::sqrt(scene.youngs_modulus / scene.density) /
-           scene.spacing;
+    return nmbc::maximum_frequency(lattice) * wave_speed(scene) / scene.spacing;
 }
 
 void require_matched(const Scene& scene, double time_step) {
-    const double unit = scene.spacing / std::sqrt(scene.youngs_modulus / scene.density);
+    const double unit = unit_of_time(scene);
     for (const Boundary* boundary : {&scene.left, &scene.right}) {
         if (!is_matched(*boundary)) {
             continue;
