@@ -8,17 +8,18 @@
 #include <new>
 #include <stdexcept>
 
-#include "generator/certificate_cache.hpp"
-#include "generator/check.hpp"
-#include "generator/closed_forms.hpp"
-#include "generator/command_line.hpp"
-#include "generator/dispersion.hpp"
+#include "generator/cli/command_line.hpp"
+#include "generator/commands/check.hpp"
+#include "generator/commands/closed_forms.hpp"
+#include "generator/commands/dispersion.hpp"
+#include "generator/commands/reflect.hpp"
+#include "generator/commands/require_stable.hpp"
+#include "generator/commands/time_step.hpp"
 #include "generator/emit/emit.hpp"
-#include "generator/files.hpp"
+#include "generator/names/names.hpp"
 #include "generator/pipeline.hpp"
-#include "generator/reflect.hpp"
-#include "generator/require_stable.hpp"
-#include "generator/time_step.hpp"
+#include "generator/support/certificate_cache.hpp"
+#include "generator/support/files.hpp"
 
 namespace nmbcgen {
 namespace {

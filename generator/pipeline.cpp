@@ -13,8 +13,8 @@
 #include "generator/matching/real.hpp"
 #include "generator/matching/reason.hpp"
 #include "generator/matching/taylor.hpp"
-#include "generator/on_all_cores.hpp"
 #include "generator/stability/certify.hpp"
+#include "generator/support/on_all_cores.hpp"
 
 namespace nmbcgen {
 namespace {

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// A certificate as JSON; keys and types: docs/json.md.
 #pragma once
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 #include "generator/emit/certificate_text.hpp"
 
 #include <fmt/format.h>

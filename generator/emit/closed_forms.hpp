@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Closed forms in the horizon to text. Same data, same bytes.
 #pragma once
 

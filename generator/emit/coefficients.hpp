@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// A table's lists of coefficients in one shape, for formats that write them all alike.
 #pragma once
 

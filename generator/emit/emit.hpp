@@ -1,38 +1,15 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Tables to text. An emitter writes what it is given and computes nothing but its layout and,
 /// for a table at a fixed G, the rounded coefficients. Same table, same bytes.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
-
-/// Of the JSON: raised by any change that an old reader would misread.
-inline constexpr int schema = 3;
-
-/// Of the headers: nmbc::table_schema in runtime/nmbc/table.hpp.
-inline constexpr int header_schema = 4;
-
-/// FAMILY_nH[_w_PoQ_PoQ ..]_orderN[_sS][_tauPoQ][_dtPoQ][_at[pi]PoQxM ..][_GPoQ], the name of the
-/// table and of its files.
-std::string table_name(const Specification& specification);
-
-/// The other way; nothing where it is no such name. Throws std::invalid_argument for a number that
-/// parse_rational() refuses.
-std::optional<Specification> specification_named(const std::string& name);
-
-/// The wave number as on the command line: 6/5, pi, 2pi/3.
-std::string to_string(const MatchingPoint& point);
-
-/// All that is matched, as on the command line: 0:5,6/5:2.
-std::string matching_text(const Specification& specification);
-
-/// The command line that makes this table again.
-std::string regenerating_command(const Specification& specification);
 
 /// What one table can be written as.
 struct Format {

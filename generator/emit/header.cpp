@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include "generator/emit/array.hpp"
@@ -9,6 +9,8 @@
 #include "generator/exact/algebraic_number.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
+#include "generator/names/names.hpp"
+#include "generator/table/schema.hpp"
 
 namespace nmbcgen {
 namespace {

@@ -1,11 +1,11 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 #include "generator/emit/heading.hpp"
 
 #include <fmt/format.h>
 
 #include "generator/emit/certificate_text.hpp"
-#include "generator/emit/emit.hpp"
 #include "generator/exact/rational.hpp"
+#include "generator/names/names.hpp"
 
 namespace nmbcgen {
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// The comment that a table begins with, in every format that has comments.
 #pragma once
 

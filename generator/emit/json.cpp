@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 
 #include "generator/emit/certificate_json.hpp"
@@ -7,6 +7,8 @@
 #include "generator/exact/algebraic_number.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
+#include "generator/names/names.hpp"
+#include "generator/table/schema.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -99,7 +101,7 @@ Json table_object(const Table& table) {
     const bool damped = what.damping > 0;
     const Certificate certificate = table.certificate.value_or(Certificate{});
     Json object = {
-        {"schema", schema},
+        {"schema", json_schema},
         {"family", what.family},
         {"order", what.order},
         {"horizon", what.horizon},
@@ -142,7 +144,7 @@ std::string emit_json(std::span<const Table> tables) {
     for (const Table& table : tables) {
         list.push_back(table_object(table));
     }
-    return dumped({{"schema", schema}, {"tables", list}});
+    return dumped({{"schema", json_schema}, {"tables", list}});
 }
 
 }  // namespace nmbcgen

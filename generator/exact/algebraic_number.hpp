@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Operations on real algebraic numbers. Nothing here rounds but nearest_double().
 #pragma once
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Polynomials and rational functions of one parameter, over Q.
 #pragma once
 

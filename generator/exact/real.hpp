@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// High precision, for what is not rational: waves at a given wave number.
 #pragma once
 

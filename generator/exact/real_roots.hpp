@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// The real roots of polynomials over Q, as exact numbers.
 #pragma once
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Elimination of a second variable w: polynomials in w with coefficients in Q[G], ascending in w.
 /// Zero coefficients at the end do not count; a polynomial without any other is zero.
 #pragma once

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Integer polynomials and Sturm's theorem: what real_roots.hpp and algebraic_number.hpp share.
 #pragma once
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// One-dimensional bond-based peridynamics, linearised.
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// The chain of atoms with springs between neighbours, (56) of Nicely 2018.
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/family.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,8 +6,8 @@
 
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
-#include "generator/exact/symbol.hpp"
 #include "generator/families/family.hpp"
+#include "generator/lattice/symbol.hpp"
 
 namespace nmbcgen {
 

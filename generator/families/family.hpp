@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// A family of lattice models, one per horizon. Everything the project computes follows from a
 /// model's symbol, and the symbol from the model's energy, so a new family is one file that
 /// states an energy as a sum of squares, and one line in families.cpp.
@@ -28,7 +28,7 @@ struct Family {
     Model (*describe)(unsigned horizon, std::span<const Rational> weights);
     /// At constant influence, the coefficients of x^2, x^4, .. x^(2 count), x = i xi, in -omega^2
     /// as functions of the horizon; nullptr where no closed form is known. The proof of what
-    /// follows from them (generator/closed_forms.hpp) rests on this: n^(pole g) times the
+    /// follows from them (generator/commands/closed_forms.hpp) rests on this: n^(pole g) times the
     /// coefficient of G^g x^(2k) in -omega^2 of the described models is a polynomial in n of degree
     /// <= 2k - 2 + pole g.
     ClosedForms (*moments)(unsigned count) = nullptr;

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Influence functions: how much a bond counts by its length m dX, m = 1 .. n.
 #pragma once
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// One-dimensional non-ordinary peridynamics (NOPD), correspondence material, stabilised after
 /// Silling (Nicely 2018, sections 2 and 3, where the influence function is constant).
 #include <fmt/format.h>

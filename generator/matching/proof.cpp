@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "generator/exact/rational_function.hpp"
-#include "generator/exact/symbol.hpp"
+#include "generator/lattice/symbol.hpp"
 #include "generator/matching/points_proof.hpp"
 
 namespace nmbcgen {

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// The largest value of a function of frequency over a band whose narrow parts matter.
 #pragma once
 

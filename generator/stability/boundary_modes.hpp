@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// What the zeros of C, B and s C - B tell: boundary modes, and where in the band to look closely.
 #pragma once
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// The stability of a table at three levels: the paper's scalar reflection, the half space, and
 /// steps in time.
 #pragma once

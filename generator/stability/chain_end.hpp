@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// What a chain can end in. The nodes next to an end are counted inwards, j = 0 the outermost
 /// interior one; its ghost layers, as many as the stencil reaches, are j = -1, -2, ..
 ///     matching   s C(k) = B(k) on every ghost layer, (60)

@@ -1,13 +1,13 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 #include "generator/stability/critical_values.hpp"
 
 #include <algorithm>
 
 #include "generator/exact/algebraic_number.hpp"
-#include "generator/exact/band.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/exact/real_roots.hpp"
 #include "generator/exact/resultant.hpp"
+#include "generator/lattice/band.hpp"
 
 namespace nmbcgen {
 namespace {

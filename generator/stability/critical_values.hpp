@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// The values of G at which stability can change in kind, exactly: real roots of resultants,
 /// discriminants and coefficients of E, O and omega^2 (half_space.hpp) in Q[G].
 #pragma once

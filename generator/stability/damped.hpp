@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Stability of chains of a damped lattice. Every wave fades on its way, so what a boundary sends
 /// back too strongly may be gone when it arrives at the other end: a chain is stable from some
 /// length on (reflection.hpp, damped_round_trip_supremum). Waves that decay from an end count like

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// The fully discrete chain: leapfrog between two ends, as the runtime steps it.
 #pragma once
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// A lattice with a matching boundary at its left end, at one exact value of G, seen as the
 /// initial boundary value problem of a half space. Units dX = c = 1.
 ///

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Stability of a matching boundary on a half space and on chains of any length with two such
 /// ends (theory of Gustafsson, Kreiss and Sundstrom, at one value of G).
 ///

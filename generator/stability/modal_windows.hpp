@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Where a matching boundary is stable between like ends, as a set of G.
 #pragma once
 

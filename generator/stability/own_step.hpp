@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Conditions that are matched in time steps take one step only: where is that one certified?
 #pragma once
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Roots of polynomials in doubles. Coefficients by ascending powers.
 #pragma once
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// The true reflection of a matching boundary on all 2n ghost layers.
 ///
 /// The layers M = 0 .. 2n-1 carry the same (c, b), so the boundary conditions on a sum of outgoing

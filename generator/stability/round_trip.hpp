@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Stability of a chain with two ends of its own choice, like or unlike.
 ///
 /// Neither end may have a growing boundary mode or a resonance by itself. Then an undamped chain is

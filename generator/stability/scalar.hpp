@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// The paper's stability bounds, exactly: where the scalar reflection coefficient
 /// R = -Delta(xi)/Delta(-xi) is at most 1 in size on the whole band.
 ///

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Real algebraic numbers: where a condition on the stabilisation G begins or ceases to hold.
 #pragma once
 

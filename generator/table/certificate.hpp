@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// What is known of the stability of a table, as sets of the stabilisation G.
 #pragma once
 

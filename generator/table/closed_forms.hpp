@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Closed forms in the horizon n, for all horizons at once.
 #pragma once
 

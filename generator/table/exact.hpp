@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// Exact numbers: the types every stage behind the freeze gate computes with.
 #pragma once
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
+// SPDX-License-Identifier: MIT
 /// What the generator hands from stage to stage and finally to an emitter: plain exact data.
 /// Units throughout: dX = 1 and c = sqrt(E/rho) = 1; omega and b_j are in c/dX.
 #pragma once

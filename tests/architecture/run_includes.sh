@@ -22,21 +22,35 @@ allow() {
 text='fmt/'
 allow generator/table 'generator/table/|boost/'
 allow generator/exact 'generator/(table|exact)/|boost/'
-allow generator/families "generator/(table|exact|families)/|$text"
-allow generator/matching "generator/(table|exact|matching)/|ginac/|$text"
-allow generator/stability 'generator/(table|exact|stability)/|Eigen/'
-allow generator/emit "generator/(table|exact|emit)/|nlohmann/|$text"
-allow generator "generator/|CLI/|fcntl.h|unistd.h|$text"
+allow generator/lattice 'generator/(table|exact|lattice)/|boost/'
+allow generator/families "generator/(table|exact|lattice|families)/|$text"
+allow generator/names "generator/(table|exact|names)/|$text"
+allow generator/stability 'generator/(table|exact|lattice|stability)/|boost/|Eigen/'
+allow generator/matching "generator/(table|exact|lattice|matching)/|ginac/|$text"
+allow generator/emit "generator/(table|exact|lattice|names|emit)/|nlohmann/|$text"
+allow generator/support "generator/(table|emit|names|support)/|nlohmann/|fcntl.h|unistd.h|$text"
+allow generator/commands "generator/(table|exact|lattice|families|names|stability|matching|emit|support|commands)/|generator/pipeline.hpp|$text"
+allow generator/cli "generator/(table|exact|families|names|emit|commands|cli)/|CLI/|$text"
+allow generator "generator/|unistd.h|$text"
 allow generated/nmbc/tables 'nmbc/table.hpp|nmbc/tables/'
 allow runtime/nmbc 'nmbc/[a-z_]+\.hpp'
+
+# nmbcrun, from the ground up: each room may also include those it names.
+run() { # ROOM OTHER_ROOMS FURTHER
+    allow "tools/nmbcrun/$1" "tools/nmbcrun/($1${2:+|$2})/|tools/nmbcrun/errors.hpp|nmbc/|$text${3:+|$3}"
+}
+run scene '' 'generator/(table|exact|lattice|names|families)/|nlohmann/|toml\+\+/'
+run sides scene '(unsupported/)?Eigen/'
+run sources 'scene|sides'
+run tables scene 'generator/(table|exact|families|names)/'
+run certification 'scene|sides|sources|tables' 'generator/(table|exact|stability)/'
+run simulation 'scene|sides|sources|tables|certification' 'unistd.h'
+run output 'scene|simulation' 'hdf5.h|fcntl.h|unistd.h|sys/(file|ioctl).h'
+below='scene|sides|sources|tables|certification|simulation'
+run compare "$below" 'generator/(table|exact|stability)/'
+run chart "$below|compare|output"
+run advise "$below|compare|chart" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT'
 allow tools/nmbcrun "tools/nmbcrun/|tools/number_between.hpp|nmbc/|CLI/|$text"
-allow tools/nmbcrun/scene "tools/nmbcrun/(scene/|errors.hpp)|nmbc/|generator/((table|exact)/|emit/emit.hpp|families/influence.hpp)|nlohmann/|toml\+\+/|$text"
-allow tools/nmbcrun/simulation "tools/nmbcrun/(scene|simulation|ends)/|tools/nmbcrun/errors.hpp|nmbc/|generator/((table|exact|stability)/|emit/emit.hpp|families/family.hpp)|unistd.h|$text"
-allow tools/nmbcrun/compare "tools/nmbcrun/(compare|scene|simulation)/|nmbc/|generator/(table|exact|stability)/|$text"
-allow tools/nmbcrun/advise "tools/nmbcrun/(advise|chart|compare|scene|simulation)/|tools/nmbcrun/errors.hpp|nmbc/|generator/(table|exact|stability)/|unsupported/Eigen/FFT|$text"
-allow tools/nmbcrun/chart "tools/nmbcrun/(chart|compare|output|scene|simulation)/|tools/nmbcrun/errors.hpp|nmbc/|$text"
-allow tools/nmbcrun/ends "tools/nmbcrun/ends/|nmbc/|(unsupported/)?Eigen/|$text"
-allow tools/nmbcrun/output "tools/nmbcrun/((output|simulation|scene)/|errors.hpp)|nmbc/|hdf5.h|fcntl.h|unistd.h|sys/(file|ioctl).h|$text"
 allow tools/pulses "tools/pulses/|tools/number_between.hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|CLI/|nmbc/|benchmark/"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|$text"

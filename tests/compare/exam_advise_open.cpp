@@ -16,7 +16,7 @@
 #include "tools/nmbcrun/compare/reference.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
-#include "tools/nmbcrun/simulation/tables.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace {
 

@@ -11,10 +11,10 @@
 
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/reflection.hpp"
+#include "tools/nmbcrun/certification/half_space.hpp"
 #include "tools/nmbcrun/chart/endurance.hpp"
 #include "tools/nmbcrun/chart/ladder.hpp"
 #include "tools/nmbcrun/chart/trial.hpp"
-#include "tools/nmbcrun/simulation/half_space.hpp"
 
 namespace {
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/dispersion.hpp"
+#include "generator/commands/dispersion.hpp"
 
 using nmbcgen::Rational;
 

@@ -6,6 +6,7 @@
 #include <nmbc/tables/tables.hpp>
 
 #include "generator/emit/emit.hpp"
+#include "generator/names/names.hpp"
 #include "generator/pipeline.hpp"
 #include "tests/support/read_tables.hpp"
 

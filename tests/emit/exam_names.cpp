@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "generator/emit/emit.hpp"
+#include "generator/names/names.hpp"
 #include "generator/pipeline.hpp"
 
 using namespace nmbcgen;

@@ -6,11 +6,11 @@
 #include <stdexcept>
 
 #include "generator/exact/algebraic_number.hpp"
-#include "generator/exact/band.hpp"
-#include "generator/exact/band_structure.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/exact/real_roots.hpp"
 #include "generator/families/family.hpp"
+#include "generator/lattice/band.hpp"
+#include "generator/lattice/band_structure.hpp"
 
 using namespace nmbcgen;
 

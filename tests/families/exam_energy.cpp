@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "generator/exact/rational_function.hpp"
-#include "generator/exact/symbol.hpp"
 #include "generator/families/family.hpp"
+#include "generator/lattice/symbol.hpp"
 #include "generator/matching/freeze.hpp"
 #include "tests/support/printed.hpp"
 

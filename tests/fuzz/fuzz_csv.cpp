@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/simulation/csv_columns.hpp"
+#include "tools/nmbcrun/scene/csv_columns.hpp"
 
 namespace {
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "generator/comma_list.hpp"
-#include "generator/command_line.hpp"
+#include "generator/cli/comma_list.hpp"
+#include "generator/cli/command_line.hpp"
+#include "generator/cli/option_values.hpp"
 #include "generator/exact/rational.hpp"
-#include "generator/option_values.hpp"
 #include "tools/number_between.hpp"
 
 namespace {

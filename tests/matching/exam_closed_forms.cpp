@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 #include <ginac/ginac.h>
 
-#include "generator/closed_forms.hpp"
+#include "generator/commands/closed_forms.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/matching/closed_taylor.hpp"
 #include "generator/matching/freeze.hpp"

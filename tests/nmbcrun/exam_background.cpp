@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "tests/nmbcrun/bar.hpp"
-#include "tools/nmbcrun/ends/lattice_wave.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/simulation/incoming_wave.hpp"
+#include "tools/nmbcrun/sides/lattice_wave.hpp"
+#include "tools/nmbcrun/sources/incoming_wave.hpp"
 
 namespace nmbcrun::test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "tests/nmbcrun/bar.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/simulation/forcing.hpp"
+#include "tools/nmbcrun/sources/forcing.hpp"
 
 namespace nmbcrun::test {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "tests/nmbcrun/bar.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/scene/csv_columns.hpp"
 #include "tools/nmbcrun/scene/printable.hpp"
-#include "tools/nmbcrun/simulation/csv_columns.hpp"
 #include "tools/nmbcrun/simulation/memory.hpp"
 
 namespace nmbcrun::test {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "tests/nmbcrun/chains.hpp"
-#include "tools/nmbcrun/ends/mbc.hpp"
+#include "tools/nmbcrun/sides/mbc.hpp"
 
 namespace {
 

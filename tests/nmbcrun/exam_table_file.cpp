@@ -13,7 +13,7 @@
 #include "tools/nmbcrun/chart/ladder.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/scene/table_file.hpp"
-#include "tools/nmbcrun/simulation/tables.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun::test {
 namespace {

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "generator/commands/optimise.hpp"
+#include "generator/commands/reflect.hpp"
+#include "generator/commands/require_stable.hpp"
 #include "generator/exact/rational.hpp"
-#include "generator/optimise.hpp"
 #include "generator/pipeline.hpp"
-#include "generator/reflect.hpp"
-#include "generator/require_stable.hpp"
 #include "generator/stability/band_reflection.hpp"
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/modal.hpp"
@@ -26,13 +26,13 @@ namespace {
 
 const Progress silent = [](std::size_t, std::size_t) {};
 
-Aim aim_at(unsigned order, unsigned horizon, const Rational& G, const Band& band) {
+Aim aim_at(unsigned order, unsigned horizon, const Rational& G, const WaveNumberRange& band) {
     return {.what = {.horizon = horizon, .order = order, .stabilisation = G},
             .stride = std::nullopt,
             .band = band};
 }
 
-double mean_of(const Specification& what, const Band& band) {
+double mean_of(const Specification& what, const WaveNumberRange& band) {
     return mean_reflected_energy(make_half_space(derive(what), *what.stabilisation), band.low,
                                  band.high);
 }

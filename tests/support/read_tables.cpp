@@ -11,6 +11,7 @@
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/family.hpp"
 #include "generator/matching/proof.hpp"
+#include "generator/names/names.hpp"
 #include "generator/pipeline.hpp"
 
 namespace nmbcgen::test {

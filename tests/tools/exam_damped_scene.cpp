@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "tools/nmbcrun/simulation/certificate.hpp"
+#include "tools/nmbcrun/certification/certificate.hpp"
 
 namespace {
 

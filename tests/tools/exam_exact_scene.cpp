@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "tools/nmbcrun/certification/certificate.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/simulation/certificate.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 

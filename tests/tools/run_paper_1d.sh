@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Section 5 of the paper: the commands of docs/paper-1d.md, as they stand there, print its tables and
-# draw its pictures; and what tools/paper-1d refuses.
+# draw its pictures; and what tools/scripts/paper-1d refuses.
 # Usage: run_paper_1d.sh NMBCRUN SOURCE_FOLDER (absolute)
 source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
 source=$2
@@ -23,7 +23,7 @@ refuses() {
 }
 for figure in fig4 fig12 7 FIG7 "" " " "fig6 fig7" .. 'fig7;ls' data; do
     refuses 2 "no such figure: '$figure'" --nmbcrun "$nmbcrun" "$figure"
-    expect_stderr "Usage: tools/paper-1d"
+    expect_stderr "Usage: tools/scripts/paper-1d"
 done
 refuses 2 "no such option: --figure" fig7 --figure
 refuses 2 "no such option: -x" -x
@@ -37,7 +37,7 @@ done
 try --help
 expect_exit 0
 expect_no_stderr
-expect_stdout_line "Usage: tools/paper-1d [FIGURE..] [--out DIR] [--nmbcrun PATH] [--tables]"
+expect_stdout_line "Usage: tools/scripts/paper-1d [FIGURE..] [--out DIR] [--nmbcrun PATH] [--tables]"
 
 # Without gnuplot, and without h5dump, which one picture needs.
 mkdir "$scratch/bin"
@@ -46,7 +46,7 @@ for name in bash dirname sed awk cat cut paste tee wc mkdir; do
 done
 program=$(command -v env)
 bare=("PATH=$scratch/bin" "$source/tools/paper-1d" --nmbcrun "$nmbcrun" --out results)
-refuses 2 "gnuplot is missing: install it (tools/setup), or take --tables" "${bare[@]}" fig7
+refuses 2 "gnuplot is missing: install it (tools/scripts/setup), or take --tables" "${bare[@]}" fig7
 ln -s "$(type -P true)" "$scratch/bin/gnuplot"
 refuses 2 "h5dump is missing" "${bare[@]}" fig7 spacetime
 rm "$scratch/bin/gnuplot"
@@ -89,8 +89,8 @@ rm -r ./-it*
 # The commands of the document, all figures and then Fig. 7 by itself; five seconds.
 program=$nmbcrun
 expect "a command for each figure" \
-    test "$(grep -cE '^    tools/paper-1d (fig([5-9]|1[01])|spacetime)$' "$document")" -eq 8
-grep -vE '^    tools/paper-1d (fig([5689]|1[01])|spacetime)$' "$document" >shorter.md
+    test "$(grep -cE '^    tools/scripts/paper-1d (fig([5-9]|1[01])|spacetime)$' "$document")" -eq 8
+grep -vE '^    tools/scripts/paper-1d (fig([5689]|1[01])|spacetime)$' "$document" >shorter.md
 try_document shorter.md "$source"
 rm shorter.md
 sed -n '/^## Fig. 5/,$p' "$document" | grep '^|' >tables

@@ -11,7 +11,7 @@ for bad in --bad /nowhere/nmbcrun "$1 again"; do
     "$2/tools/table2" $bad 2>/dev/null || code=$?
     [ "$code" -eq 2 ] || { echo "table2 $bad: exit code $code, not 2"; exit 1; }
 done
-"$2/tools/table2" --help | grep -q '^Usage: tools/table2'
+"$2/tools/table2" --help | grep -q '^Usage: tools/scripts/table2'
 
 table=$("$2/tools/table2" "$1")
 echo "$table"

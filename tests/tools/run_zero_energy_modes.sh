@@ -35,7 +35,7 @@ for bad in "" --bad "out /nowhere/nmbcrun" "out $nmbcrun again"; do
     # shellcheck disable=SC2086  # several arguments, or none
     try $bad
     expect_exit 2
-    expect_stderr "Usage: tools/zero_energy_modes"
+    expect_stderr "Usage: tools/scripts/zero_energy_modes"
     expect_nothing_written
 done
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The pictures of tools/paper-1d, a panel for each file of curves:
+# The pictures of tools/scripts/paper-1d, a panel for each file of curves:
 #     gnuplot -c tools/plots/panels.gp KIND OUT FILE.. (writes OUT.svg and OUT.png)
 # KIND is energy, spectrum or profile. A file's first line is "# TITLE"; then, for each curve and with
 # two empty lines between them, a line "NAME" in quotes and rows x y. All panels have the same curves.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash
-# What the figures of tools/paper-1d are made of; it sets root, nmbcrun, out, data and pictures.
+# What the figures of tools/scripts/paper-1d are made of; it sets root, nmbcrun, out, data and pictures.
 
 die() { # CODE MESSAGE
     echo "paper-1d: $2" >&2

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The spectra that tools/zero_energy_modes left in FOLDER, horizons 1 to 4:
+# The spectra that tools/scripts/zero_energy_modes left in FOLDER, horizons 1 to 4:
 #     gnuplot -c tools/plots/spectra.gp FOLDER OUT.svg
 if (ARGC != 2) {
     printerr "usage: gnuplot -c spectra.gp FOLDER OUT.svg"

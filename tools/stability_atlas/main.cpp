@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// stability_atlas: where which boundary condition is stable, which tools/atlas draws, and what a
-/// higher order is worth.
+/// stability_atlas: where which boundary condition is stable, which tools/scripts/atlas draws, and
+/// what a higher order is worth.
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "generator/files.hpp"
 #include "generator/pipeline.hpp"
+#include "generator/support/files.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
 #include "tools/number_between.hpp"
 #include "tools/stability_atlas/atlas.hpp"

@@ -10,13 +10,13 @@
 #include <numeric>
 #include <string_view>
 
-#include "generator/candidates.hpp"
+#include "generator/commands/candidates.hpp"
+#include "generator/commands/time_step.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/families/family.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/modal.hpp"
-#include "generator/time_step.hpp"
 #include "tools/pulses/pulse.hpp"
 #include "tools/stability_atlas/rays.hpp"
 #include "tools/stability_atlas/runtime_side.hpp"

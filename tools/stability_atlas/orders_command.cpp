@@ -6,9 +6,9 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "generator/comma_list.hpp"
+#include "generator/cli/comma_list.hpp"
+#include "generator/cli/parsed_option.hpp"
 #include "generator/exact/rational.hpp"
-#include "generator/parsed_option.hpp"
 
 namespace stability_atlas {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "tools/nmbcrun/advise/search.hpp"
 #include "tools/nmbcrun/advise/stabilisations.hpp"
-#include "tools/nmbcrun/simulation/tables.hpp"
-#include "tools/nmbcrun/simulation/time_step.hpp"
+#include "tools/nmbcrun/certification/time_step.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
 namespace {

@@ -7,9 +7,9 @@
 #include <span>
 
 #include "tools/nmbcrun/advise/wave_grid.hpp"
-#include "tools/nmbcrun/simulation/forcing.hpp"
-#include "tools/nmbcrun/simulation/nodes_within.hpp"
-#include "tools/nmbcrun/simulation/pulse.hpp"
+#include "tools/nmbcrun/sources/forcing.hpp"
+#include "tools/nmbcrun/sources/nodes_within.hpp"
+#include "tools/nmbcrun/sources/pulse.hpp"
 
 namespace nmbcrun {
 namespace {

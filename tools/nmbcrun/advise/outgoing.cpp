@@ -9,11 +9,11 @@
 #include "tools/nmbcrun/advise/wave_grid.hpp"
 #include "tools/nmbcrun/compare/packet.hpp"
 #include "tools/nmbcrun/compare/reference.hpp"
-#include "tools/nmbcrun/simulation/incoming_wave.hpp"
-#include "tools/nmbcrun/simulation/pulse.hpp"
-#include "tools/nmbcrun/simulation/silent_layer.hpp"
+#include "tools/nmbcrun/sides/silent_layer.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
-#include "tools/nmbcrun/simulation/tables.hpp"
+#include "tools/nmbcrun/sources/incoming_wave.hpp"
+#include "tools/nmbcrun/sources/pulse.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
 namespace {

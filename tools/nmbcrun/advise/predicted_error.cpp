@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "generator/stability/reflection.hpp"
-#include "tools/nmbcrun/simulation/half_space.hpp"
-#include "tools/nmbcrun/simulation/tables.hpp"
+#include "tools/nmbcrun/certification/half_space.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
 namespace {

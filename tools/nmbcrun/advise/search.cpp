@@ -10,10 +10,10 @@
 #include <nmbc/coefficients.hpp>
 #include <utility>
 
+#include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
-#include "tools/nmbcrun/simulation/tables.hpp"
-#include "tools/nmbcrun/simulation/time_step.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
 namespace {

@@ -12,8 +12,8 @@
 #include "tools/nmbcrun/advise/candidates.hpp"
 #include "tools/nmbcrun/advise/continuum.hpp"
 #include "tools/nmbcrun/advise/outgoing.hpp"
-#include "tools/nmbcrun/simulation/tables.hpp"
-#include "tools/nmbcrun/simulation/time_step.hpp"
+#include "tools/nmbcrun/certification/time_step.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/chart/chains.hpp"
 
-#include "tools/nmbcrun/simulation/tables.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
 

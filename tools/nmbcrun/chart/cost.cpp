@@ -8,9 +8,9 @@
 #include <nmbc/ends.hpp>
 #include <utility>
 
+#include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/chart/chains.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
-#include "tools/nmbcrun/simulation/time_step.hpp"
 
 namespace nmbcrun {
 namespace {

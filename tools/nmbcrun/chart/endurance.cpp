@@ -13,11 +13,11 @@
 #include <span>
 #include <thread>
 
+#include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/chart/chains.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
-#include "tools/nmbcrun/simulation/time_step.hpp"
 
 namespace nmbcrun {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <nmbc/coefficients.hpp>
 
-#include "tools/nmbcrun/simulation/tables.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/compare/reference.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
-#include "tools/nmbcrun/simulation/tables.hpp"
-#include "tools/nmbcrun/simulation/time_step.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "generator/stability/band_reflection.hpp"
-#include "tools/nmbcrun/simulation/half_space.hpp"
-#include "tools/nmbcrun/simulation/tables.hpp"
+#include "tools/nmbcrun/certification/half_space.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
 

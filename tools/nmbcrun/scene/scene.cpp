@@ -205,6 +205,14 @@ bool adds_no_energy(BoundaryKind kind) {
     return false;
 }
 
+bool takes_table(BoundaryKind kind) {
+    return kind == BoundaryKind::nmbc || kind == BoundaryKind::mbc;
+}
+
+bool has_certificate(BoundaryKind kind) {
+    return kind == BoundaryKind::nmbc || adds_no_energy(kind);
+}
+
 double target_of(const Boundary& boundary) {
     return boundary.target.value_or(boundary.kind == BoundaryKind::sponge ? sponge_target
                                                                           : pml_target);

@@ -64,6 +64,12 @@ bool has_layer(BoundaryKind kind);
 /// the interior's limit.
 bool adds_no_energy(BoundaryKind kind);
 
+/// Whether a table with its coefficients makes this end.
+bool takes_table(BoundaryKind kind);
+
+/// Whether there can be a certificate for a chain with this end.
+bool has_certificate(BoundaryKind kind);
+
 /// The amplitude that the layer of a sponge or pml lets come back in the continuum.
 double target_of(const Boundary& boundary);
 

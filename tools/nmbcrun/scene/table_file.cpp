@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "generator/emit/emit.hpp"
+#include "generator/table/schema.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/scene/json_value.hpp"
 #include "tools/nmbcrun/scene/regular_file.hpp"
@@ -60,7 +60,7 @@ TableFile::TableFile(std::string text, std::string name)
     : name_(std::move(name)), text_(std::move(text)) {
     const nlohmann::json document = parsed(text_, name_);
     const JsonValue top(document, name_);
-    top.at("schema").whole_number(nmbcgen::schema, nmbcgen::schema);
+    top.at("schema").whole_number(nmbcgen::json_schema, nmbcgen::json_schema);
     const std::vector<JsonValue> list =
         top.has("tables") ? top.at("tables").elements() : std::vector<JsonValue>{top};
     for (const JsonValue& each : list) {

@@ -9,9 +9,9 @@
 #include <span>
 #include <utility>
 
-#include "generator/emit/emit.hpp"
 #include "generator/exact/rational.hpp"
-#include "generator/exact/symbol.hpp"
+#include "generator/lattice/symbol.hpp"
+#include "generator/names/names.hpp"
 #include "tools/nmbcrun/scene/exact_json.hpp"
 
 namespace nmbcrun {

@@ -10,16 +10,16 @@
 #include <nmbc/ends.hpp>
 #include <type_traits>
 
-#include "tools/nmbcrun/ends/exact.hpp"
-#include "tools/nmbcrun/ends/higdon.hpp"
-#include "tools/nmbcrun/ends/mbc.hpp"
-#include "tools/nmbcrun/ends/pml.hpp"
-#include "tools/nmbcrun/ends/sponge.hpp"
+#include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/sides/exact.hpp"
+#include "tools/nmbcrun/sides/higdon.hpp"
+#include "tools/nmbcrun/sides/mbc.hpp"
+#include "tools/nmbcrun/sides/pml.hpp"
+#include "tools/nmbcrun/sides/silent_layer.hpp"
+#include "tools/nmbcrun/sides/sponge.hpp"
 #include "tools/nmbcrun/simulation/memory.hpp"
-#include "tools/nmbcrun/simulation/silent_layer.hpp"
-#include "tools/nmbcrun/simulation/tables.hpp"
-#include "tools/nmbcrun/simulation/time_step.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
 
@@ -69,14 +69,6 @@ nmbc::BoundaryCoefficients coefficients_of(const Scene& scene, const Boundary& b
 }
 
 }  // namespace
-
-bool takes_table(BoundaryKind kind) {
-    return kind == BoundaryKind::nmbc || kind == BoundaryKind::mbc;
-}
-
-bool has_certificate(BoundaryKind kind) {
-    return kind == BoundaryKind::nmbc || adds_no_energy(kind);
-}
 
 std::size_t most_steps(BoundaryKind kind) {
     return kind == BoundaryKind::exact ? ExactEnd::most_steps

@@ -9,12 +9,6 @@
 
 namespace nmbcrun {
 
-/// Whether a table with its coefficients makes this end.
-bool takes_table(BoundaryKind kind);
-
-/// Whether there can be a certificate for a chain with this end.
-bool has_certificate(BoundaryKind kind);
-
 /// Steps that a run between such ends may have at most.
 std::size_t most_steps(BoundaryKind kind);
 

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <nmbc/lattice.hpp>
 
+#include "tools/nmbcrun/certification/certificate.hpp"
+#include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/simulation/certificate.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/simulation/memory.hpp"
-#include "tools/nmbcrun/simulation/tables.hpp"
-#include "tools/nmbcrun/simulation/time_step.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "tools/nmbcrun/scene/scene.hpp"
 #include "tools/nmbcrun/simulation/ledger.hpp"
-#include "tools/nmbcrun/simulation/sources.hpp"
+#include "tools/nmbcrun/sources/sources.hpp"
 
 namespace nmbcrun {
 

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/cli/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+
+#include "generator/cli/option_values.hpp"
+#include "generator/cli/parsed_option.hpp"
+#include "generator/exact/rational.hpp"
+
+namespace nmbcgen {
+namespace {
+
+struct SpecificationOptions {
+    CLI::Option* family;
+    CLI::Option* order;
+    CLI::Option* match;
+    CLI::Option* horizon;
+    CLI::Option* weights;
+    CLI::Option* stride;
+    CLI::Option* damping;
+    CLI::Option* time_step;
+    CLI::Option* cfl;
+    CLI::Option* G;
+};
+
+/// What becomes part of the request when all is read.
+struct Pending {
+    std::optional<Matching> matching;
+    std::optional<WeightChoice> weights;
+};
+
+CLI::Option* add_weights(CLI::App& app, std::optional<WeightChoice>& weights) {
+    return add_parsed(app, "--weights", weights, parse_weights,
+                      "influence function: w_1,w_2,.. of bonds of 1, 2, .. dX, exact numbers, or " +
+                          influence_names() + " (default constant)");
+}
+
+SpecificationOptions add_specification(CLI::App& app, Request& request, Pending& pending) {
+    Specification& what = request.specification;
+    const SpecificationOptions options{
+        .family = add_parsed(app, "--family", what.family, parse_family,
+                             "lattice model: " + family_names() + " (default nopd1d)"),
+        .order =
+            add_parsed(app, "--order", what.order, parse_count, "order N of the condition, >= 1"),
+        .match =
+            add_parsed(app, "--match", pending.matching, parse_matching,
+                       "with --G, in place of --order: XI:ROWS,.. matches the residual and its "
+                       "derivatives, ROWS in all, at the wave numbers XI in 1/dX, such as "
+                       "0:5,1.2:2 or 0:3,pi/3:1"),
+        .horizon = add_parsed(app, "--horizon", what.horizon, parse_count,
+                              "horizon n in units of dX, >= 1"),
+        .weights = add_weights(app, pending.weights),
+        .stride = add_parsed(app, "--stride", what.stride, parse_count,
+                             "node offsets of the condition are 0, s, 2s, .. Ns (default 1)"),
+        .damping = add_parsed(app, "--damping", what.damping, parse_rational,
+                              "tau, viscous damping of the stabilisation, an exact number in c/dX "
+                              "such as 1/10 (default 0)"),
+        .time_step =
+            add_parsed(app, "--time-step", what.time_step, parse_rational,
+                       "dt of the leapfrog scheme to match in, an exact number in dX/c such "
+                       "as 1/2 (default 0: continuous time)"),
+        .cfl = add_parsed(app, "--cfl", request.cfl, parse_cfl,
+                          "with --G: --time-step by cfl = dt omega_max/2, as the largest multiple "
+                          "of 1/1000 dX/c that is not above"),
+        .G = add_parsed(app, "--G", what.stabilisation, parse_rational,
+                        "fix the stabilisation G, an exact number such as 1/2 or 0.3 "
+                        "(default: coefficients are functions of G)"),
+    };
+    options.cfl->needs(options.G)->excludes(options.time_step);
+    options.match->needs(options.G)->excludes(options.order);
+    return options;
+}
+
+void require_condition(const SpecificationOptions& options, const std::string& otherwise) {
+    if (options.order->count() + options.match->count() == 0 || options.horizon->count() == 0) {
+        throw CLI::RequiredError("--order (or --match) and --horizon" + otherwise);
+    }
+}
+
+/// nmbcgen reflect, with the same options for the condition.
+CLI::App* add_reflect(CLI::App& app, Request& request, Pending& pending) {
+    auto* const reflect = app.add_subcommand(
+        "reflect", "print the true reflection over the band as CSV (docs/reflection.md)");
+    const SpecificationOptions options = add_specification(*reflect, request, pending);
+    options.G->required();
+    reflect->parse_complete_callback([options] { require_condition(options, ""); });
+    add_parsed(*reflect, "--samples", request.samples, parse_samples,
+               "wave numbers in (0, pi) (default 200)");
+    return reflect;
+}
+
+/// nmbcgen dispersion.
+CLI::App* add_dispersion(CLI::App& app, Curves& curves, Pending& pending) {
+    auto* const dispersion = app.add_subcommand(
+        "dispersion", "print dispersion relations over the band as CSV (docs/dispersion.md)");
+    add_parsed(*dispersion, "--family", curves.family, parse_family,
+               "lattice model: " + family_names() + " (default nopd1d)");
+    add_parsed(*dispersion, "--horizon", curves.horizons, parse_counts,
+               "horizons n in units of dX, with commas between, such as 1,2,3")
+        ->required();
+    add_weights(*dispersion, pending.weights);
+    add_parsed(*dispersion, "--G", curves.G, parse_rationals,
+               "values of the stabilisation G, exact numbers with commas between, such as 0,1/2,1")
+        ->required();
+    add_parsed(*dispersion, "--samples", curves.samples, parse_samples,
+               "wave numbers in 0 < xi <= pi (default 200)");
+    dispersion
+        ->add_flag("--limit", curves.limit, "add the continuum limit at the same horizon, dX -> 0")
+        ->disable_flag_override();
+    return dispersion;
+}
+
+void require_limit_of(const Curves& curves) {
+    const bool constant = std::ranges::all_of(curves.weights, &std::vector<Rational>::empty);
+    if (!constant) {
+        throw CLI::ValidationError("--limit", "it is stated for constant influence only");
+    }
+    try {
+        require_limit(find_family(curves.family));
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError("--limit", error.what());
+    }
+}
+
+std::vector<Rational> settled_weights(const WeightChoice& choice, unsigned horizon) {
+    try {
+        return weights_at(choice, horizon);
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError("--weights", error.what());
+    }
+}
+
+/// What could not be told before everything was read.
+void settle(Request& request, const Pending& pending) {
+    if (pending.matching) {
+        request.specification.order = pending.matching->order;
+        request.specification.points = pending.matching->points;
+    }
+    if (pending.weights && request.action == Action::dispersion) {
+        for (const unsigned horizon : request.curves.horizons) {
+            request.curves.weights.push_back(settled_weights(*pending.weights, horizon));
+        }
+    } else if (pending.weights && request.action == Action::recommend) {
+        request.question.weights = settled_weights(*pending.weights, request.question.horizon);
+    } else if (pending.weights) {
+        request.specification.weights =
+            settled_weights(*pending.weights, request.specification.horizon);
+    }
+    if (request.curves.limit) {
+        require_limit_of(request.curves);
+    }
+}
+
+/// nmbcgen recommend.
+CLI::App* add_recommend(CLI::App& app, Question& question, Pending& pending) {
+    auto* const recommend = app.add_subcommand(
+        "recommend", "say which boundary to use at a horizon and a G, and why not another one");
+    add_parsed(*recommend, "--family", question.family, parse_family,
+               "lattice model: " + family_names() + " (default nopd1d)");
+    add_parsed(*recommend, "--horizon", question.horizon, parse_count,
+               "horizon n in units of dX, >= 1")
+        ->required();
+    add_weights(*recommend, pending.weights);
+    add_parsed(*recommend, "--G", question.G, parse_rational,
+               "stabilisation G of the model, an exact number such as 1/2 or 0.3")
+        ->required();
+    add_parsed(*recommend, "--order", question.order, parse_recommended_order,
+               "this order only (default: 1 to 4)");
+    add_parsed(*recommend, "--tolerance", question.tolerance, parse_fraction,
+               "the part of the energy that may be reflected, mean over the band (default 1e-6, or "
+               "the next power of ten up to 0.1 that can be kept)");
+    add_parsed(*recommend, "--cfl", question.cfl, parse_recommended_cfl,
+               "dt omega_max/2 of your steps (default: the largest that reflect no more than the "
+               "tolerance)");
+    add_parsed(*recommend, "--band", question.band, parse_band,
+               "wave numbers LO..HI in 1/dX (default 0.05..0.3)");
+    return recommend;
+}
+
+/// nmbcgen optimise, with the same options for the condition but --match.
+CLI::App* add_optimise(CLI::App& app, Request& request, Pending& pending) {
+    auto* const optimise =
+        app.add_subcommand("optimise",
+                           "find the matching points that reflect least over a band (docs/"
+                           "matching-points.md)");
+    const SpecificationOptions options = add_specification(*optimise, request, pending);
+    for (CLI::Option* other : {options.match, options.order, options.stride}) {
+        optimise->remove_option(other);
+    }
+    add_parsed(*optimise, "--order", request.specification.order, parse_recommended_order,
+               "order N of the condition, 1 to 8")
+        ->required();
+    add_parsed(*optimise, "--stride", request.aim.stride, parse_count,
+               "this stride only (default: 1 to 2n, or to 4)");
+    add_parsed(*optimise, "--band", request.aim.band, parse_wide_band,
+               "wave numbers LO..HI in 1/dX over which the reflected energy is averaged")
+        ->required();
+    options.horizon->required();
+    options.G->required();
+    return optimise;
+}
+
+/// nmbcgen closed-forms.
+CLI::App* add_closed_forms(CLI::App& app, Request& request) {
+    auto* const closed_forms = app.add_subcommand(
+        "closed-forms",
+        "print the Taylor coefficients for all horizons at once (docs/closed-forms.md)");
+    add_parsed(*closed_forms, "--order", request.specification.order, parse_closed_order,
+               "N: a_1 to a_{2N+1}, 1 to 12")
+        ->required();
+    add_parsed(*closed_forms, "--family", request.specification.family, parse_family,
+               "lattice model: " + family_names() + " (default nopd1d)");
+    add_parsed(*closed_forms, "--format", request.closed_format, parse_closed_format,
+               closed_format_names() + " (default text)");
+    return closed_forms;
+}
+
+}  // namespace
+
+std::variant<Request, int> parse_command_line(int argc, char** argv) {
+    Request request;
+    bool all = false;
+    bool check = false;
+
+    CLI::App app(
+        "nmbcgen: derives a nonlocal matching boundary condition in exact arithmetic and writes "
+        "it as a table.\nExample: nmbcgen --order 3 --horizon 2",
+        "nmbcgen");
+    app.set_version_flag("--version", "nmbcgen " NMBC_VERSION);
+    Pending pending;
+    const SpecificationOptions single = add_specification(app, request, pending);
+    auto* const format = add_parsed(app, "--format", request.format, parse_format,
+                                    format_names() + " (default header; docs/formats.md)");
+    auto* const to_stdout =
+        app.add_flag("--stdout", request.to_stdout, "print the table instead of writing a file");
+    auto* const require_stable =
+        app.add_flag("--require-stable", request.require_stable,
+                     "with --G: write the table only where it is certified to be stable");
+    bool uncertified_given = false;
+    auto* const uncertified = app.add_flag(
+        "--uncertified", uncertified_given,
+        "leave out the certificate of stability, which takes minutes at orders above 5");
+    auto* const folder = add_parsed(app, "--out", request.folder, parse_folder,
+                                    "folder to write to (default generated/nmbc/tables)");
+    add_parsed(app, "--cache", request.cache, parse_folder,
+               "folder to keep certificates in from one run to the next")
+        ->envname("NMBCGEN_CACHE");
+    auto* const all_flag =
+        app.add_flag("--all", all, "write the committed set, with tables.hpp and tables.json");
+    auto* const check_flag = app.add_flag(
+        "--check", check,
+        "compare the committed set in the folder with a fresh one; exit code 1 if it is stale");
+    for (CLI::Option* whole_set : {all_flag, check_flag}) {
+        for (CLI::Option* other :
+             {single.family, single.order, single.match, single.horizon, single.weights,
+              single.stride, single.damping, single.time_step, single.cfl, single.G, format,
+              to_stdout, require_stable, uncertified}) {
+            whole_set->excludes(other);
+        }
+    }
+    all_flag->excludes(check_flag);
+    to_stdout->excludes(folder);
+    require_stable->needs(single.G)->excludes(uncertified);
+    auto* const reflect = add_reflect(app, request, pending);
+    auto* const recommend = add_recommend(app, request.question, pending);
+    auto* const optimise = add_optimise(app, request, pending);
+    auto* const dispersion = add_dispersion(app, request.curves, pending);
+    auto* const closed_forms = add_closed_forms(app, request);
+    app.footer(
+        "Exit codes: 0 done; 1 the committed set is stale; 2 wrong arguments; 3 there is no such "
+        "boundary\ncondition; 4 it is not certified to be stable (--require-stable); 5 a file "
+        "could not "
+        "be read or written.");
+
+    try {
+        app.parse(argc, argv);
+        if (!all && !check && app.get_subcommands().empty()) {
+            require_condition(single, " (or --all, or --check)");
+        }
+        request.certified = !uncertified_given;
+        if (all) {
+            request.action = Action::all_tables;
+        } else if (check) {
+            request.action = Action::check;
+        } else if (reflect->parsed()) {
+            request.action = Action::reflect;
+        } else if (recommend->parsed()) {
+            request.action = Action::recommend;
+        } else if (optimise->parsed()) {
+            request.action = Action::optimise;
+        } else if (dispersion->parsed()) {
+            request.action = Action::dispersion;
+        } else if (closed_forms->parsed()) {
+            request.action = Action::closed_forms;
+        }
+        settle(request, pending);
+    } catch (const CLI::Success& help) {
+        return app.exit(help, std::cout, std::cerr);
+    } catch (const CLI::ParseError& error) {
+        std::cerr << "nmbcgen: " << error.what() << "\nSee nmbcgen --help.\n";
+        return 2;
+    }
+    return request;
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// The command line of nmbcgen.
+#pragma once
+
+#include <filesystem>
+#include <variant>
+
+#include "generator/commands/dispersion.hpp"
+#include "generator/commands/optimise.hpp"
+#include "generator/commands/recommend.hpp"
+#include "generator/emit/closed_forms.hpp"
+#include "generator/emit/emit.hpp"
+#include "generator/table/table.hpp"
+
+namespace nmbcgen {
+
+enum class Action {
+    one_table,
+    all_tables,
+    check,
+    reflect,
+    recommend,
+    optimise,
+    dispersion,
+    closed_forms
+};
+
+struct Request {
+    Action action = Action::one_table;
+    Specification specification;
+    std::optional<Rational> cfl;  ///< dt omega_max / 2, which is to give the time step
+    const Format* format = &formats().front();
+    bool to_stdout = false;
+    bool certified = true;        ///< with certificates of stability
+    bool require_stable = false;  ///< nothing is written unless the certificate covers G
+    unsigned samples = 200;       ///< wave numbers of Action::reflect
+    Question question;            ///< of Action::recommend
+    Aim aim;                      ///< of Action::optimise, its condition but for the stride apart
+    Curves curves;                ///< of Action::dispersion
+    const ClosedFormat* closed_format = &closed_formats().front();  ///< of Action::closed_forms
+    std::optional<std::filesystem::path> cache;                     ///< folder of kept certificates
+    std::filesystem::path folder = "generated/nmbc/tables";
+};
+
+/// A request, or the exit code where help was printed (0) or the arguments are wrong (2); the
+/// message is on stderr by then.
+std::variant<Request, int> parse_command_line(int argc, char** argv);
+
+}  // namespace nmbcgen

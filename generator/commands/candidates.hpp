@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// What nmbcgen recommend chooses from.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/commands/recommend.hpp"
+#include "generator/stability/half_space.hpp"
+
+namespace nmbcgen {
+
+inline constexpr double faded_wavelength = 20;  ///< [dX], of the loss that is stated
+
+/// A condition with the least damping of the ladder that certifies it at the G of the question.
+struct Certified {
+    Specification what;
+    double cfl = 0;                       ///< the largest one; 0: not certified with any damping
+    std::optional<HalfSpace> half_space;  ///< where it is certified
+};
+
+/// The values of tau that are tried, ascending from 0; 0 alone for a family without stabilisation.
+const std::vector<Rational>& damping_ladder(const std::string& family);
+
+/// The largest cfl of one condition with its G and tau, whatever it is; 0 where it is unstable, and
+/// where it is matched in longer steps. Without a half space where there is no such condition.
+Certified certified(const Specification& what);
+
+/// The largest certified cfl of a condition for steps of time_step [dX/c], or for any where that is
+/// 0; 0 where it is not certified, also where these steps are longer.
+double certified_cfl(const HalfSpace& half_space, double time_step);
+
+/// Orders 1 to 4, or the one asked for, with strides 1 to n + 2; those above order 1 also matched
+/// in time steps, of the two largest cfl of a ladder in which they are certified, or of the
+/// question's.
+std::vector<Certified> all_certified(const Question& question, const Progress& progress);
+
+/// One in the question's steps, or in those it is matched in, or else in the largest certified
+/// steps in which it meets the tolerance or reflects least.
+struct Candidate {
+    Specification what;
+    double certified_cfl = 0;
+    double cfl = 0;        ///< of the steps
+    double time_step = 0;  ///< [dX/c]
+    double reflected = 0;  ///< mean reflected energy over the band, in these steps
+    double loss = 0;       ///< of the energy of a wave of 20 dX over one wavelength, by damping
+    std::string lost;      ///< why another one is recommended; empty: this one is
+};
+
+/// The recommended one first; of the same condition matched in several steps the best.
+std::vector<Candidate> in_order(const std::vector<Certified>& certified, const Question& question,
+                                double tolerance);
+
+}  // namespace nmbcgen

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/commands/recommend.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "generator/commands/candidates.hpp"
+#include "generator/exact/rational.hpp"
+#include "generator/names/names.hpp"
+#include "generator/pipeline.hpp"
+
+namespace nmbcgen {
+namespace {
+
+std::string row(const Candidate& candidate) {
+    const Specification& what = candidate.what;
+    std::string text = fmt::format("{:>5} {:>6}", what.order, what.stride);
+    if (candidate.certified_cfl > 0) {
+        // In steps that are not certified nothing was examined.
+        const std::string reflected = candidate.cfl > candidate.certified_cfl
+                                          ? "-"
+                                          : fmt::format("{:.1e}", candidate.reflected);
+        text +=
+            fmt::format(" {:>6} {:>9} {:>9.2f} {:>5.2f} {:>10} {:>8.1e}", to_string(what.damping),
+                        what.time_step == 0 ? "-" : to_string(what.time_step),
+                        candidate.certified_cfl, candidate.cfl, reflected, candidate.loss);
+    } else {
+        text += fmt::format(" {:>6} {:>9} {:>9} {:>5} {:>10} {:>8}", "-", "-", "-", "-", "-", "-");
+    }
+    return text + (candidate.lost.empty() ? "" : "  " + candidate.lost) + "\n";
+}
+
+std::string table_of(const std::vector<Candidate>& all, const Question& question,
+                     double tolerance) {
+    std::string text = fmt::format(
+        "matched: in these leapfrog steps [dX/c]\ncertified: the largest cfl\ncfl: of {}\n"
+        "reflected: energy in these steps, mean over xi = {:g} .. "
+        "{:g}/dX\nloss: energy of a wave of {:g} dX over one wavelength, by damping\n\n"
+        "order stride    tau   matched certified   cfl  reflected     loss\n",
+        question.cfl ? "your steps"
+                     : fmt::format("the largest steps that reflect no more than {:g}, or of those "
+                                   "that reflect least",
+                                   tolerance),
+        question.band.low, question.band.high, faded_wavelength);
+    for (const Candidate& candidate : all) {
+        text += row(candidate);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string recommendation(const Question& question, const Progress& progress) {
+    const std::vector<Certified> certified = all_certified(question, progress);
+    // Where no tolerance is given, damping comes in when nothing undamped keeps 1e-3.
+    constexpr double least = 1e-6;
+    constexpr double undamped_most = 1e-3;
+    constexpr double most = 0.1;
+    double tolerance = question.tolerance.value_or(least);
+    std::vector<Candidate> all = in_order(certified, question, tolerance);
+    const auto answers = [&] {
+        const Candidate& best = all.front();
+        return best.lost.empty() && (best.what.damping == 0 || tolerance > undamped_most);
+    };
+    while (!question.tolerance && !answers() && tolerance < most) {
+        tolerance *= 10;
+        all = in_order(certified, question, tolerance);
+    }
+    const Candidate& best = all.front();
+    if (!best.lost.empty()) {
+        throw NoSuchBoundary(fmt::format(
+            "no certified boundary for horizon {} at G = {} reflects {:g} of the energy or "
+            "less.\n{}",
+            question.horizon, to_string(question.G), tolerance,
+            table_of(all, question, tolerance)));
+    }
+    const bool damped = best.what.damping != 0;
+    const bool matched = best.what.time_step != 0;
+    return fmt::format(
+        "NMBC{}, stride {}, tau = {}, {}steps of cfl {:.2f}, at horizon {}, G = {}\n"
+        "  command    {}\n"
+        "  certified  stable with both ends alike, {}, in {}\n"
+        "  reflected  {:.1e} of the energy in steps of cfl {:.2f}, dt = {:.4g} dX/c\n"
+        "  loss       {:.1e} of the energy\n\n{}",
+        best.what.order, best.what.stride, to_string(best.what.damping),
+        matched ? "matched in " : "", best.cfl, best.what.horizon, to_string(question.G),
+        regenerating_command(best.what),
+        damped ? fmt::format("in chains of {} interior nodes and more", least_damped_nodes)
+               : std::string("in chains of any length (docs/stability.md: short ones)"),
+        matched ? "these steps, of which it takes no others"
+                : fmt::format("steps of cfl {:.2f} or less", best.certified_cfl),
+        best.reflected, best.cfl, best.time_step, best.loss, table_of(all, question, tolerance));
+}
+
+}  // namespace nmbcgen

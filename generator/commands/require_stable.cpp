@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/commands/require_stable.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "generator/exact/rational.hpp"
+#include "generator/names/names.hpp"
+#include "generator/pipeline.hpp"
+#include "generator/stability/discrete.hpp"
+#include "generator/stability/modal.hpp"
+
+namespace nmbcgen {
+namespace {
+
+std::string how_it_fails(const Table& table, const Rational& G) {
+    const ModalVerdict verdict = modal_verdict(make_half_space(table, G));
+    switch (verdict.failure) {
+        case ModalFailure::growing_mode:
+            return fmt::format("a boundary mode grows, Re s = {:.3g} c/dX", verdict.growth.real());
+        case ModalFailure::resonance:
+            return fmt::format("it sends out a wave of its own at xi = {:.3g}/dX",
+                               verdict.wave_number);
+        default:
+            return fmt::format(
+                "waves are amplified by up to {:.6g} a reflection, most at the frequency of xi = "
+                "{:.3g}/dX{}",
+                verdict.supremum, verdict.wave_number,
+                verdict.backward ? ", where backward waves travel" : "");
+    }
+}
+
+/// Seven digits, rounded into the window.
+std::string edge_text(double edge, double towards) {
+    constexpr double next_to_zero = 1e-300;  // where 0 itself is a pole
+    if (edge < next_to_zero) {
+        return edge > 0 ? "above 0" : "0";
+    }
+    std::string text = fmt::format("{:.7g}", edge);
+    const double shown = std::stod(text);
+    const bool rises = towards > edge;
+    if (rises ? shown >= edge : shown <= edge) {
+        return text;
+    }
+    const double last_digit = std::pow(10, std::floor(std::log10(edge)) - 6);
+    return fmt::format("{:.7g}", rises ? shown + last_digit : shown - last_digit);
+}
+
+std::string text_of(const std::vector<StabilityWindow>& windows) {
+    std::string text;
+    for (const StabilityWindow& window : windows) {
+        text += fmt::format(
+            "{}{} {}", text.empty() ? "" : "; ", edge_text(window.low.inner, HUGE_VAL),
+            window.high ? "to " + edge_text(window.high->inner, -HUGE_VAL) : "and above");
+    }
+    return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
+void require_stable(const Table& table) {
+    if (!table.certificate->modal.empty()) {
+        return;
+    }
+    const Specification& what = table.specification;
+    const Rational& G = *what.stabilisation;
+    const HalfSpace half_space = make_half_space(table, G);
+    const bool only_too_long = what.time_step != 0 && stability_grade(half_space) != Grade::none;
+    std::string message = fmt::format(
+        "NMBC{} at horizon {}, stride {},{}{}{} G = {} is not {}. Nothing was written.", what.order,
+        what.horizon, what.stride,
+        what.points.empty() ? std::string() : " matched at " + matching_text(what) + ",",
+        what.damping != 0 ? " damping " + to_string(what.damping) + "," : std::string(),
+        what.time_step != 0 ? " steps of " + to_string(what.time_step) + "," : std::string(),
+        to_string(G),
+        only_too_long
+            ? fmt::format("certified in these steps, of cfl {:.3f}: {:.2f} is the largest one",
+                          cfl_of(half_space, nearest_double(what.time_step)),
+                          largest_cfl(half_space, GhostLevel::midpoint))
+            : "stable: " + how_it_fails(table, G));
+    if (only_too_long || !what.points.empty()) {
+        throw NotStable(message);
+    }
+    constexpr unsigned quick = 5;  // above, windows take minutes
+    if (what.order > quick) {
+        throw NotStable(message);
+    }
+    message += "\nG where it is stable:";
+    std::vector<Table> open;
+    for (const unsigned stride : std::set{1U, what.horizon, what.stride}) {
+        Specification other = what;
+        other.stride = stride;
+        other.stabilisation.reset();
+        open.push_back(derive(other));
+    }
+    certify_all(open);
+    for (const Table& other : open) {
+        message += fmt::format("\n  stride {}: {}", other.specification.stride,
+                               text_of(other.certificate->modal));
+    }
+    throw NotStable(message);
+}
+
+}  // namespace nmbcgen

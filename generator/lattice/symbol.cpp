@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "generator/lattice/symbol.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "generator/exact/rational_function.hpp"
+
+namespace nmbcgen {
+
+namespace {
+
+/// From the first to the last entry that is not zero, whatever the weight.
+std::size_t width(const std::vector<Rational>& stencil) {
+    const auto is_set = [](const Rational& entry) { return entry != 0; };
+    const auto first = std::ranges::find_if(stencil, is_set);
+    const auto last = std::find_if(stencil.rbegin(), stencil.rend(), is_set);
+    return first == stencil.end() ? 0 : std::size_t(last.base() - first);
+}
+
+}  // namespace
+
+std::vector<Polynomial> symbol_of(std::span<const EnergySquare> energy) {
+    if (energy.empty()) {
+        throw std::logic_error("a lattice model needs an energy");
+    }
+    std::size_t widest = 0;
+    for (const EnergySquare& square : energy) {
+        widest = std::max(widest, width(square.stencil));
+    }
+    std::vector<Polynomial> symbol(widest);
+    for (const EnergySquare& square : energy) {
+        for (std::size_t m = 0; m < std::min(widest, square.stencil.size()); ++m) {
+            Rational autocorrelation = 0;
+            for (std::size_t i = 0; i + m < square.stencil.size(); ++i) {
+                autocorrelation += square.stencil[i] * square.stencil[i + m];
+            }
+            symbol[m] += square.weight * constant(autocorrelation);
+        }
+    }
+    return symbol;
+}
+
+}  // namespace nmbcgen

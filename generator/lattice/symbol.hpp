@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+/// The symbol of a lattice model, from its energy.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "generator/table/table.hpp"
+
+namespace nmbcgen {
+
+/// The symbol of an energy: omega^2 = sum over its squares of weight * |stencil(z)|^2, since the
+/// equations of motion are u_tt = -d(energy)/du. Throws std::logic_error for an empty energy.
+std::vector<Polynomial> symbol_of(std::span<const EnergySquare> energy);
+
+}  // namespace nmbcgen

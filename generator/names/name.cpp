@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "generator/exact/rational.hpp"
+#include "generator/names/names.hpp"
+
+namespace nmbcgen {
+namespace {
+
+/// PoQ, which a C++ name may have in it.
+std::string p_over_q(const Rational& value) {
+    return numerator(value).str() + "o" + denominator(value).str();
+}
+
+}  // namespace
+
+std::string table_name(const Specification& specification) {
+    std::string name = fmt::format("{}_n{}", specification.family, specification.horizon);
+    for (std::size_t m = 0; m < specification.weights.size(); ++m) {
+        name += fmt::format("{}_{}", m == 0 ? "_w" : "", p_over_q(specification.weights[m]));
+    }
+    name += fmt::format("_order{}", specification.order);
+    if (specification.stride != 1) {
+        name += fmt::format("_s{}", specification.stride);
+    }
+    if (specification.damping != 0) {
+        name += fmt::format("_tau{}", p_over_q(specification.damping));
+    }
+    if (specification.time_step != 0) {
+        name += fmt::format("_dt{}", p_over_q(specification.time_step));
+    }
+    for (const MatchingPoint& point : specification.points) {
+        name += fmt::format("_at{}{}x{}", point.of_pi ? "pi" : "", p_over_q(point.wave_number),
+                            point.multiplicity);
+    }
+    if (specification.stabilisation) {
+        name += fmt::format("_G{}", p_over_q(*specification.stabilisation));
+    }
+    return name;
+}
+
+std::string to_string(const MatchingPoint& point) {
+    if (!point.of_pi) {
+        return to_string(point.wave_number);
+    }
+    const Integer p = numerator(point.wave_number);
+    const Integer q = denominator(point.wave_number);
+    return (p == 1 ? "" : p.str()) + "pi" + (q == 1 ? "" : "/" + q.str());
+}
+
+std::string matching_text(const Specification& specification) {
+    std::string text = fmt::format("0:{}", rows_at_zero(specification));
+    for (const MatchingPoint& point : specification.points) {
+        text += fmt::format(",{}:{}", to_string(point), point.multiplicity);
+    }
+    return text;
+}
+
+std::string regenerating_command(const Specification& specification) {
+    const std::string condition = specification.points.empty()
+                                      ? fmt::format("--order {}", specification.order)
+                                      : "--match " + matching_text(specification);
+    std::string command = fmt::format("nmbcgen --family {} {} --horizon {}", specification.family,
+                                      condition, specification.horizon);
+    for (std::size_t m = 0; m < specification.weights.size(); ++m) {
+        command += (m == 0 ? " --weights " : ",") + to_string(specification.weights[m]);
+    }
+    if (specification.stride != 1) {
+        command += fmt::format(" --stride {}", specification.stride);
+    }
+    if (specification.damping != 0) {
+        command += " --damping " + to_string(specification.damping);
+    }
+    if (specification.time_step != 0) {
+        command += " --time-step " + to_string(specification.time_step);
+    }
+    if (specification.stabilisation) {
+        command += " --G " + to_string(*specification.stabilisation);
+    }
+    return command;
+}
+
+}  // namespace nmbcgen

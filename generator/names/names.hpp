@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+/// Tables by name: of files, and on the command line that makes them.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "generator/table/table.hpp"
+
+namespace nmbcgen {
+
+/// FAMILY_nH[_w_PoQ_PoQ ..]_orderN[_sS][_tauPoQ][_dtPoQ][_at[pi]PoQxM ..][_GPoQ], the name of the
+/// table and of its files.
+std::string table_name(const Specification& specification);
+
+/// The other way; nothing where it is no such name. Throws std::invalid_argument for a number that
+/// parse_rational() refuses.
+std::optional<Specification> specification_named(const std::string& name);
+
+/// The wave number as on the command line: 6/5, pi, 2pi/3.
+std::string to_string(const MatchingPoint& point);
+
+/// All that is matched, as on the command line: 0:5,6/5:2.
+std::string matching_text(const Specification& specification);
+
+/// The command line that makes this table again.
+std::string regenerating_command(const Specification& specification);
+
+}  // namespace nmbcgen

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+/// The same work on many things at once.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace nmbcgen {
+
+/// work(0), work(1), .. work(count - 1), begun in this order, on all cores. Throws what one threw.
+void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work);
+
+}  // namespace nmbcgen

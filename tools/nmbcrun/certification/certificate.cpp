@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/certification/certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <complex>
+#include <nmbc/certificate.hpp>
+#include <nmbc/lattice.hpp>
+#include <optional>
+#include <utility>
+
+#include "generator/stability/discrete.hpp"
+#include "generator/stability/round_trip.hpp"
+#include "tools/nmbcrun/certification/half_space.hpp"
+#include "tools/nmbcrun/sides/half_line.hpp"
+
+namespace nmbcrun {
+namespace {
+
+nmbcgen::ChainEnd end_of(const Boundary& boundary, const nmbc::MatchingTable& table, double G,
+                         double time_step) {
+    // A fixed or free end is the same in any steps, but in a damped lattice the waves are not.
+    const auto half_space = in_steps(half_space_of(table, G), boundary.ghosts, time_step);
+    switch (boundary.kind) {
+        case BoundaryKind::fixed:
+        case BoundaryKind::extended:
+            return fixed_end(half_space);
+        case BoundaryKind::free:
+            return free_end(half_space);
+        default:  // nmbc; decided_without_waves() knows the others
+            break;
+    }
+    return {nmbcgen::EndKind::matching, half_space};
+}
+
+struct Ends {
+    nmbcgen::ChainEnd left;
+    nmbcgen::ChainEnd right;
+};
+
+Ends ends_of(const Scene& scene, const nmbc::MatchingTable& left, const nmbc::MatchingTable& right,
+             double time_step) {
+    Ends ends{end_of(scene.left, left, scene.G, time_step),
+              end_of(scene.right, right, scene.G, time_step)};
+    // A table at a fixed G has its symbol, one at any G that of the double nearest to it.
+    ends.right.half_space.symbol = ends.left.half_space.symbol;
+    ends.right.half_space.L = ends.left.half_space.L;
+    return ends;
+}
+
+/// ln |zeta| of the factor zeta of one time step [dX/c], whose sigma this is (half_space.hpp).
+double growth_per_step(const Boundary& boundary, std::complex<double> sigma, double time_step) {
+    const std::complex<double> half = sigma * time_step / 2.0;
+    return boundary.ghosts == nmbc::GhostRule::midpoint
+               ? std::log(std::abs((1.0 + half) / (1.0 - half)))
+               : std::log(std::abs(1.0 + sigma * time_step));
+}
+
+std::size_t moving_nodes(const Scene& scene) {
+    std::size_t nodes = scene.nodes;
+    for (const Boundary& boundary : {scene.left, scene.right}) {
+        nodes += has_layer(boundary.kind) ? boundary.layer : 0;
+    }
+    return nodes;
+}
+
+/// Growth [c/dX] by the largest eigenvalue of one step, in chains so short that the half spaces do
+/// not tell all; 0 in longer ones, or where nothing grows.
+double short_chain_growth(const Scene& scene, const Ends& ends, double time_step) {
+    constexpr std::size_t longest = 60;  // tests/stability/exam_short_chains.cpp: 25 are short
+    const std::size_t nodes = moving_nodes(scene);
+    // One rule for both ends is what one_step_map() knows.
+    const Boundary& ruling = scene.left.kind == BoundaryKind::nmbc ? scene.left : scene.right;
+    const int matching =
+        int(scene.left.kind == BoundaryKind::nmbc) + int(scene.right.kind == BoundaryKind::nmbc);
+    const bool one_rule = matching == 1 || scene.left.ghosts == scene.right.ghosts;
+    if (nodes > longest || matching == 0 || !one_rule || is_damped(scene)) {
+        return 0;  // of a damped lattice round trips tell all
+    }
+    const double radius = nmbcgen::spectral_radius(ends.left, ends.right, nodes, time_step,
+                                                   ruling.ghosts == nmbc::GhostRule::midpoint
+                                                       ? nmbcgen::GhostLevel::midpoint
+                                                       : nmbcgen::GhostLevel::old);
+    constexpr double roundings = 1e-7;  // a double eigenvalue 1 splits by their square root
+    return radius > 1 + roundings ? std::log(radius) / time_step : 0;
+}
+
+std::string name_of(const Boundary& boundary) {
+    if (!takes_table(boundary.kind)) {
+        const char* article = name_of(boundary.kind).starts_with('e') ? "an " : "a ";
+        return article + std::string(name_of(boundary.kind)) + " end";
+    }
+    return fmt::format("{}{}{}{}", boundary.kind == BoundaryKind::mbc ? "MBC" : "NMBC",
+                       boundary.order,
+                       boundary.stride > 1 ? fmt::format(" of stride {}", boundary.stride) : "",
+                       boundary.ghosts == nmbc::GhostRule::midpoint ? "" : " with explicit ghosts");
+}
+
+/// " at n = .., G = ..: "
+std::string place_of(const Scene& scene, double cfl) {
+    return fmt::format(" at n = {}, G = {}{}, cfl = {:.3g}: ", scene.horizon, scene.G,
+                       is_damped(scene) ? ", tau = " + scene.tau : "", cfl);
+}
+
+/// What an end does by itself, in words; empty where it does nothing.
+std::string objection_to_one(const Boundary& boundary, nmbcgen::ModalFailure failure,
+                             std::complex<double> growth, double wave_number,
+                             const std::string& place, double step, double time_step) {
+    const std::string alone = name_of(boundary) + " is not stable" + place;
+    switch (failure) {
+        case nmbcgen::ModalFailure::growing_mode:
+            return alone + fmt::format("a mode at that end grows as exp({:.3g} t)",
+                                       growth_per_step(boundary, growth, step) / time_step);
+        case nmbcgen::ModalFailure::resonance:
+            return alone + fmt::format("that end sends out a wave of xi dX = {:.3g} by itself",
+                                       wave_number);
+        default:
+            return "";
+    }
+}
+
+/// The objection where the waves of the two ends need not be looked at: none between ends that add
+/// no energy, none to an nmbc at a step where it is certified for any such end. Nothing where they
+/// have to be: between two nmbc, and against ends whose reflections are known.
+std::optional<std::string> decided_without_waves(const Scene& scene,
+                                                 const nmbc::MatchingTable& left,
+                                                 const nmbc::MatchingTable& right, double cfl) {
+    for (const Boundary& boundary : {scene.left, scene.right}) {
+        if (!has_certificate(boundary.kind)) {
+            return fmt::format("there is no certificate for a chain with {} end",
+                               boundary.kind == BoundaryKind::mbc ? "an mbc" : "a higdon");
+        }
+    }
+    if (adds_no_energy(scene.left.kind) && adds_no_energy(scene.right.kind)) {
+        return "";
+    }
+    const auto has_known_waves = [](BoundaryKind kind) {
+        return kind == BoundaryKind::nmbc || kind == BoundaryKind::fixed ||
+               kind == BoundaryKind::free || kind == BoundaryKind::extended;
+    };
+    if (has_known_waves(scene.left.kind) && has_known_waves(scene.right.kind)) {
+        return std::nullopt;
+    }
+    const bool on_the_left = scene.left.kind == BoundaryKind::nmbc;
+    const Boundary& matching = on_the_left ? scene.left : scene.right;
+    const double certified = nmbc::certified_cfl(on_the_left ? left : right, scene.G,
+                                                 matching.ghosts, nmbc::Opposite::any);
+    constexpr double roundings = 1e-12;  // cfl was a time step on its way here
+    if (cfl <= certified * (1 + roundings)) {
+        return "";
+    }
+    return fmt::format(
+        "{} is certified against {} {} at n = {}, G = {}{}; cfl = {:.3g}", name_of(matching),
+        name_of(on_the_left ? scene.right : scene.left),
+        certified > 0 ? fmt::format("up to cfl = {:.3g} only", certified) : "at no time step",
+        scene.horizon, scene.G, is_damped(scene) ? ", tau = " + scene.tau : "", cfl);
+}
+
+/// The nmbc that stands alone on a half line, since what goes out at the other end does not come
+/// back: waves are reflected by it once, however much it adds to them. nullptr where there is none.
+const Boundary* alone_on_a_half_line(const Scene& scene, const nmbc::Lattice& lattice,
+                                     double step) {
+    for (const auto& [end, opposite] :
+         {std::pair(&scene.left, &scene.right), std::pair(&scene.right, &scene.left)}) {
+        if (end->kind == BoundaryKind::nmbc && is_half_line(scene, *opposite, lattice, step)) {
+            return end;
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
+                      const nmbc::MatchingTable& right, double time_step, double cfl) {
+    const double c = wave_speed(scene);
+    const double step = time_step * c / scene.spacing;  // in dX/c
+    const std::string place = place_of(scene, cfl);
+    if (const Boundary* own = alone_on_a_half_line(scene, make_lattice(left, scene.G), step)) {
+        const auto verdict = verdict_without_incident_waves(
+            end_of(*own, own == &scene.left ? left : right, scene.G, step).half_space);
+        return objection_to_one(*own, verdict.failure, verdict.growth, verdict.wave_number, place,
+                                step, time_step);
+    }
+    if (const auto decided = decided_without_waves(scene, left, right, cfl)) {
+        return *decided;
+    }
+    const Ends ends = ends_of(scene, left, right, step);
+    const auto verdict = round_trip_verdict(ends.left, ends.right, moving_nodes(scene));
+    std::string alone =
+        objection_to_one(verdict.left ? scene.left : scene.right, verdict.failure, verdict.growth,
+                         verdict.wave_number, place, step, time_step);
+    if (!alone.empty()) {
+        return alone;
+    }
+    const std::string together = scene.left == scene.right
+                                     ? name_of(scene.left) + " at both ends is not stable"
+                                     : fmt::format(
+                                           "{} on the left and {} on the right are not "
+                                           "stable together",
+                                           name_of(scene.left), name_of(scene.right));
+    if (verdict.failure == nmbcgen::ModalFailure::amplified_wave) {
+        return together + place +
+               fmt::format(
+                   "waves of the frequency of xi dX = {:.3g} can grow by {:.3g} % per round "
+                   "trip{}",
+                   verdict.wave_number, 100 * (verdict.amplification - 1),
+                   is_damped(scene) ? fmt::format(" in a chain of {} nodes", moving_nodes(scene))
+                                    : "");
+    }
+    const double rate = short_chain_growth(scene, ends, step);
+    return rate > 0 ? together + place +
+                          fmt::format(
+                              "in a chain of {} nodes, so short that decaying waves reach "
+                              "the other end, it grows as exp({:.3g} t)",
+                              moving_nodes(scene), rate * step / time_step)
+                    : "";
+}
+
+}  // namespace nmbcrun

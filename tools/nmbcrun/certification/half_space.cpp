@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/certification/half_space.hpp"
+
+#include <nmbc/coefficients.hpp>
+#include <string>
+#include <utility>
+
+#include "generator/exact/rational.hpp"
+#include "generator/exact/rational_function.hpp"
+
+namespace nmbcrun {
+namespace {
+
+nmbcgen::IntegerPolynomial exact(std::string_view list) {
+    std::vector<nmbcgen::Integer> coefficients;
+    nmbc::detail::for_each_integer(list, [&](std::size_t, std::string_view integer) {
+        coefficients.emplace_back(std::string(integer));
+    });
+    return nmbcgen::IntegerPolynomial(std::move(coefficients));
+}
+
+std::vector<nmbcgen::RationalFunction> exact(std::span<const nmbc::RationalFunction> functions) {
+    std::vector<nmbcgen::RationalFunction> result;
+    for (const nmbc::RationalFunction& function : functions) {
+        result.push_back({exact(function.numerator), exact(function.denominator)});
+    }
+    return result;
+}
+
+/// Family, horizon, order, stride, tau, time step, symbol, damping, c and b of the table; the rest
+/// stays empty.
+nmbcgen::Table exact_table(const nmbc::MatchingTable& table) {
+    nmbcgen::Table result;
+    result.specification = {.family = std::string(table.family),
+                            .horizon = unsigned(table.horizon),
+                            .order = unsigned(table.order),
+                            .stride = unsigned(table.stride),
+                            .stabilisation = {},
+                            .damping = nmbcgen::parse_rational(table.tau),
+                            .time_step = nmbcgen::parse_rational(table.time_step)};
+    for (const nmbcgen::RationalFunction& function : exact(table.symbol)) {
+        const nmbcgen::Rational divisor(function.denominator[0]);  // of a polynomial: a number
+        result.model.symbol.push_back(nmbcgen::over_rationals(function.numerator) / divisor);
+    }
+    for (const nmbcgen::RationalFunction& number : exact(table.damping)) {
+        result.model.damping.push_back(nmbcgen::evaluate(number, 0));
+    }
+    result.c = exact(table.c);
+    result.b = exact(table.b);
+    return result;
+}
+
+}  // namespace
+
+nmbcgen::HalfSpace half_space_of(const nmbc::MatchingTable& table, double G) {
+    return make_half_space(exact_table(table), nmbcgen::Rational(G));
+}
+
+nmbcgen::HalfSpace in_steps(nmbcgen::HalfSpace half_space, nmbc::GhostRule ghosts,
+                            double time_step) {
+    return stepped(std::move(half_space), time_step,
+                   ghosts == nmbc::GhostRule::midpoint ? nmbcgen::GhostLevel::midpoint
+                                                       : nmbcgen::GhostLevel::old);
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/sides/incident_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace nmbcrun {
+namespace {
+
+using Fields = nmbc::Inwards<double>;
+using ConstFields = nmbc::Inwards<const double>;
+
+class BackgroundCondition final : public nmbc::EndCondition<double> {
+  public:
+    BackgroundCondition(std::unique_ptr<nmbc::EndCondition<double>> inner, nmbc::End end,
+                        std::shared_ptr<const Background> background, const nmbc::Lattice& lattice,
+                        const nmbc::ChainParameters& p)
+        : inner_(std::move(inner)),
+          end_(end),
+          background_(std::move(background)),
+          time_step_(p.time_step) {
+        const std::size_t outside = lattice.reach() + inner_->layer_nodes();
+        const std::size_t nodes = outside + inner_->least_interior_nodes();
+        const double first =
+            end == nmbc::End::left ? 1 - double(outside) : double(p.nodes + outside + 1 - nodes);
+        at_rest_.reserve(nodes);
+        waves_.emplace(background_->waves, first - background_->origin, p.time_step);
+        for (std::size_t node = 0; node < nodes; ++node) {
+            at_rest_.push_back(background_->per_node *
+                               (first + double(node) - background_->middle));
+        }
+        for (auto* field : {&u_background_, &v_background_}) {
+            field->resize(nodes);
+        }
+        for (auto* field : {&u_, &v_}) {
+            field->resize(outside + p.nodes);
+        }
+    }
+
+    std::size_t layer_nodes() const override { return inner_->layer_nodes(); }
+    std::size_t least_interior_nodes() const override { return inner_->least_interior_nodes(); }
+
+    void start(Fields u, Fields v) override {
+        find_background(-1);
+        const std::vector<double> v_background = v_background_;
+        find_background(0);
+        v_background_ = v_background;
+        // What is further inside is for the inner end to compare with what is near: an exact one
+        // takes for rest what is a rounding of the whole.
+        for (std::size_t node = at_rest_.size(); node < u_.size(); ++node) {
+            Fields({u_}, end_)[node] = u[node];
+            Fields({v_}, end_)[node] = v[node];
+        }
+        take_off(u, v);
+        drop_roundings();
+        inner_->start({u_, end_}, {v_, end_});
+        add_again(u, {u_, end_}, {u_background_, end_});
+        add_again(v, {v_, end_}, {v_background_, end_});
+    }
+
+    void after_kick(ConstFields u, Fields v, std::size_t step) override {
+        find_background(double(step));
+        take_off(u, v);
+        inner_->after_kick({std::span<const double>(u_), end_}, {v_, end_}, step);
+        add_again(v, {v_, end_}, {v_background_, end_});
+    }
+
+    std::span<const double> memory() const override { return inner_->memory(); }
+    void remember(std::span<const double> memory) override { inner_->remember(memory); }
+
+  private:
+    /// u_b at a step, v_b half a step on.
+    void find_background(double step) {
+        u_background_ = at_rest_;
+        std::ranges::fill(v_background_, 0.0);
+        if (step < background_->last_wave) {
+            waves_->add(step - background_->arrival, u_background_, v_background_);
+        }
+    }
+
+    void take_off(ConstFields u, ConstFields v) {
+        const Fields u_left({u_}, end_);
+        const Fields v_left({v_}, end_);
+        const Fields u_background({u_background_}, end_);
+        const Fields v_background({v_background_}, end_);
+        for (std::size_t node = 0; node < at_rest_.size(); ++node) {
+            u_left[node] = u[node] - u_background[node];
+            v_left[node] = v[node] - v_background[node];
+        }
+    }
+
+    /// Of the background, which is a sum: where it is all there is, nothing is left of it.
+    void drop_roundings() {
+        double size = 0;
+        for (const LatticeWave& wave : background_->waves) {
+            size += std::abs(wave.amplitude);
+        }
+        for (const double u : at_rest_) {
+            size = std::max(size, std::abs(u));
+        }
+        constexpr double roundings = 1e-13;
+        for (std::size_t node = 0; node < at_rest_.size(); ++node) {
+            double& u = Fields({u_}, end_)[node];
+            double& v = Fields({v_}, end_)[node];
+            u = std::abs(u) > roundings * size ? u : 0;
+            v = std::abs(v) > roundings * size / time_step_ ? v : 0;
+        }
+    }
+
+    /// What the inner end has left alone stays as it is, to the last bit.
+    void add_again(Fields field, Fields changed, Fields background) const {
+        for (std::size_t node = 0; node < at_rest_.size(); ++node) {
+            if (changed[node] != field[node] - background[node]) {
+                field[node] = changed[node] + background[node];
+            }
+        }
+    }
+
+    std::unique_ptr<nmbc::EndCondition<double>> inner_;
+    nmbc::End end_;
+    std::shared_ptr<const Background> background_;
+    double time_step_;
+    std::optional<WavesAtNodes> waves_;
+    // Of the nodes that the inner end may read or write, from left to right.
+    std::vector<double> at_rest_;
+    std::vector<double> u_background_;
+    std::vector<double> v_background_;
+    std::vector<double> u_;
+    std::vector<double> v_;
+};
+
+}  // namespace
+
+std::unique_ptr<nmbc::EndCondition<double>> BackgroundEnd::make(
+    const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
+    std::type_identity<double> /*precision*/) const {
+    return std::make_unique<BackgroundCondition>(inner.make(lattice, parameters), end, background,
+                                                 lattice, parameters);
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/sources/sources.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/sources/incoming_wave.hpp"
+#include "tools/nmbcrun/sources/initial_fields.hpp"
+#include "tools/nmbcrun/sources/preload.hpp"
+
+namespace nmbcrun {
+namespace {
+
+std::shared_ptr<const Background> background_of(const Scene& scene, nmbc::End side,
+                                                const nmbc::Lattice& lattice,
+                                                const nmbc::ChainParameters& parameters,
+                                                std::size_t steps) {
+    const bool comes_in = scene.incoming && scene.incoming->end == side;
+    if (!scene.preload && !comes_in) {
+        return nullptr;
+    }
+    const PreloadField preload(scene);
+    Background background{.per_node = preload.per_node, .middle = preload.middle};
+    if (comes_in) {
+        add_incoming_wave(scene, lattice, parameters, steps, background);
+    }
+    return std::make_shared<const Background>(std::move(background));
+}
+
+/// u at t = 0 of all nodes, and v half a step before and after.
+struct WavesAtStart {
+    std::vector<double> u;
+    std::vector<double> before;
+    std::vector<double> after;
+};
+
+void add_waves(const Background& background, nmbc::End side, const nmbc::Chain& chain,
+               WavesAtStart& fields) {
+    const std::size_t outside =
+        side == nmbc::End::left ? chain.first_interior()
+                                : chain.nodes() - chain.first_interior() - chain.parameters().nodes;
+    const double reached = double(outside) + 1 + std::ceil(background.inside);
+    const auto nodes = std::size_t(std::min(reached, double(chain.nodes())));
+    const std::size_t first = side == nmbc::End::left ? 0 : chain.nodes() - nodes;
+    const WavesAtNodes waves(background.waves,
+                             double(first) + 1 - double(chain.first_interior()) - background.origin,
+                             chain.parameters().time_step);
+    const auto reached_part = [&](std::vector<double>& field) {
+        return std::span(field).subspan(first, nodes);
+    };
+    std::vector<double> ignored(nodes);
+    waves.add(-background.arrival, reached_part(fields.u), reached_part(fields.after));
+    waves.add(-background.arrival - 1, ignored, reached_part(fields.before));
+}
+
+}  // namespace
+
+Sources::Sources(const Scene& scene, const nmbc::Lattice& lattice,
+                 const nmbc::ChainParameters& parameters, std::size_t steps)
+    : scene_(scene),
+      time_step_(parameters.time_step),
+      left_(background_of(scene, nmbc::End::left, lattice, parameters, steps)),
+      right_(background_of(scene, nmbc::End::right, lattice, parameters, steps)) {
+    if (scene.drive) {
+        driver_.emplace(scene, time_step_);
+    }
+    if (scene.force) {
+        forcing_.emplace(scene, time_step_);
+    }
+}
+
+nmbc::ChainEnd Sources::end(nmbc::End side, const nmbc::ChainEnd& inner) const {
+    const auto& background = side == nmbc::End::left ? left_ : right_;
+    return background ? nmbc::ChainEnd(BackgroundEnd{inner, side, background}) : inner;
+}
+
+void Sources::start(nmbc::Chain& chain) {
+    first_interior_ = chain.first_interior();
+    if (!scene_.initial && !scene_.incoming && !scene_.preload) {
+        return;
+    }
+    auto [u, v, is_staggered] = initial_fields(scene_, chain.lattice(), chain.parameters(),
+                                               chain.nodes(), chain.first_interior());
+    const std::vector<double> zeros(chain.nodes());
+    WavesAtStart waves{zeros, zeros, zeros};
+    for (const auto side : {nmbc::End::left, nmbc::End::right}) {
+        const auto& background = side == nmbc::End::left ? left_ : right_;
+        if (background) {
+            add_waves(*background, side, chain, waves);
+        }
+    }
+    // The chain takes v at t = 0 and goes back by half a step itself.
+    const PreloadField preload(scene_);
+    std::vector<double> at_start(chain.nodes());
+    for (std::size_t entry = 0; entry < u.size(); ++entry) {
+        u[entry] += waves.u[entry] + preload(double(entry) + 1 - double(first_interior_));
+        at_start[entry] =
+            (waves.before[entry] + waves.after[entry]) / 2 + (is_staggered ? 0 : v[entry]);
+    }
+    start_from(chain, u, at_start);
+    if (is_staggered) {
+        const std::span<double> velocity = chain.velocity();
+        for (std::size_t entry = chain.ghosts(); entry + chain.ghosts() < v.size(); ++entry) {
+            velocity[entry] = v[entry] + waves.before[entry];
+        }
+    }
+}
+
+/// The exact end that refuses these fields. The waves that come in are known to the end they come
+/// through, so the other one is looked at first.
+nmbc::End Sources::exact_end_that_moves(const nmbc::Chain& chain, std::span<const double> u,
+                                        std::span<const double> v) const {
+    const bool comes_from_left = scene_.incoming && scene_.incoming->end == nmbc::End::left;
+    const auto first = comes_from_left ? nmbc::End::right : nmbc::End::left;
+    const auto last = comes_from_left ? nmbc::End::left : nmbc::End::right;
+    const PreloadField preload(scene_);
+    const double unit_of_time = scene_.spacing / chain.parameters().wave_speed();
+    double largest = 0;
+    double near = 0;
+    for (std::size_t entry = 0; entry < u.size(); ++entry) {
+        const double at_rest = preload(double(entry) + 1 - double(first_interior_));
+        const double size =
+            std::max(std::abs(u[entry] - at_rest), std::abs(v[entry]) * unit_of_time);
+        const std::size_t depth = first == nmbc::End::left ? entry : u.size() - 1 - entry;
+        largest = std::max(largest, size);
+        near = depth < 2 * chain.ghosts() ? std::max(near, size) : near;
+    }
+    const Boundary& boundary = first == nmbc::End::left ? scene_.left : scene_.right;
+    constexpr double negligible = 1e-12;  // as the end has it
+    return boundary.kind == BoundaryKind::exact && near > negligible * largest ? first : last;
+}
+
+void Sources::start_from(nmbc::Chain& chain, std::span<const double> u,
+                         std::span<const double> v) const {
+    try {
+        chain.start(u, v);
+    } catch (const std::invalid_argument&) {
+        if (scene_.left.kind != BoundaryKind::exact && scene_.right.kind != BoundaryKind::exact) {
+            throw;
+        }
+        throw SceneError(fmt::format(
+            "the exact end on the {} starts from rest, and something moves there at t = 0: {}",
+            exact_end_that_moves(chain, u, v) == nmbc::End::left ? "left" : "right",
+            scene_.incoming ? "give a later incoming.arrival"
+                            : "initial has to be farther from it"));
+    }
+}
+
+void Sources::operator()(std::span<const double> u, std::span<double> v, double time) const {
+    if (forcing_) {
+        (*forcing_)(v, first_interior_, time);
+    }
+    if (driver_) {  // what is prescribed is prescribed, whatever else acts
+        (*driver_)(u, v, first_interior_, time);
+    }
+}
+
+bool Sources::is_driven(double time) const {
+    const auto comes_in = [&](const std::shared_ptr<const Background>& background) {
+        return background && time <= background->last_wave * time_step_;
+    };
+    return (driver_ && driver_->drives(time)) || (forcing_ && forcing_->drives(time)) ||
+           comes_in(left_) || comes_in(right_);
+}
+
+std::string Sources::why_no_energy() const {
+    std::string why;
+    if (scene_.force || scene_.incoming) {
+        why += "a force or an incoming wave acts at no time of the run, or ";
+    }
+    if (scene_.initial) {
+        why += "initial lies outside of the bar, or ";
+    }
+    return why + "an amplitude is too small for doubles, or preload.strain is 0";
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/tables/tables.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nmbc/coefficients.hpp>
+#include <nmbc/tables/tables.hpp>
+#include <set>
+#include <string_view>
+
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/tables/making_command.hpp"
+
+namespace nmbcrun {
+
+namespace {
+
+void require_stabilisation(const nmbc::MatchingTable& table, double G) {
+    const bool is_stabilised = std::ranges::find(table.energy, nmbc::EnergyPart::stabilisation,
+                                                 &nmbc::EnergySquare::part) != table.energy.end();
+    if (G != 0 && !is_stabilised) {
+        throw SceneError(fmt::format(
+            "the lattice of family {} has no stabilisation: model.G must be absent or 0, not {}",
+            table.family, G));
+    }
+}
+
+/// Calls use(table) for the scene's own tables and the committed ones, in this order, as far as
+/// they have its influence.
+template <class Use>
+void for_each_of_the_influence(const Scene& scene, Use use) {
+    for (const auto& file : scene.own_tables) {
+        for (const OwnTable& own : file->tables()) {
+            if (own.weights == scene.weights) {
+                use(own.table);
+            }
+        }
+    }
+    if (scene.weights.empty()) {
+        for (const nmbc::MatchingTable* table : nmbc::generated::tables) {
+            use(*table);
+        }
+    }
+}
+
+bool is_for(const nmbc::MatchingTable& table, const Scene& scene) {
+    return table.family == scene.family && table.horizon == scene.horizon &&
+           table.tau == scene.tau &&
+           (table.fixed_G.empty() || nmbc::detail::nearest_to_fraction(table.fixed_G) == scene.G);
+}
+
+/// Whether a Boundary cannot tell the one from the other.
+bool is_same_choice(const nmbc::MatchingTable& one, const nmbc::MatchingTable& other) {
+    return one.order == other.order && one.stride == other.stride &&
+           one.time_step == other.time_step;
+}
+
+/// Throws SceneError where they differ by more than the roundings of G.
+void require_one_lattice(const nmbc::MatchingTable& one, const nmbc::MatchingTable& other,
+                         double G) {
+    const nmbc::Lattice left = nmbc::make_lattice(one, G);
+    const nmbc::Lattice right = nmbc::make_lattice(other, G);
+    const double roundings = 1e-14 * std::ranges::max(left.symbol);
+    const auto is_near = [&](double a, double b) { return std::abs(a - b) <= roundings; };
+    if (!std::ranges::equal(left.symbol, right.symbol, is_near) ||
+        !std::ranges::equal(left.damping, right.damping, is_near)) {
+        throw SceneError(fmt::format(
+            "the tables {} and {} are of different lattices: at G = {} their symbols differ",
+            one.name, other.name, G));
+    }
+}
+
+void require_settled(const Scene& scene) {
+    if (scene.auto_horizon || scene.auto_G) {
+        throw SceneError(fmt::format(
+            "{} is \"auto\", which advise and run --tolerance choose (docs/advise.md): give a "
+            "number, such as one of the settings that advise prints",
+            scene.auto_horizon ? "model.horizon" : "model.G"));
+    }
+}
+
+/// Of the scene's family, horizon and influence, or else which of those there are.
+std::string what_there_is(const Scene& scene) {
+    std::string names;
+    std::map<std::string_view, std::set<int>> horizons;
+    for_each_of_the_influence(scene, [&](const nmbc::MatchingTable& table) {
+        horizons[table.family].insert(table.horizon);
+        if (table.family == scene.family && table.horizon == scene.horizon) {
+            names += (names.empty() ? "" : ", ") + std::string(table.name);
+        }
+    });
+    if (!names.empty()) {
+        return "of this family and horizon there are " + names;
+    }
+    if (horizons.empty()) {
+        return "there is nothing of this influence";
+    }
+    std::string families;
+    for (const auto& [family, list] : horizons) {
+        families += fmt::format("{}{} with horizon {}", families.empty() ? "" : ", ", family,
+                                fmt::join(list, ", "));
+    }
+    return "there is nothing of this family and horizon, but " + families;
+}
+
+}  // namespace
+
+std::vector<const nmbc::MatchingTable*> tables_of(const Scene& scene) {
+    std::vector<const nmbc::MatchingTable*> tables;
+    for_each_of_the_influence(scene, [&](const nmbc::MatchingTable& table) {
+        const auto is_known = [&](const auto* other) { return is_same_choice(table, *other); };
+        if (!is_for(table, scene) || std::ranges::any_of(tables, is_known)) {
+            return;
+        }
+        if (tables.empty()) {
+            require_stabilisation(table, scene.G);
+        } else if (!scene.own_tables.empty()) {
+            require_one_lattice(*tables.front(), table, scene.G);
+        }
+        tables.push_back(&table);
+    });
+    return tables;
+}
+
+std::vector<int> horizons_of(const Scene& scene) {
+    std::set<int> horizons;
+    for_each_of_the_influence(scene, [&](const nmbc::MatchingTable& table) {
+        if (table.family == scene.family && table.tau == scene.tau) {
+            horizons.insert(table.horizon);
+        }
+    });
+    return {horizons.begin(), horizons.end()};
+}
+
+const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary) {
+    require_settled(scene);
+    const bool matching = takes_table(boundary.kind);
+    const auto tables = tables_of(scene);
+    const auto found = std::ranges::find_if(tables, [&](const nmbc::MatchingTable* table) {
+        return !matching || (table->order == boundary.order && table->stride == boundary.stride &&
+                             table->time_step == boundary.matched_step);
+    });
+    if (found != tables.end()) {
+        return **found;
+    }
+    throw SceneError(fmt::format(
+        "nmbcrun has no table for family {}, horizon {}{}{}{}{}; it knows the committed set{}, in "
+        "which {}{}",
+        scene.family, scene.horizon,
+        scene.weights.empty() ? "" : fmt::format(", influence {}", fmt::join(scene.weights, ", ")),
+        matching ? fmt::format(", order {}, stride {}", boundary.order, boundary.stride) : "",
+        matching && boundary.matched_step != "0"
+            ? fmt::format(", matched_step {}", boundary.matched_step)
+            : "",
+        scene.tau == "0" ? "" : fmt::format(", damping tau = {}", scene.tau),
+        scene.own_tables.empty() ? "" : " and those of model.tables", what_there_is(scene),
+        how_to_make(scene, boundary)));
+}
+
+const TableFile* uncertified_file(const Scene& scene, const nmbc::MatchingTable& table) {
+    for (const auto& file : scene.own_tables) {
+        for (const OwnTable& own : file->tables()) {
+            if (&own.table == &table && !own.is_certified) {
+                return file.get();
+            }
+        }
+    }
+    return nullptr;
+}
+
+nmbc::Lattice lattice_of(const Scene& scene) {
+    return nmbc::make_lattice(table_of(scene, {.kind = BoundaryKind::fixed}), scene.G);
+}
+
+}  // namespace nmbcrun
