@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <nmbc/end_condition.hpp>
+#include <nmbc/boundary_condition.hpp>
 #include <nmbc/kernels.hpp>
 #include <nmbc/lattice.hpp>
 #include <span>
@@ -296,8 +296,8 @@ class BasicChain {
 
     Lattice lattice_;
     ChainParameters parameters_;
-    std::unique_ptr<EndCondition<Real>> left_;
-    std::unique_ptr<EndCondition<Real>> right_;
+    std::unique_ptr<BoundaryCondition<Real>> left_;
+    std::unique_ptr<BoundaryCondition<Real>> right_;
     std::unique_ptr<const detail::Kick<Real>> force_;  // of one time step
     std::unique_ptr<const detail::Kick<Real>> brake_;  // of the damping; none where undamped
     std::vector<Real> memory_;                         // of the two fields

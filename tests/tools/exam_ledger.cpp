@@ -34,16 +34,16 @@ nmbc::Lattice lattice_of(int horizon, double G, bool damped) {
 
 /// A fixed end that takes a tenth of the velocity of the three outermost interior nodes away.
 struct BrakingEnd {
-    class Condition final : public nmbc::EndCondition<double> {
+    class Condition final : public nmbc::BoundaryCondition<double> {
       public:
         explicit Condition(std::size_t ghosts) : ghosts_(ghosts) {}
         std::size_t least_interior_nodes() const override { return 3; }
-        void start(nmbc::Inwards<double> u, nmbc::Inwards<double> v) override {
+        void start(nmbc::NodeLine<double> u, nmbc::NodeLine<double> v) override {
             for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
                 u[ghost] = v[ghost] = 0;
             }
         }
-        void after_kick(nmbc::Inwards<const double> /*u*/, nmbc::Inwards<double> v,
+        void after_kick(nmbc::NodeLine<const double> /*u*/, nmbc::NodeLine<double> v,
                         std::size_t /*step*/) override {
             for (std::size_t node = ghosts_; node < ghosts_ + 3; ++node) {
                 v[node] *= 0.9;
@@ -54,9 +54,9 @@ struct BrakingEnd {
         std::size_t ghosts_;
     };
 
-    static std::unique_ptr<nmbc::EndCondition<double>> make(const nmbc::Lattice& lattice,
-                                                            const nmbc::ChainParameters& /*p*/,
-                                                            std::type_identity<double> /*real*/) {
+    static std::unique_ptr<nmbc::BoundaryCondition<double>> make(
+        const nmbc::Lattice& lattice, const nmbc::ChainParameters& /*p*/,
+        std::type_identity<double> /*real*/) {
         return std::make_unique<Condition>(lattice.reach());
     }
 };
