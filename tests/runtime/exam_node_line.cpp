@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// A matching boundary that is made for a chain closes a plane, line by line.
+/// A matching boundary that is made for a chain closes a plane, line by line, and the steps of a
+/// chain are those of a plane.
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <nmbc/boundary.hpp>
+#include <nmbc/nmbc.hpp>
 #include <nmbc/tables/tables.hpp>
 #include <random>
 #include <vector>
@@ -80,6 +81,76 @@ TEST_CASE("a line of one component among several at each node") {
     boundary.update(line_of(u, {2, 20}, 1, 0), chain, End::right);
     CHECK(line_of(v, {2, 20}, 1, 0) == chain);
     CHECK(line_of(v, {2, 20}, 1, 1) == line_of(before, {2, 20}, 1, 1));
+}
+
+/// Lines of nodes side by side that do not know of each other, each a chain along the axis.
+struct Plane {
+    nmbc::Grid grid;
+    std::size_t axis;
+    const nmbc::detail::Kick<double>& force;
+    const nmbc::MatchingBoundary& boundary;
+    double time_step;
+    std::vector<double> u;
+    std::vector<double> v;
+
+    std::size_t lines() const { return axis == 0 ? grid.ny : grid.nx; }
+
+    void kick() {
+        for (std::size_t line = 0; line < lines(); ++line) {
+            auto velocities = line_of(v, grid, axis, line);
+            force.kick(line_of(u, grid, axis, line), velocities);
+            const nmbc::NodeLine<double> into(v, grid, {axis, End::left}, line);
+            for (std::size_t i = 0; i < velocities.size(); ++i) {
+                into[i] = velocities[i];
+            }
+        }
+    }
+    void close_sides() {
+        for (const auto end : {End::left, End::right}) {
+            for (std::size_t line = 0; line < lines(); ++line) {
+                const nmbc::Side side{axis, end};
+                boundary.update({std::span<const double>(u), grid, side, line},
+                                {std::span(v), grid, side, line});
+            }
+        }
+    }
+    void drift() { nmbc::detail::drift<double>(time_step, u, v); }
+    void drift_and_kick() {
+        drift();
+        kick();
+    }
+};
+
+TEST_CASE("a plane of chains side by side, stepped as a plane, is those chains, bit for bit") {
+    const auto* table = nmbc::find_table(nmbc::generated::tables, "nopd1d", 2, 1);
+    REQUIRE(table != nullptr);
+    constexpr double G = 1;
+    constexpr double time_step = 0.3;
+    const auto lattice = nmbc::make_lattice(*table, G);
+    const auto coefficients = nmbc::boundary_coefficients(*table, G);
+    const nmbc::MatchingBoundary boundary(coefficients, lattice.reach(), 1, 1, time_step);
+    const auto force = nmbc::detail::make_kick<double>(lattice.symbol, -time_step);
+    for (const std::size_t axis : {0U, 1U}) {
+        const nmbc::Grid grid = axis == 0 ? nmbc::Grid{48, 3} : nmbc::Grid{3, 48};
+        Plane plane{grid,
+                    axis,
+                    *force,
+                    boundary,
+                    time_step,
+                    random_field<double>(48 * 3, 1),
+                    random_field<double>(48 * 3, 2)};
+        const Plane before = plane;
+        nmbc::detail::advance(plane, 50);
+        for (std::size_t line = 0; line < plane.lines(); ++line) {
+            nmbc::Chain chain(lattice, nmbc::MatchingEnd{coefficients},
+                              {.nodes = 40, .time_step = time_step});
+            std::ranges::copy(line_of(before.u, grid, axis, line), chain.displacement().begin());
+            std::ranges::copy(line_of(before.v, grid, axis, line), chain.velocity().begin());
+            chain.advance(50);
+            CHECK(std::ranges::equal(line_of(plane.u, grid, axis, line), chain.displacement()));
+            CHECK(std::ranges::equal(line_of(plane.v, grid, axis, line), chain.velocity()));
+        }
+    }
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ nmbc::Lattice lattice_of(int horizon, double G, bool damped) {
 }
 
 /// A fixed end that takes a tenth of the velocity of the three outermost interior nodes away.
-struct BrakingEnd {
+struct DampingEnd {
     class Condition final : public nmbc::BoundaryCondition<double> {
       public:
         explicit Condition(std::size_t ghosts) : ghosts_(ghosts) {}
@@ -72,7 +72,7 @@ std::vector<Named> ends_of(int horizon, double G) {
             {"fixed", nmbc::FixedEnd{}},
             {"free", nmbc::FreeEnd{}},
             {"extended", nmbc::FixedEnd{7}},
-            {"braking", BrakingEnd{}}};
+            {"damping", DampingEnd{}}};
 }
 
 /// Drives node 20 by its displacement to step 200 and pushes nodes 24 to 26 to step 300.
@@ -145,7 +145,7 @@ TEST_CASE("the ledger closes: initial data, ends of two kinds") {
     for (int horizon = 1; horizon <= 5; ++horizon) {
         for (const bool damped : {false, true}) {
             nmbc::Chain chain(lattice_of(horizon, 0.9, damped), ends_of(horizon, 0.9)[0].end,
-                              BrakingEnd{}, parameters);
+                              DampingEnd{}, parameters);
             std::mt19937_64 random(20180417);
             std::normal_distribution<double> normal;
             std::vector<double> u(chain.nodes());
@@ -165,7 +165,7 @@ TEST_CASE("the ledger closes: initial data, ends of two kinds") {
             CHECK(std::abs(last.drift) < 1e-13 * start);  // as above
             CHECK(last.work == 0);
             CHECK(last.left != 0);
-            CHECK(last.right > 0);  // the brake only takes
+            CHECK(last.right > 0);  // the damping only takes
         }
     }
 }
