@@ -33,17 +33,17 @@ nmbc::Lattice lattice_of(int horizon, double G, bool damped) {
 }
 
 /// A fixed end that takes a tenth of the velocity of the three outermost interior nodes away.
-struct BrakingEnd {
-    class Condition final : public nmbc::EndCondition<double> {
+struct DampingEnd {
+    class Condition final : public nmbc::BoundaryCondition<double> {
       public:
         explicit Condition(std::size_t ghosts) : ghosts_(ghosts) {}
         std::size_t least_interior_nodes() const override { return 3; }
-        void start(nmbc::Inwards<double> u, nmbc::Inwards<double> v) override {
+        void start(nmbc::NodeLine<double> u, nmbc::NodeLine<double> v) override {
             for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
                 u[ghost] = v[ghost] = 0;
             }
         }
-        void after_kick(nmbc::Inwards<const double> /*u*/, nmbc::Inwards<double> v,
+        void after_kick(nmbc::NodeLine<const double> /*u*/, nmbc::NodeLine<double> v,
                         std::size_t /*step*/) override {
             for (std::size_t node = ghosts_; node < ghosts_ + 3; ++node) {
                 v[node] *= 0.9;
@@ -54,9 +54,9 @@ struct BrakingEnd {
         std::size_t ghosts_;
     };
 
-    static std::unique_ptr<nmbc::EndCondition<double>> make(const nmbc::Lattice& lattice,
-                                                            const nmbc::ChainParameters& /*p*/,
-                                                            std::type_identity<double> /*real*/) {
+    static std::unique_ptr<nmbc::BoundaryCondition<double>> make(
+        const nmbc::Lattice& lattice, const nmbc::ChainParameters& /*p*/,
+        std::type_identity<double> /*real*/) {
         return std::make_unique<Condition>(lattice.reach());
     }
 };
@@ -72,7 +72,7 @@ std::vector<Named> ends_of(int horizon, double G) {
             {"fixed", nmbc::FixedEnd{}},
             {"free", nmbc::FreeEnd{}},
             {"extended", nmbc::FixedEnd{7}},
-            {"braking", BrakingEnd{}}};
+            {"damping", DampingEnd{}}};
 }
 
 /// Drives node 20 by its displacement to step 200 and pushes nodes 24 to 26 to step 300.
@@ -145,7 +145,7 @@ TEST_CASE("the ledger closes: initial data, ends of two kinds") {
     for (int horizon = 1; horizon <= 5; ++horizon) {
         for (const bool damped : {false, true}) {
             nmbc::Chain chain(lattice_of(horizon, 0.9, damped), ends_of(horizon, 0.9)[0].end,
-                              BrakingEnd{}, parameters);
+                              DampingEnd{}, parameters);
             std::mt19937_64 random(20180417);
             std::normal_distribution<double> normal;
             std::vector<double> u(chain.nodes());
@@ -165,7 +165,7 @@ TEST_CASE("the ledger closes: initial data, ends of two kinds") {
             CHECK(std::abs(last.drift) < 1e-13 * start);  // as above
             CHECK(last.work == 0);
             CHECK(last.left != 0);
-            CHECK(last.right > 0);  // the brake only takes
+            CHECK(last.right > 0);  // the damping only takes
         }
     }
 }

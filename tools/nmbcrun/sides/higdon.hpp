@@ -3,7 +3,7 @@
 #pragma once
 
 #include <memory>
-#include <nmbc/end_condition.hpp>
+#include <nmbc/boundary_condition.hpp>
 #include <nmbc/lattice.hpp>
 #include <type_traits>
 
@@ -26,9 +26,9 @@ struct HigdonEnd {
     /// Throws std::invalid_argument for an order that is not 1 .. highest_order.
     /// What the end remembers: u at the P - 1 levels before, the latest first, on the ghosts and P
     /// nodes more.
-    std::unique_ptr<nmbc::EndCondition<double>> make(const nmbc::Lattice& lattice,
-                                                     const nmbc::ChainParameters& parameters,
-                                                     std::type_identity<double> precision) const;
+    std::unique_ptr<nmbc::BoundaryCondition<double>> make(
+        const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
+        std::type_identity<double> precision) const;
 };
 
 }  // namespace nmbcrun
