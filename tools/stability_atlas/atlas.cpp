@@ -72,7 +72,7 @@ void predict(const HalfSpace& half_space, Point& point) {
     }
 }
 
-bool contains(const nmbcgen::Window& window, double G) {
+bool contains(const nmbcgen::ExactWindow& window, double G) {
     const Rational value(G);
     return compare(window.low, value) <= 0 && (!window.high || compare(*window.high, value) >= 0);
 }
@@ -109,11 +109,11 @@ double growth(const HalfSpace& half_space) {
     constexpr double cfl = 0.05;
     constexpr double least = 1e-7;
     const double time_step = 2 * cfl / maximum_frequency(half_space);
-    const nmbcgen::ChainEnd end{.half_space = half_space};
+    const nmbcgen::LatticeEnd end{.half_space = half_space};
     double rate = 0;
     for (const std::size_t nodes : {40U, 61U}) {
         const double radius =
-            spectral_radius(end, end, nodes, time_step, nmbcgen::GhostLevel::midpoint);
+            spectral_radius(end, end, nodes, time_step, nmbc::GhostRule::midpoint);
         rate = std::max(rate, std::log(radius) / time_step);
     }
     return rate < least ? 0 : rate;

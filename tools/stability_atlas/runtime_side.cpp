@@ -17,7 +17,7 @@ nmbc::Lattice make_lattice(const nmbcgen::Model& model, const Rational& G) {
     for (const Rational& entry : model.damping) {
         lattice.damping.push_back(nearest_double(entry));
     }
-    for (const nmbcgen::EnergySquare& square : model.energy) {
+    for (const nmbcgen::ExactSquare& square : model.energy) {
         const double weight = nearest_double(nmbcgen::evaluate(square.weight, G));
         if (weight == 0) {
             continue;
