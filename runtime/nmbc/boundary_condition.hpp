@@ -42,7 +42,7 @@ class BoundaryCondition {
     /// Nodes this end puts between its ghosts and the interior. They move as the lattice does.
     virtual std::size_t layer_nodes() const { return 0; }
 
-    /// Interior nodes the chain needs for it.
+    /// Interior nodes the chain needs for it; it reads and writes no others.
     virtual std::size_t least_interior_nodes() const { return 1; }
 
     /// t = 0: called with v at 0, as the user gave it, and again with v at -dt/2. Ghost entries may

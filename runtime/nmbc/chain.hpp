@@ -76,6 +76,10 @@ class BasicChain {
     }
     /// Entry of the first interior node.
     std::size_t first_interior() const { return ghosts() + left_->layer_nodes(); }
+    /// Interior nodes next to an end whose velocities it may change.
+    std::size_t nodes_changed_by(End end) const {
+        return (end == End::left ? left_ : right_)->least_interior_nodes();
+    }
     double time() const { return static_cast<double>(steps_) * parameters_.time_step; }
     std::size_t steps() const { return steps_; }
 
