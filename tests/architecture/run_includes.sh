@@ -51,7 +51,6 @@ run compare "$below" 'generator/(table|exact|stability)/'
 run chart "$below|compare|output"
 run advise "$below|compare|chart" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT'
 allow tools/nmbcrun "tools/nmbcrun/|tools/number_between.hpp|nmbc/|CLI/|$text"
-allow tools/pulses "tools/pulses/|tools/number_between.hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|CLI/|nmbc/|benchmark/"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|$text"
 
