@@ -17,7 +17,7 @@ namespace nmbcrun {
 /// It knows the continuum, not the lattice, and has no certificate. Every polynomial of degree P -
 /// 1 in x and t satisfies it, u = t for one at order 2, so that roundings eps make u grow by about
 /// eps^(1/P) a step. In lattices with backward waves (group and phase velocity opposed) it reflects
-/// these amplified from order 2 on, and grows (tests/compare/exam_endurance.cpp).
+/// these amplified from order 2 on, and grows (tests/compare/exam_long_run.cpp).
 struct HigdonEnd {
     int order = 1;
 
