@@ -21,7 +21,7 @@ shape() { sed -E 's/-?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?/#/g; s/[ -]*#/ #/g; s/ +/
 
 for page in tutorial/first-run tutorial/own-loop how-to/half-bar how-to/own-tables; do
     # Indented lines are commands; installing and building is behind us.
-    sed -n 's/^    //p' "$source/docs/$page.md" | grep -v '^\./tools/quickstart' >commands
+    sed -n '/^```/,/^```$/!s/^    //p' "$source/docs/$page.md" | grep -v '^\./tools/quickstart' >commands
     code=0
     bash -e commands >"$scratch/output" 2>"$scratch/errors" || code=$?
     if [ "$code" -ne 0 ] || [ -s "$scratch/errors" ]; then
