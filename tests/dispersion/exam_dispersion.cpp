@@ -68,7 +68,7 @@ Float lattice(unsigned n, const Float& G, const Float& xi) {
     return 2 * sqrt(pow(S / shape, 2) - G / pow(Float(n), 4) * (C + S * S / shape));
 }
 
-/// (42) with F, corrected as docs/errata.md has it, at delta = n.
+/// (42) with F, corrected as docs/evidence/errata.md has it, at delta = n.
 Float limit(unsigned n, const Float& G, const Float& xi) {
     const Float delta = n;
     const Float d = delta * xi;

@@ -183,7 +183,7 @@ TEST_CASE("JSON at a fixed G: every exact number is one string p/q") {
     CHECK(objection(json).empty());
 }
 
-TEST_CASE("the example in docs/json.md is what is emitted") {
+TEST_CASE("the example in docs/reference/json.md is what is emitted") {
     std::ifstream file(NMBC_JSON_PAGE);
     const std::string page{std::istreambuf_iterator<char>(file), {}};
     const std::string fence = "```json\n";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// The threshold and the greatest frequency of nopd1d, exactly, against the formulas of
-/// docs/closed-forms.md, which hold for all horizons and are here written out at some.
+/// docs/reference/closed-forms.md, which hold for all horizons and are here written out at some.
 #include <doctest/doctest.h>
 
 #include <stdexcept>

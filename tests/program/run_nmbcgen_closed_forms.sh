@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # shellcheck disable=SC1091,SC2034,SC2154  # assert.sh defines and reads what is not used here
-# nmbcgen closed-forms: what docs/closed-forms.md quotes, in three formats, always the same.
+# nmbcgen closed-forms: what docs/reference/closed-forms.md quotes, in three formats, always the same.
 # Usage: run_nmbcgen_closed_forms.sh NMBCGEN
 source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
 

@@ -8,7 +8,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
 # row TEXT: a row of the table begins so, whatever the columns' widths.
 row() { expect "the row '$1'" grep -qE "^ *${1// / +}" "$scratch/stdout"; }
 
-# Large steps favour NMBC1: docs/recommend.md.
+# Large steps favour NMBC1: docs/how-to/choose-a-boundary.md.
 try recommend --horizon 2 --G 1
 expect_exit 0
 expect_no_stderr

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Section 5 of the paper: the commands of docs/paper-1d.md, as they stand there, print its tables and
+# Section 5 of the paper: the commands of docs/evidence/paper-1d.md, as they stand there, print its tables and
 # draw its pictures; and what tools/scripts/paper-1d refuses.
 # Usage: run_paper_1d.sh NMBCRUN SOURCE_FOLDER (absolute)
 source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
 source=$2
-document=$source/docs/paper-1d.md
+document=$source/docs/evidence/paper-1d.md
 nmbcrun=$program
 
 # Arguments first: they are told apart from a program that failed.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# What is left in Table 2, latent or reflected, as docs/table2.md has it; and the spectra.
+# What is left in Table 2, latent or reflected, as docs/evidence/table2.md has it; and the spectra.
 # Usage: run_zero_energy_modes.sh NMBCRUN SOURCE_FOLDER (absolute)
 source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
 nmbcrun=$program
@@ -42,7 +42,7 @@ done
 try out "$nmbcrun"
 expect_exit 0
 expect_no_stderr
-# Energies within 10 % of docs/table2.md, the shares within 3 points.
+# Energies within 10 % of docs/evidence/table2.md, the shares within 3 points.
 expect "latent and reflected" awk -F'|' '
     function near(value, expected) { return value / expected < 1.1 && value / expected > 0.9 }
     function row(text, left, latent, long) { l[text] = left; i[text] = latent; w[text] = long }
