@@ -53,9 +53,8 @@ std::vector<double> sampled(Function function) {
 /// order 1 to the power `order`; order 1 is NMBC1. So R of the latter and the ratio of residuals to
 /// the power order - 1 make R.
 double growth_of_one_wave(const Scene& scene, int order) {
-    const nmbcgen::HalfSpace half_space =
-        nmbcrun::in_steps(nmbcrun::half_space_of(nmbc::generated::nopd1d_n2_order1, scene.G),
-                          nmbc::GhostRule::midpoint, scene.step.value());
+    const nmbcgen::HalfSpace half_space = stepped(
+        nmbcrun::half_space_of(nmbc::generated::nopd1d_n2_order1, scene.G), scene.step.value());
     double fastest = 0;
     constexpr int samples = 2000;
     for (int i = 1; i < samples; ++i) {
@@ -107,9 +106,8 @@ TEST_CASE("powers and exponential functions of time are told apart, also from wh
 TEST_CASE("a growing mode has the rate of the analysis") {
     // nmbcgen --order 3 --horizon 1 --G 1/2 is not stable in such steps.
     const Scene scene = with_ends(chain_of(1, 0.5, 200, 0.8), {.order = 3});
-    const auto verdict = modal_verdict(
-        nmbcrun::in_steps(nmbcrun::half_space_of(nmbc::generated::nopd1d_n1_order3, scene.G),
-                          nmbc::GhostRule::midpoint, scene.step.value()));
+    const auto verdict = modal_verdict(stepped(
+        nmbcrun::half_space_of(nmbc::generated::nopd1d_n1_order3, scene.G), scene.step.value()));
     REQUIRE(verdict.failure == nmbcgen::ModalFailure::growing_mode);
     const std::complex<double> half = verdict.growth * scene.step.value() / 2.0;
     const double rate = std::log(std::abs((1.0 + half) / (1.0 - half))) / scene.step.value();

@@ -27,9 +27,9 @@ using nmbcgen::Rational;
 /// A matching end in steps of a cfl, and the two ends that keep the energy, of one lattice.
 struct Ends {
     double time_step = 0;
-    ChainEnd matching;
-    ChainEnd fixed;
-    ChainEnd free;
+    LatticeEnd matching;
+    LatticeEnd fixed;
+    LatticeEnd free;
 };
 
 Ends ends_at(const MatchingTable& table, const Rational& G, double cfl) {
@@ -40,7 +40,7 @@ Ends ends_at(const MatchingTable& table, const Rational& G, double cfl) {
 }
 
 /// The largest spectral radius of chains of 60 and 61 nodes between such ends.
-double radius(const Ends& ends, const ChainEnd& opposite) {
+double radius(const Ends& ends, const LatticeEnd& opposite) {
     double largest = 0;
     for (const std::size_t nodes : {60U, 61U}) {
         largest = std::max(largest, spectral_radius(ends.matching, opposite, nodes, ends.time_step,
@@ -65,7 +65,7 @@ TEST_CASE("n = 3, N = 2, stride 3, G = 4: contractive, and yet not at the step f
     CHECK(verdict.amplification > 1.05);  // 9.4 % were found
     CHECK(radius(like, like.fixed) > 1 + 100 * roundings);
     const Ends any = ends_at(table, 4, certified(table, 4, Opposite::any));
-    for (const ChainEnd& opposite : {any.fixed, any.free}) {
+    for (const LatticeEnd& opposite : {any.fixed, any.free}) {
         CHECK(round_trip_verdict(any.matching, opposite).failure == nmbcgen::ModalFailure::none);
         CHECK(radius(any, opposite) < 1 + roundings);
     }
@@ -95,7 +95,7 @@ TEST_CASE("at the step for any end no chain grows between this, a fixed and a fr
         RC_LOG() << table.name << " at G = " << G.convert_to<double>() << ", cfl = " << cfl << '\n';
         RC_ASSERT(cfl > 0);
         const Ends ends = ends_at(table, G, cfl);
-        for (const ChainEnd& opposite : {ends.fixed, ends.free}) {
+        for (const LatticeEnd& opposite : {ends.fixed, ends.free}) {
             RC_ASSERT(round_trip_verdict(ends.matching, opposite).failure ==
                       nmbcgen::ModalFailure::none);
             RC_ASSERT(radius(ends, opposite) < 1 + roundings);

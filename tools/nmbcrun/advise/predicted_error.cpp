@@ -174,7 +174,7 @@ double ReflectionError::of(const Boundary& boundary, double time_step) {
     if (modes_ == nullptr) {
         modes_ = std::make_unique<nmbcgen::KnownModes>(in_time);
     }
-    const auto end = in_steps(in_time, boundary.ghosts, time_step);
+    const auto end = stepped(in_time, time_step, boundary.ghosts);
     const auto error_of = [&](const std::vector<Arrival>& waves, nmbc::End side) {
         double later = 0;
         std::vector<AtDepths> sent_back_at;

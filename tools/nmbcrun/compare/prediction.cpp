@@ -21,7 +21,7 @@ std::optional<double> predicted_reflection(const Scene& scene, const Boundary& b
         return std::nullopt;
     }
     const auto half_space =
-        in_steps(half_space_of(table_of(scene, boundary), scene.G), boundary.ghosts, time_step);
+        stepped(half_space_of(table_of(scene, boundary), scene.G), time_step, boundary.ghosts);
     double reflected = 0;
     double total = 0;
     for (const Wave& wave : packet.waves()) {
