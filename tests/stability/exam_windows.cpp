@@ -281,8 +281,8 @@ TEST_CASE("a table at a fixed G has that point for a window, or none") {
     CHECK(is_half(stable.contractive));
     CHECK(stable.reflection.size() == 1);
     REQUIRE(stable.max_cfl.size() == 1);
-    CHECK(stable.max_cfl[0].low == 0.5);
-    CHECK(stable.max_cfl[0].high == 0.5);
+    CHECK(stable.max_cfl[0].window.low == 0.5);
+    CHECK(stable.max_cfl[0].window.high == 0.5);
     // 0.70 by assembled spectra, found in steps of 0.01.
     CHECK(std::abs(stable.max_cfl[0].cfl - 0.70) < 0.0101);
 
