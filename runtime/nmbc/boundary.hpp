@@ -146,9 +146,12 @@ class BasicMatchingBoundary {
         // A step that was cfl, or has been in other units, is off by some roundings.
         constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
         if (coefficients.matched_time_step == 0 && p.time_step > longest * (1 + roundings)) {
-            throw NotCertified("a time step of " + detail::to_text(p.time_step) +
-                               " is not certified: it may be " + detail::to_text(longest) +
-                               " at most, in the units given" + how_to_run_it());
+            throw NotCertified(
+                "a time step of " + detail::to_text(p.time_step) + " is not certified: " +
+                (longest > 0
+                     ? "it may be " + detail::to_text(longest) + " at most, in the units given"
+                     : "none is at this G") +
+                how_to_run_it());
         }
     }
 

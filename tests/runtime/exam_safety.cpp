@@ -64,6 +64,13 @@ TEST_CASE("a boundary refuses a step longer than the certified, which blows up")
     CHECK(largest_after(boundary(longest, certified), longest) < 0.1);
 }
 
+TEST_CASE("at the edge of a window no step is certified, and the boundary says so") {
+    const auto coefficients = nmbc::boundary_coefficients(nmbc::generated::nopd1d_n2_order2, 3.774);
+    CHECK_THROWS_WITH_AS(nmbc::MatchingBoundary(coefficients, {4, 1, 1, 1e-6}),
+                         doctest::Contains("is not certified: none is at this G;"),
+                         nmbc::NotCertified);
+}
+
 TEST_CASE("the longest step is accepted in all units, and no longer one") {
     const auto coefficients = nmbc::boundary_coefficients(nopd1d_n3_order2_s3, 2);
     for (double c = 1e-3; c < 1e6; c *= 7.3) {
