@@ -138,7 +138,8 @@ class BasicMatchingBoundary {
                                         std::to_string(p.ghost_layers));
         }
         if (rule != GhostRule::midpoint) {
-            throw NotCertified("explicit ghosts have no certificate" + how_to_run_it());
+            throw NotCertified(std::string("explicit ghosts have no certificate") +
+                               detail::how_to_run_it);
         }
         const double unit = 2 * p.spacing / p.wave_speed /
                             maximum_frequency({certificate.symbol, {}, certificate.damping});
@@ -151,12 +152,8 @@ class BasicMatchingBoundary {
                 (longest > 0
                      ? "it may be " + detail::to_text(longest) + " at most, in the units given"
                      : "none is at this G") +
-                how_to_run_it());
+                detail::how_to_run_it);
         }
-    }
-
-    static std::string how_to_run_it() {
-        return "; take the coefficients with allow_unstable to run it";
     }
 
     struct Weights {

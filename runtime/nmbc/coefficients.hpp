@@ -218,6 +218,13 @@ struct AllowUnstable {
 };
 inline constexpr AllowUnstable allow_unstable{};
 
+namespace detail {
+
+inline constexpr const char* how_to_run_it =
+    "; take the coefficients with allow_unstable to run it";
+
+}  // namespace detail
+
 /// The boundary coefficients of a table at G >= 0, certified or not; at the table's own G where
 /// that is fixed. Throws CoefficientError where there is no boundary condition at this G (a pole,
 /// or C(1) = 0, which would let a constant grow like t^2), std::invalid_argument for a bad G or for

@@ -113,14 +113,15 @@ struct MatchingEnd {
         if (const auto& certificate = coefficients.certificate) {
             if (certificate->symbol != lattice.symbol || certificate->damping != lattice.damping) {
                 throw NotCertified(
-                    "the boundary is certified for another lattice: horizon, G or tau are not "
-                    "those of the chain; take the coefficients with allow_unstable to run it");
+                    std::string("the boundary is certified for another lattice: horizon, G or tau "
+                                "are not those of the chain") +
+                    detail::how_to_run_it);
             }
             if (p.nodes < certificate->least_nodes) {
                 throw NotCertified("a chain with this matching boundary is certified from " +
                                    std::to_string(certificate->least_nodes) +
                                    " interior nodes on, and has " + std::to_string(p.nodes) +
-                                   "; take the coefficients with allow_unstable to run it");
+                                   detail::how_to_run_it);
             }
         }
         return std::make_unique<detail::MatchingCondition<Real>>(coefficients, lattice.reach(), p,
