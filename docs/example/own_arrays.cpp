@@ -18,8 +18,11 @@ int main() {
     constexpr int nodes = 300;  // interior
 
     const nmbc::MatchingBoundary boundary(
-        nmbc::boundary_coefficients(nmbc::generated::nopd1d_n1_order2, G), ghosts, wave_speed,
-        spacing, time_step);
+        nmbc::boundary_coefficients(nmbc::generated::nopd1d_n1_order2, G),
+        {.ghost_layers = ghosts,
+         .wave_speed = wave_speed,
+         .spacing = spacing,
+         .time_step = time_step});
 
     std::vector<double> u(nodes + 2 * ghosts);  // displacement at t
     std::vector<double> v(u.size(), 0.0);       // velocity at t - dt/2

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nmbc/certificate.hpp>
 #include <nmbc/coefficients.hpp>
+#include <nmbc/lattice.hpp>
 #include <nmbc/node_line.hpp>
 #include <span>
 #include <stdexcept>
@@ -19,37 +20,50 @@ namespace nmbc {
 /// seven digits. It adds two millionths of the error that steps make of one that is not matched.
 inline constexpr double time_step_tolerance = 1e-6;
 
-/// Finds the velocities of the ghost nodes at one end of a chain. The scheme it is made for is
-/// leapfrog: u at levels k, v at k+1/2, u^{k+1} = u^k + dt v^{k+1/2}, ghost nodes included. For a
-/// damped table, v^{k+1/2} = v^{k-1/2} + dt (accelerations of u^k - decelerations of v^{k-1/2}),
+/// The lattice that a boundary closes, and its time step, in any one consistent system of units.
+struct BoundaryParameters {
+    std::size_t ghost_layers = 0;  ///< nodes beyond an end that the stencil reaches (2n for NOPD)
+    double wave_speed = 0;         ///< c = sqrt(E/rho) [length/time]
+    double spacing = 0;            ///< dX [length]
+    double time_step = 0;          ///< dt [time]
+};
+
+/// Finds the velocities of the ghost nodes at one end of a line of nodes. The scheme it is made for
+/// is leapfrog: u at levels k, v at k+1/2, u^{k+1} = u^k + dt v^{k+1/2}, ghost nodes included. For
+/// a damped table, v^{k+1/2} = v^{k-1/2} + dt (accelerations of u^k - decelerations of v^{k-1/2}),
 /// the old velocities of ghost nodes included (lattice.hpp).
 template <class Real>
 class BasicMatchingBoundary {
   public:
-    /// ghost_layers: nodes outside each end that the interior stencil reaches (2n for NOPD).
-    /// wave_speed [length/time], spacing [length] and time_step [time] in the user's units.
-    /// Throws std::invalid_argument where one of them is not positive and finite, where the
+    /// Throws std::invalid_argument where a parameter is not positive and finite, where the
     /// coefficients are not N+1 of each at a stride of 1 or more or are matched in another time
-    /// step or with other ghosts, or where this time step makes the midpoint rule singular (b_0
-    /// dt/2 = c_0).
-    BasicMatchingBoundary(const BoundaryCoefficients& coefficients, std::size_t ghost_layers,
-                          double wave_speed, double spacing, double time_step,
+    /// step or with other ghosts, where this time step makes the midpoint rule singular (b_0 dt/2 =
+    /// c_0), and where the coefficients are certified for a lattice with other ghosts. Throws
+    /// NotCertified where they are not certified for this time step or rule.
+    BasicMatchingBoundary(const BoundaryCoefficients& coefficients,
+                          const BoundaryParameters& parameters,
                           GhostRule rule = GhostRule::midpoint)
-        : ghost_layers_(ghost_layers), stride_(static_cast<std::size_t>(coefficients.stride)) {
-        for (const double value : {wave_speed, spacing, time_step}) {
+        : ghost_layers_(parameters.ghost_layers),
+          stride_(static_cast<std::size_t>(coefficients.stride)) {
+        for (const double value :
+             {parameters.wave_speed, parameters.spacing, parameters.time_step}) {
             if (!(value > 0) || !std::isfinite(value)) {
                 throw std::invalid_argument(
                     "wave speed, spacing and time step must be positive and finite");
             }
+        }
+        if (ghost_layers_ == 0) {
+            throw std::invalid_argument("a boundary needs a ghost layer at least");
         }
         if (coefficients.c.empty() || coefficients.b.size() != coefficients.c.size() ||
             coefficients.stride < 1) {
             throw std::invalid_argument(
                 "boundary coefficients: c and b need the same size, and a stride of 1 or more");
         }
-        const double rate = wave_speed / spacing;
-        require_matched(coefficients.matched_time_step, rate * time_step, rule);
-        const double implicit_time = rule == GhostRule::midpoint ? time_step / 2 : 0;
+        const double rate = parameters.wave_speed / parameters.spacing;
+        require_matched(coefficients.matched_time_step, rate * parameters.time_step, rule);
+        require_certified(coefficients, parameters, rule);
+        const double implicit_time = rule == GhostRule::midpoint ? parameters.time_step / 2 : 0;
         const double own = coefficients.c[0] - implicit_time * rate * coefficients.b[0];
         if (std::abs(own) < 64 * std::numeric_limits<double>::epsilon()) {
             throw std::invalid_argument("this time step makes the midpoint rule singular");
@@ -107,6 +121,38 @@ class BasicMatchingBoundary {
         if (rule != GhostRule::midpoint) {
             throw std::invalid_argument(
                 "the boundary is matched in time steps with midpoint ghosts");
+        }
+    }
+
+    static void require_certified(const BoundaryCoefficients& coefficients,
+                                  const BoundaryParameters& p, GhostRule rule) {
+        if (!coefficients.certificate) {
+            return;
+        }
+        const BoundaryCertificate& certificate = *coefficients.certificate;
+        const std::size_t reach = certificate.symbol.size() - 1;
+        if (p.ghost_layers != reach) {
+            throw std::invalid_argument("the lattice of these coefficients reaches " +
+                                        std::to_string(reach) + " nodes: ghost layers must be " +
+                                        std::to_string(reach) + ", not " +
+                                        std::to_string(p.ghost_layers));
+        }
+        if (rule != GhostRule::midpoint) {
+            throw NotCertified(std::string("explicit ghosts have no certificate") +
+                               detail::how_to_run_it);
+        }
+        const double unit = 2 * p.spacing / p.wave_speed /
+                            maximum_frequency({certificate.symbol, {}, certificate.damping});
+        const double longest = certificate.steps.cfl * unit;
+        // A step that was cfl, or has been in other units, is off by some roundings.
+        constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
+        if (coefficients.matched_time_step == 0 && p.time_step > longest * (1 + roundings)) {
+            throw NotCertified(
+                "a time step of " + detail::to_text(p.time_step) + " is not certified: " +
+                (longest > 0
+                     ? "it may be " + detail::to_text(longest) + " at most, in the units given"
+                     : "none is at this G") +
+                detail::how_to_run_it);
         }
     }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <nmbc/coefficients.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/node_line.hpp>
 #include <span>
@@ -44,6 +45,9 @@ class BoundaryCondition {
 
     /// Interior nodes the chain needs for it; it reads and writes no others.
     virtual std::size_t least_interior_nodes() const { return 1; }
+
+    /// What the other end has to be too, where this one is certified opposite its like only.
+    virtual const BoundaryCoefficients* only_opposite() const { return nullptr; }
 
     /// t = 0: called with v at 0, as the user gave it, and again with v at -dt/2. Ghost entries may
     /// be overwritten.

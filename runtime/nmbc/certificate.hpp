@@ -54,6 +54,12 @@ constexpr double certified_cfl(const MatchingTable& table, double G,
     return opposite == Opposite::like ? std::max(any, largest(table.max_cfl)) : any;
 }
 
+/// The certified steps at G, midpoint ghosts, as cfl; of cfl 0 where there are none.
+constexpr StableStep certified_steps(const MatchingTable& table, double G,
+                                     Opposite opposite = Opposite::like) {
+    return {{G, G}, certified_cfl(table, G, GhostRule::midpoint, opposite)};
+}
+
 /// A table that is not certified to be stable was asked for. what() names what is.
 struct NotCertified : std::domain_error {
     using std::domain_error::domain_error;
@@ -81,23 +87,26 @@ inline std::string name_of(const MatchingTable& table) {
 
 }  // namespace detail
 
-/// Says which other choices are certified with a time step: the table's own ranges of G, and from
-/// `others` (such as nmbc::generated::tables) those of the same lattice, damping included, at this
-/// G.
+/// Says which other choices are certified with a time step opposite such an end: the table's own
+/// ranges of G, and from `others` (such as nmbc::generated::tables) those of the same lattice,
+/// damping included, at this G.
 inline std::string certified_choices(const MatchingTable& table, double G,
-                                     std::span<const MatchingTable* const> others = {}) {
+                                     std::span<const MatchingTable* const> others = {},
+                                     Opposite opposite = Opposite::like) {
+    const auto steps = opposite == Opposite::like ? table.max_cfl : table.max_cfl_contractive;
     std::string ranges;
-    for (std::size_t i = 0; i < table.max_cfl.size();) {
-        Window range = table.max_cfl[i].window;
-        for (++i; i < table.max_cfl.size() && table.max_cfl[i].window.low == range.high; ++i) {
-            range.high = table.max_cfl[i].window.high;
+    for (std::size_t i = 0; i < steps.size();) {
+        Window range = steps[i].window;
+        for (++i; i < steps.size() && steps[i].window.low == range.high; ++i) {
+            range.high = steps[i].window.high;
         }
         ranges += (ranges.empty() ? "" : "; ") + detail::to_text(range);
     }
     std::string same_G;
     for (const MatchingTable* other : others) {
         if (other->family == table.family && other->horizon == table.horizon &&
-            other->tau == table.tau && certified_cfl(*other, G) > 0) {
+            other->tau == table.tau &&
+            certified_cfl(*other, G, GhostRule::midpoint, opposite) > 0) {
             same_G += (same_G.empty() ? "" : ", ") + detail::name_of(*other);
         }
     }
@@ -106,14 +115,18 @@ inline std::string certified_choices(const MatchingTable& table, double G,
            (same_G.empty() ? "" : "; at this G: " + same_G);
 }
 
-/// Throws NotCertified where the table is not certified at G. How long the chain is, is not known
-/// here: see BoundaryCoefficients::least_nodes.
-inline void require_certified(const MatchingTable& table, double G,
+/// Throws NotCertified where the table is not certified at G opposite such an end. How long the
+/// chain is, is not known here: see BoundaryCertificate::least_nodes.
+inline void require_certified(const MatchingTable& table, double G, Opposite opposite,
                               std::span<const MatchingTable* const> others = {}) {
-    if (certified_grade(table, G) == Grade::none) {
+    const bool like = opposite == Opposite::like;
+    if (like ? certified_grade(table, G) == Grade::none
+             : certified_steps(table, G, opposite).cfl == 0) {
         throw NotCertified(detail::name_of(table) + " (" + std::string(table.name) +
-                           ") is not certified to be stable at G = " + detail::to_text(G) + "; " +
-                           certified_choices(table, G, others));
+                           ") is not certified to be stable " +
+                           (like ? "" : "opposite another end than its like ") + "at G = " +
+                           detail::to_text(G) + "; " + (like ? "" : "opposite any end ") +
+                           certified_choices(table, G, others, opposite));
     }
 }
 

@@ -35,7 +35,8 @@ template <class Real>
 class BasicChain {
   public:
     /// At rest, at t = 0. Throws std::invalid_argument where a parameter is not positive and
-    /// finite or the chain is too short for its ends, and as the ends do when they are made.
+    /// finite or the chain is too short for its ends, NotCertified where an end is certified with
+    /// its like only and the other one is not, and as the ends do when they are made.
     BasicChain(Lattice lattice, const BasicChainEnd<Real>& left, const BasicChainEnd<Real>& right,
                const ChainParameters& parameters)
         : lattice_(std::move(lattice)),
@@ -44,6 +45,7 @@ class BasicChain {
           right_(right.make(lattice_, parameters_)),
           force_(force_during(parameters_.time_step)),
           damping_(damping_during(parameters_.time_step)) {
+        require_certified_pair();
         const std::size_t least =
             std::max(left_->least_interior_nodes(), right_->least_interior_nodes());
         if (parameters.nodes < least) {
@@ -198,6 +200,18 @@ class BasicChain {
             }
         }
         return p;
+    }
+
+    void require_certified_pair() const {
+        const BoundaryCoefficients* left = left_->only_opposite();
+        const BoundaryCoefficients* right = right_->only_opposite();
+        const bool alike = left != nullptr && right != nullptr && left->c == right->c &&
+                           left->b == right->b && left->stride == right->stride;
+        if (!alike && (left != nullptr || right != nullptr)) {
+            throw NotCertified(
+                "a matching boundary opposite another end than its like: take its coefficients "
+                "with Opposite::any, or with allow_unstable to run it");
+        }
     }
 
     std::span<Real> to_be_written(std::span<Real> field) {

@@ -9,6 +9,7 @@
 #include <nmbc/certificate.hpp>
 #include <nmbc/natural.hpp>
 #include <nmbc/table.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,23 +18,31 @@
 
 namespace nmbc {
 
+/// What boundary coefficients are certified for.
+struct BoundaryCertificate {
+    /// The lattice's symbol and damping, as make_lattice() has them.
+    std::vector<double> symbol;
+    std::vector<double> damping;
+    StableStep steps;   ///< as cfl = dt omega_max / 2, midpoint ghosts; cfl 0: none
+    Opposite opposite;  ///< the end at the other side of the chain
+    /// Interior nodes a chain needs: of a damped table its own number, otherwise ten horizons. The
+    /// longest chains that were seen to grow are of 4, 16, 29 and 30 nodes for n = 1 to 4. Chain
+    /// refuses shorter ones; loops of your own have to see to it.
+    std::size_t least_nodes;
+};
+
 /// c_j [1] and b_j [c/dX], j = 0 .. N, of  sum_j c_j v_{M+js} = sum_j b_j u_{M+js}  (60), j
 /// counted inwards from the ghost node itself; s is the stride, c[0] = 1.
 struct BoundaryCoefficients {
     std::vector<double> c;
     std::vector<double> b;
     int stride = 1;
-    /// Interior nodes a chain needs for the certificate of a damped table to hold; 0: undamped, or
-    /// taken without a certificate. Chain refuses shorter ones; loops of your own have to see to
-    /// it.
-    int least_nodes = 0;
-    /// Symbol and damping of the lattice it is certified for, as make_lattice() has them; empty:
-    /// taken without a certificate.
-    std::vector<double> symbol{};
-    std::vector<double> damping{};
     /// The time step [dX/c] the condition is matched in, with midpoint ghosts; 0: in continuous
     /// time, for steps of any length and any ghosts. MatchingBoundary refuses others.
     double matched_time_step = 0;
+    /// None: made by hand, or taken with allow_unstable. MatchingBoundary and Chain refuse what a
+    /// certificate does not cover.
+    std::optional<BoundaryCertificate> certificate{};
 };
 
 /// The value does not exist: a pole of the coefficients, or C(1) = 0. what() says which and where.
@@ -209,6 +218,13 @@ struct AllowUnstable {
 };
 inline constexpr AllowUnstable allow_unstable{};
 
+namespace detail {
+
+inline constexpr const char* how_to_run_it =
+    "; take the coefficients with allow_unstable to run it";
+
+}  // namespace detail
+
 /// The boundary coefficients of a table at G >= 0, certified or not; at the table's own G where
 /// that is fixed. Throws CoefficientError where there is no boundary condition at this G (a pole,
 /// or C(1) = 0, which would let a constant grow like t^2), std::invalid_argument for a bad G or for
@@ -247,17 +263,25 @@ inline BoundaryCoefficients boundary_coefficients(const MatchingTable& table, do
     return result;
 }
 
-/// The boundary coefficients of a table at a G >= 0 where it is certified to be stable with its
-/// like at the other end. Throws as above, and NotCertified, which names what is certified instead:
-/// other G, and of `others`, such as nmbc::generated::tables, other orders and strides.
+/// The boundary coefficients of a table at a G >= 0 where it is certified to be stable opposite
+/// such an end. Throws as above, and NotCertified, which names what is certified instead: other G,
+/// and of `others`, such as nmbc::generated::tables, other orders and strides.
+inline BoundaryCoefficients boundary_coefficients(
+    const MatchingTable& table, double G, Opposite opposite,
+    std::span<const MatchingTable* const> others = {}) {
+    BoundaryCoefficients result = boundary_coefficients(table, G, allow_unstable);
+    require_certified(table, G, opposite, others);
+    const int least_nodes = table.tau == "0" ? 10 * table.horizon : table.least_nodes;
+    result.certificate = {evaluate(table.symbol, G), evaluate(table.damping, 0),
+                          certified_steps(table, G, opposite), opposite,
+                          static_cast<std::size_t>(least_nodes)};
+    return result;
+}
+
+/// With its like at the other end.
 inline BoundaryCoefficients boundary_coefficients(
     const MatchingTable& table, double G, std::span<const MatchingTable* const> others = {}) {
-    BoundaryCoefficients result = boundary_coefficients(table, G, allow_unstable);
-    require_certified(table, G, others);
-    result.least_nodes = table.least_nodes;
-    result.symbol = evaluate(table.symbol, G);
-    result.damping = evaluate(table.damping, 0);
-    return result;
+    return boundary_coefficients(table, G, Opposite::like, others);
 }
 
 }  // namespace nmbc

@@ -19,10 +19,16 @@ class MatchingCondition final : public BoundaryCondition<Real> {
   public:
     MatchingCondition(const BoundaryCoefficients& coefficients, std::size_t ghosts,
                       const ChainParameters& p, GhostRule rule)
-        : boundary_(coefficients, ghosts, p.wave_speed(), p.spacing, p.time_step, rule) {}
+        : boundary_(coefficients, {ghosts, p.wave_speed(), p.spacing, p.time_step}, rule),
+          coefficients_(coefficients) {}
 
     std::size_t least_interior_nodes() const override {
         return std::max<std::size_t>(boundary_.reach() - boundary_.ghost_layers(), 1);
+    }
+
+    const BoundaryCoefficients* only_opposite() const override {
+        const auto& certificate = coefficients_.certificate;
+        return certificate && certificate->opposite == Opposite::like ? &coefficients_ : nullptr;
     }
 
     void after_kick(NodeLine<const Real> u, NodeLine<Real> v, std::size_t /*step*/) override {
@@ -31,6 +37,7 @@ class MatchingCondition final : public BoundaryCondition<Real> {
 
   private:
     BasicMatchingBoundary<Real> boundary_;
+    BoundaryCoefficients coefficients_;
 };
 
 template <class Real>
@@ -98,23 +105,24 @@ struct MatchingEnd {
     BoundaryCoefficients coefficients;
     GhostRule ghost_rule = GhostRule::midpoint;
 
-    /// What is certified is certified for its own lattice and, where that is damped, for long
-    /// chains. Throws NotCertified otherwise, and as MatchingBoundary does.
+    /// What is certified is certified for its own lattice and for long chains. Throws NotCertified
+    /// otherwise, and as MatchingBoundary does.
     template <class Real>
     std::unique_ptr<BoundaryCondition<Real>> make(const Lattice& lattice, const ChainParameters& p,
                                                   std::type_identity<Real> /*precision*/) const {
-        const bool certified = !coefficients.symbol.empty();
-        if (certified &&
-            (coefficients.symbol != lattice.symbol || coefficients.damping != lattice.damping)) {
-            throw NotCertified(
-                "the boundary is certified for another lattice: horizon, G or tau are not those of "
-                "the chain; take the coefficients with allow_unstable to run it");
-        }
-        if (certified && p.nodes < static_cast<std::size_t>(coefficients.least_nodes)) {
-            throw NotCertified("a chain with this damped matching boundary is certified from " +
-                               std::to_string(coefficients.least_nodes) +
-                               " interior nodes on, and has " + std::to_string(p.nodes) +
-                               "; take the coefficients with allow_unstable to run it");
+        if (const auto& certificate = coefficients.certificate) {
+            if (certificate->symbol != lattice.symbol || certificate->damping != lattice.damping) {
+                throw NotCertified(
+                    std::string("the boundary is certified for another lattice: horizon, G or tau "
+                                "are not those of the chain") +
+                    detail::how_to_run_it);
+            }
+            if (p.nodes < certificate->least_nodes) {
+                throw NotCertified("a chain with this matching boundary is certified from " +
+                                   std::to_string(certificate->least_nodes) +
+                                   " interior nodes on, and has " + std::to_string(p.nodes) +
+                                   detail::how_to_run_it);
+            }
         }
         return std::make_unique<detail::MatchingCondition<Real>>(coefficients, lattice.reach(), p,
                                                                  ghost_rule);

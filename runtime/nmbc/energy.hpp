@@ -37,7 +37,7 @@ template <class Real>
 double apply(std::span<const double> stencil, const Real* first) {
     double sum = 0;
     for (std::size_t i = 0; i < stencil.size(); ++i) {
-        sum += stencil[i] * first[i];
+        sum += stencil[i] * static_cast<double>(first[i]);
     }
     return sum;
 }
@@ -58,9 +58,9 @@ void find_terms(const double* stencil, std::index_sequence<J...> /*size*/, doubl
     double* __restrict staggered = terms.staggered.data();
     for (std::size_t node = 0; node < nodes; ++node) {
         double now = 0;
-        ((now += stencil[J] * u[node + J]), ...);
+        ((now += stencil[J] * static_cast<double>(u[node + J])), ...);
         double rate = 0;
-        ((rate += stencil[J] * v[node + J]), ...);
+        ((rate += stencil[J] * static_cast<double>(v[node + J])), ...);
         const double half_way = now - dt / 2 * rate;
         middle[node] = factor * half_way * half_way;
         staggered[node] = factor * now * (now - dt * rate);

@@ -70,8 +70,9 @@ void check_million_steps(const MatchingTable& table, double G, std::size_t nodes
 /// Lengths of both parities: an instability may need one of them. Damped: the shortest certified
 /// ones, where the least is damped away between the ends.
 std::array<std::size_t, 2> lengths(const MatchingTable& table) {
-    const auto least = static_cast<std::size_t>(table.least_nodes);
-    return least > 0 ? std::array{least, least + 1} : std::array<std::size_t, 2>{40, 41};
+    const auto least = static_cast<std::size_t>(
+        table.least_nodes > 0 ? table.least_nodes : std::max(40, 10 * table.horizon));
+    return {least, least + 1};
 }
 
 /// Where in a window. Damped chains are longer and slower: the middle only.

@@ -97,7 +97,8 @@ TEST_CASE("opposite a matching boundary, too") {
     constexpr std::size_t steps = 300;
     const auto& table = *nmbc::find_table(nmbc::generated::tables, "nopd1d", 1, 2);
     const auto lattice = nmbc::make_lattice(table, 0.5);
-    const nmbc::ChainEnd matching = nmbc::MatchingEnd{nmbc::boundary_coefficients(table, 0.5)};
+    const nmbc::ChainEnd matching =
+        nmbc::MatchingEnd{nmbc::boundary_coefficients(table, 0.5, nmbc::Opposite::any)};
     const auto p = parameters_of(lattice, 0.5);
     nmbc::Chain one(lattice, matching, nmbcrun::ExactEnd{steps}, p);
     nmbc::Chain other(lattice, matching, nmbc::FixedEnd{lattice.reach() * steps / 2}, p);

@@ -12,26 +12,25 @@ namespace {
 using Fields = nmbc::NodeLine<double>;
 using ConstFields = nmbc::NodeLine<const double>;
 
-class BackgroundCondition final : public nmbc::BoundaryCondition<double> {
+class IncidentFieldCondition final : public nmbc::BoundaryCondition<double> {
   public:
-    BackgroundCondition(std::unique_ptr<nmbc::BoundaryCondition<double>> inner, nmbc::End end,
-                        std::shared_ptr<const Background> background, const nmbc::Lattice& lattice,
-                        const nmbc::ChainParameters& p)
+    IncidentFieldCondition(std::unique_ptr<nmbc::BoundaryCondition<double>> inner, nmbc::End end,
+                           std::shared_ptr<const IncidentField> incident,
+                           const nmbc::Lattice& lattice, const nmbc::ChainParameters& p)
         : inner_(std::move(inner)),
           end_(end),
-          background_(std::move(background)),
+          incident_(std::move(incident)),
           time_step_(p.time_step) {
         const std::size_t outside = lattice.reach() + inner_->layer_nodes();
         const std::size_t nodes = outside + inner_->least_interior_nodes();
         const double first =
             end == nmbc::End::left ? 1 - double(outside) : double(p.nodes + outside + 1 - nodes);
         at_rest_.reserve(nodes);
-        waves_.emplace(background_->waves, first - background_->origin, p.time_step);
+        waves_.emplace(incident_->waves, first - incident_->origin, p.time_step);
         for (std::size_t node = 0; node < nodes; ++node) {
-            at_rest_.push_back(background_->per_node *
-                               (first + double(node) - background_->middle));
+            at_rest_.push_back(incident_->per_node * (first + double(node) - incident_->middle));
         }
-        for (auto* field : {&u_background_, &v_background_}) {
+        for (auto* field : {&u_incident_, &v_incident_}) {
             field->resize(nodes);
         }
         for (auto* field : {&u_, &v_}) {
@@ -43,10 +42,10 @@ class BackgroundCondition final : public nmbc::BoundaryCondition<double> {
     std::size_t least_interior_nodes() const override { return inner_->least_interior_nodes(); }
 
     void start(Fields u, Fields v) override {
-        find_background(-1);
-        const std::vector<double> v_background = v_background_;
-        find_background(0);
-        v_background_ = v_background;
+        find_incident(-1);
+        const std::vector<double> v_incident = v_incident_;
+        find_incident(0);
+        v_incident_ = v_incident;
         // What is further inside is for the inner end to compare with what is near: an exact one
         // takes for rest what is a rounding of the whole.
         for (std::size_t node = at_rest_.size(); node < u_.size(); ++node) {
@@ -56,15 +55,15 @@ class BackgroundCondition final : public nmbc::BoundaryCondition<double> {
         take_off(u, v);
         drop_roundings();
         inner_->start({u_, end_}, {v_, end_});
-        add_again(u, {u_, end_}, {u_background_, end_});
-        add_again(v, {v_, end_}, {v_background_, end_});
+        add_again(u, {u_, end_}, {u_incident_, end_});
+        add_again(v, {v_, end_}, {v_incident_, end_});
     }
 
     void after_kick(ConstFields u, Fields v, std::size_t step) override {
-        find_background(double(step));
+        find_incident(double(step));
         take_off(u, v);
         inner_->after_kick({std::span<const double>(u_), end_}, {v_, end_}, step);
-        add_again(v, {v_, end_}, {v_background_, end_});
+        add_again(v, {v_, end_}, {v_incident_, end_});
     }
 
     std::span<const double> memory() const override { return inner_->memory(); }
@@ -72,29 +71,29 @@ class BackgroundCondition final : public nmbc::BoundaryCondition<double> {
 
   private:
     /// u_b at a step, v_b half a step on.
-    void find_background(double step) {
-        u_background_ = at_rest_;
-        std::ranges::fill(v_background_, 0.0);
-        if (step < background_->last_wave) {
-            waves_->add(step - background_->arrival, u_background_, v_background_);
+    void find_incident(double step) {
+        u_incident_ = at_rest_;
+        std::ranges::fill(v_incident_, 0.0);
+        if (step < incident_->last_wave) {
+            waves_->add(step - incident_->arrival, u_incident_, v_incident_);
         }
     }
 
     void take_off(ConstFields u, ConstFields v) {
         const Fields u_left({u_}, end_);
         const Fields v_left({v_}, end_);
-        const Fields u_background({u_background_}, end_);
-        const Fields v_background({v_background_}, end_);
+        const Fields u_incident({u_incident_}, end_);
+        const Fields v_incident({v_incident_}, end_);
         for (std::size_t node = 0; node < at_rest_.size(); ++node) {
-            u_left[node] = u[node] - u_background[node];
-            v_left[node] = v[node] - v_background[node];
+            u_left[node] = u[node] - u_incident[node];
+            v_left[node] = v[node] - v_incident[node];
         }
     }
 
-    /// Of the background, which is a sum: where it is all there is, nothing is left of it.
+    /// Of the incident field, which is a sum: where it is all there is, nothing is left of it.
     void drop_roundings() {
         double size = 0;
-        for (const LatticeWave& wave : background_->waves) {
+        for (const LatticeWave& wave : incident_->waves) {
             size += std::abs(wave.amplitude);
         }
         for (const double u : at_rest_) {
@@ -110,34 +109,34 @@ class BackgroundCondition final : public nmbc::BoundaryCondition<double> {
     }
 
     /// What the inner end has left alone stays as it is, to the last bit.
-    void add_again(Fields field, Fields changed, Fields background) const {
+    void add_again(Fields field, Fields changed, Fields incident) const {
         for (std::size_t node = 0; node < at_rest_.size(); ++node) {
-            if (changed[node] != field[node] - background[node]) {
-                field[node] = changed[node] + background[node];
+            if (changed[node] != field[node] - incident[node]) {
+                field[node] = changed[node] + incident[node];
             }
         }
     }
 
     std::unique_ptr<nmbc::BoundaryCondition<double>> inner_;
     nmbc::End end_;
-    std::shared_ptr<const Background> background_;
+    std::shared_ptr<const IncidentField> incident_;
     double time_step_;
     std::optional<WavesAtNodes> waves_;
     // Of the nodes that the inner end may read or write, from left to right.
     std::vector<double> at_rest_;
-    std::vector<double> u_background_;
-    std::vector<double> v_background_;
+    std::vector<double> u_incident_;
+    std::vector<double> v_incident_;
     std::vector<double> u_;
     std::vector<double> v_;
 };
 
 }  // namespace
 
-std::unique_ptr<nmbc::BoundaryCondition<double>> BackgroundEnd::make(
+std::unique_ptr<nmbc::BoundaryCondition<double>> IncidentFieldEnd::make(
     const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
     std::type_identity<double> /*precision*/) const {
-    return std::make_unique<BackgroundCondition>(inner.make(lattice, parameters), end, background,
-                                                 lattice, parameters);
+    return std::make_unique<IncidentFieldCondition>(inner.make(lattice, parameters), end, incident,
+                                                    lattice, parameters);
 }
 
 }  // namespace nmbcrun

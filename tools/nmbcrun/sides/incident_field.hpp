@@ -14,7 +14,7 @@ namespace nmbcrun {
 
 /// u_b, which solves the chain's own equations without any source: a homogeneous deformation, and
 /// waves.
-struct Background {
+struct IncidentField {
     double per_node = 0;  ///< of the deformation: u from a node to the next [length]
     double middle = 0;    ///< where it has u = 0 [dX; node 1 is at 1]
     std::vector<LatticeWave> waves{};
@@ -27,10 +27,10 @@ struct Background {
 /// Another end, whose condition acts on u - u_b and v - v_b. They are taken off the ghosts, the
 /// layer and as many interior nodes as that end says it needs, which it must not read beyond.
 /// start() is for v at -dt/2 of the first step: a state that is written to later on is not for it.
-struct BackgroundEnd {
+struct IncidentFieldEnd {
     nmbc::ChainEnd inner;
     nmbc::End end;
-    std::shared_ptr<const Background> background;
+    std::shared_ptr<const IncidentField> incident;
 
     std::unique_ptr<nmbc::BoundaryCondition<double>> make(
         const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,

@@ -146,7 +146,7 @@ bool decays(Factor f) {
 
 }  // namespace
 
-const std::vector<LongComplex>& DecayingFactor::find(const std::vector<LongComplex>& a) {
+const std::vector<LongComplex>& SpectralFactor::find(const std::vector<LongComplex>& a) {
     Factor guess = factor_;
     if (before_.size() == guess.size()) {
         for (std::size_t i = 0; i < guess.size(); ++i) {

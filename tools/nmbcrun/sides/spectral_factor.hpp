@@ -14,7 +14,7 @@ using LongComplex = std::complex<long double>;
 /// after another. Where it changes little, Newton's iteration from the last two answers is enough;
 /// otherwise it starts from the roots. Either way the residual is down to rounding, and every root
 /// is known to be within the circle: two that coalesce there do no harm.
-class DecayingFactor {
+class SpectralFactor {
   public:
     /// a: a_0 .. a_r, not all 0, without a root on the unit circle. Throws std::invalid_argument
     /// where there is one, to rounding.

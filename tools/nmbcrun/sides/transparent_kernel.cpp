@@ -72,7 +72,7 @@ std::vector<std::vector<double>> transparent_kernel(const nmbc::Lattice& lattice
     // kernel_i(conj z) = conj kernel_i(z): half of the circle will do.
     std::vector<std::vector<LongComplex>> values(reach,
                                                  std::vector<LongComplex>(circle.count / 2 + 1));
-    DecayingFactor factor;
+    SpectralFactor factor;
     for (std::size_t j = circle.count / 2 + 1; j-- > 0;) {
         const LongComplex half_log_z(circle.log_radius / 2,
                                      std::numbers::pi_v<Real> * Real(j) / Real(circle.count));

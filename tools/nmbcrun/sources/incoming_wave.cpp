@@ -79,7 +79,7 @@ double share_of_incoming(double speed) {
 }
 
 void add_incoming_wave(const Scene& scene, const nmbc::Lattice& lattice,
-                       const nmbc::ChainParameters& p, std::size_t steps, Background& background) {
+                       const nmbc::ChainParameters& p, std::size_t steps, IncidentField& incident) {
     if (!lattice.damping.empty()) {
         throw SceneError(
             "incoming: a damped lattice has no wave that comes from afar; model.damping must be 0");
@@ -111,11 +111,11 @@ void add_incoming_wave(const Scene& scene, const nmbc::Lattice& lattice,
     const double longest = std::max(incoming.arrival, last - incoming.arrival);
     const double period = speeds.highest * longest + 2 * reach + near;
     require_few(period, transform);
-    background.waves = waves_of(scene, transform, period, lattice, p);
-    background.origin = incoming.end == nmbc::End::left ? 1 : double(scene.nodes);
-    background.inside = reach;
-    background.arrival = incoming.arrival / p.time_step;
-    background.last_wave = last / p.time_step;
+    incident.waves = waves_of(scene, transform, period, lattice, p);
+    incident.origin = incoming.end == nmbc::End::left ? 1 : double(scene.nodes);
+    incident.inside = reach;
+    incident.arrival = incoming.arrival / p.time_step;
+    incident.last_wave = last / p.time_step;
 }
 
 }  // namespace nmbcrun

@@ -16,20 +16,20 @@
 namespace nmbcrun {
 namespace {
 
-std::shared_ptr<const Background> background_of(const Scene& scene, nmbc::End side,
-                                                const nmbc::Lattice& lattice,
-                                                const nmbc::ChainParameters& parameters,
-                                                std::size_t steps) {
+std::shared_ptr<const IncidentField> incident_field_of(const Scene& scene, nmbc::End side,
+                                                       const nmbc::Lattice& lattice,
+                                                       const nmbc::ChainParameters& parameters,
+                                                       std::size_t steps) {
     const bool comes_in = scene.incoming && scene.incoming->end == side;
     if (!scene.preload && !comes_in) {
         return nullptr;
     }
     const PreloadField preload(scene);
-    Background background{.per_node = preload.per_node, .middle = preload.middle};
+    IncidentField incident{.per_node = preload.per_node, .middle = preload.middle};
     if (comes_in) {
-        add_incoming_wave(scene, lattice, parameters, steps, background);
+        add_incoming_wave(scene, lattice, parameters, steps, incident);
     }
-    return std::make_shared<const Background>(std::move(background));
+    return std::make_shared<const IncidentField>(std::move(incident));
 }
 
 /// u at t = 0 of all nodes, and v half a step before and after.
@@ -39,23 +39,23 @@ struct WavesAtStart {
     std::vector<double> after;
 };
 
-void add_waves(const Background& background, nmbc::End side, const nmbc::Chain& chain,
+void add_waves(const IncidentField& incident, nmbc::End side, const nmbc::Chain& chain,
                WavesAtStart& fields) {
     const std::size_t outside =
         side == nmbc::End::left ? chain.first_interior()
                                 : chain.nodes() - chain.first_interior() - chain.parameters().nodes;
-    const double reached = double(outside) + 1 + std::ceil(background.inside);
+    const double reached = double(outside) + 1 + std::ceil(incident.inside);
     const auto nodes = std::size_t(std::min(reached, double(chain.nodes())));
     const std::size_t first = side == nmbc::End::left ? 0 : chain.nodes() - nodes;
-    const WavesAtNodes waves(background.waves,
-                             double(first) + 1 - double(chain.first_interior()) - background.origin,
+    const WavesAtNodes waves(incident.waves,
+                             double(first) + 1 - double(chain.first_interior()) - incident.origin,
                              chain.parameters().time_step);
     const auto reached_part = [&](std::vector<double>& field) {
         return std::span(field).subspan(first, nodes);
     };
     std::vector<double> ignored(nodes);
-    waves.add(-background.arrival, reached_part(fields.u), reached_part(fields.after));
-    waves.add(-background.arrival - 1, ignored, reached_part(fields.before));
+    waves.add(-incident.arrival, reached_part(fields.u), reached_part(fields.after));
+    waves.add(-incident.arrival - 1, ignored, reached_part(fields.before));
 }
 
 }  // namespace
@@ -64,8 +64,8 @@ Sources::Sources(const Scene& scene, const nmbc::Lattice& lattice,
                  const nmbc::ChainParameters& parameters, std::size_t steps)
     : scene_(scene),
       time_step_(parameters.time_step),
-      left_(background_of(scene, nmbc::End::left, lattice, parameters, steps)),
-      right_(background_of(scene, nmbc::End::right, lattice, parameters, steps)) {
+      left_(incident_field_of(scene, nmbc::End::left, lattice, parameters, steps)),
+      right_(incident_field_of(scene, nmbc::End::right, lattice, parameters, steps)) {
     if (scene.drive) {
         driver_.emplace(scene, time_step_);
     }
@@ -75,8 +75,8 @@ Sources::Sources(const Scene& scene, const nmbc::Lattice& lattice,
 }
 
 nmbc::ChainEnd Sources::end(nmbc::End side, const nmbc::ChainEnd& inner) const {
-    const auto& background = side == nmbc::End::left ? left_ : right_;
-    return background ? nmbc::ChainEnd(BackgroundEnd{inner, side, background}) : inner;
+    const auto& incident = side == nmbc::End::left ? left_ : right_;
+    return incident ? nmbc::ChainEnd(IncidentFieldEnd{inner, side, incident}) : inner;
 }
 
 void Sources::start(nmbc::Chain& chain) {
@@ -89,9 +89,9 @@ void Sources::start(nmbc::Chain& chain) {
     const std::vector<double> zeros(chain.nodes());
     WavesAtStart waves{zeros, zeros, zeros};
     for (const auto side : {nmbc::End::left, nmbc::End::right}) {
-        const auto& background = side == nmbc::End::left ? left_ : right_;
-        if (background) {
-            add_waves(*background, side, chain, waves);
+        const auto& incident = side == nmbc::End::left ? left_ : right_;
+        if (incident) {
+            add_waves(*incident, side, chain, waves);
         }
     }
     // The chain takes v at t = 0 and goes back by half a step itself.
@@ -172,8 +172,8 @@ std::vector<std::size_t> Sources::nodes() const {
 }
 
 bool Sources::is_driven(double time) const {
-    const auto comes_in = [&](const std::shared_ptr<const Background>& background) {
-        return background && time <= background->last_wave * time_step_;
+    const auto comes_in = [&](const std::shared_ptr<const IncidentField>& incident) {
+        return incident && time <= incident->last_wave * time_step_;
     };
     return (driver_ && driver_->drives(time)) || (forcing_ && forcing_->drives(time)) ||
            comes_in(left_) || comes_in(right_);

@@ -18,8 +18,8 @@
 
 namespace nmbcrun {
 
-/// The sources of a scene, for a run of so many steps: backgrounds at its ends, what the chain is
-/// started with, and what acts on it in every step.
+/// The sources of a scene, for a run of so many steps: incident fields at its ends, what the chain
+/// is started with, and what acts on it in every step.
 class Sources {
   public:
     /// Throws SceneError where a source selects no node or cannot be, FileError where its file
@@ -60,8 +60,8 @@ class Sources {
     std::size_t first_interior_ = 0;
     std::optional<Driver> driver_;
     std::optional<Forcing> forcing_;
-    std::shared_ptr<const Background> left_;  // none: nullptr
-    std::shared_ptr<const Background> right_;
+    std::shared_ptr<const IncidentField> left_;  // none: nullptr
+    std::shared_ptr<const IncidentField> right_;
 };
 
 }  // namespace nmbcrun

@@ -25,14 +25,14 @@ Incoming incoming(nmbc::End end, double wave_number, double arrival) {
 
 /// The incoming wave of a scene at the interior nodes in a step of its run.
 std::vector<double> wave_at(const Simulation& simulation, std::size_t step) {
-    Background background;
+    IncidentField incident;
     const nmbc::Chain& chain = simulation.chain();
     add_incoming_wave(simulation.scene(), chain.lattice(), chain.parameters(),
-                      simulation.plan().steps, background);
+                      simulation.plan().steps, incident);
     std::vector<double> u(chain.parameters().nodes);
     std::vector<double> v(u.size());
-    WavesAtNodes(background.waves, 1 - background.origin, chain.parameters().time_step)
-        .add(double(step) - background.arrival, u, v);
+    WavesAtNodes(incident.waves, 1 - incident.origin, chain.parameters().time_step)
+        .add(double(step) - incident.arrival, u, v);
     return u;
 }
 
