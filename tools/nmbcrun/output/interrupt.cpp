@@ -1,24 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/output/interrupt.hpp"
 
+#include <unistd.h>
+
 #include <csignal>
-#include <initializer_list>
 
 namespace nmbcrun {
 namespace {
 
 volatile std::sig_atomic_t noted = 0;
+volatile std::sig_atomic_t code = 0;
+
+void handle_interrupts(void (*handler)(int)) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        if (std::signal(signal, handler) == SIG_IGN) {
+            std::signal(signal, SIG_IGN);
+        }
+    }
+}
 
 }  // namespace
 
+void end_at_interrupts(int exit_code) {
+    code = exit_code;
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+    handle_interrupts([](int /*signal*/) { ::_exit(code); });
+}
+
 void note_interrupts() {
-    std::signal(SIGXFSZ, SIG_IGN);  // then the write that goes beyond the limit fails
-    for (const int signal : {SIGINT, SIGTERM}) {
-        std::signal(signal, [](int received) {
-            noted = 1;
-            std::signal(received, SIG_DFL);
-        });
-    }
+    handle_interrupts([](int received) {
+        noted = 1;
+        std::signal(received, SIG_DFL);
+    });
 }
 
 bool interrupted() {
