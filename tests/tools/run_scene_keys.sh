@@ -213,6 +213,9 @@ sed 's/^\[drive\]/[drvie]/' "$scene" >"$scratch/drive.toml"
 refuses 2 "drvie is not a key of a scene; the nearest one is drive" "$scratch/drive.toml"
 # What is no UTF-8 is not for a terminal.
 refuses 2 'must be a number, or one as a string in quotes' "$scene" --set $'model.G=[1]'
+# The command that makes a missing table comes before the tables there are.
+refuses 2 'order 7, stride 1. To make it beside the scene: nmbcgen --family nopd1d --order 7 --horizon 2' \
+    "$scene" --set boundary.order=7
 refuses 2 '--set model.\xff: model.\xff is not a key of a scene' "$scene" --set $'model.\xff=1'
 sed 's/^density/densty/' "$scene" >"$scratch/misspelt.toml"
 refuses 2 "misspelt.toml:11: material.densty is not a key" "$scratch/misspelt.toml"
@@ -244,6 +247,10 @@ refuses 2 "a key and its value have at most 4096 bytes" "$scene" --set "${deep:0
 refuses 2 "a key and its value have at most 4096 bytes" "$scene" --set "title={${deep:0:4090}a=1}"
 refuses 2 "title must be a string in quotes, not {a = {a = " "$scene" --set "title={${deep:0:4080}a=1}"
 expect "it is quoted in part" test "$(wc -c <"$scratch/stderr")" -lt 200
+
+# A pulse that is nowhere different.
+refuses 2 "initial.width is 1e+09, so wide that the displacement is the same all over the bar to 1e-09" \
+    "$2/tools/scenes/broadband.toml" --set initial.width=1e9
 
 # A whole number that no double is.
 try run "$scene" --set material.youngs_modulus=9223372036854775807

@@ -18,7 +18,6 @@ std::string share(double out) {
 
 std::string heading_of(const Simulation& simulation) {
     const Scene& scene = simulation.scene();
-    const Plan& plan = simulation.plan();
     std::string text = fmt::format("scene     {}\n", scene.title);
     text += fmt::format(
         "lattice   {} horizon {}, G = {}{}{}\n", scene.family, scene.horizon, scene.G,
@@ -28,11 +27,13 @@ std::string heading_of(const Simulation& simulation) {
                 ? fmt::format("boundary  {}\n", heading_of(scene.left))
                 : fmt::format("left      {}\nright     {}\n", heading_of(scene.left),
                               heading_of(scene.right));
-    return text + fmt::format(
-                      "chain     {} nodes, dX = {}, c = {:.6g}\n"
-                      "step      {:.6g} (cfl = {:.3g}){}\n",
-                      scene.nodes, scene.spacing, simulation.chain().parameters().wave_speed(),
-                      plan.time_step, plan.cfl, plan.limit.empty() ? "" : ": " + plan.limit);
+    return text + fmt::format("chain     {} nodes, dX = {}, c = {:.6g}\n", scene.nodes,
+                              scene.spacing, simulation.chain().parameters().wave_speed());
+}
+
+std::string heading_of(const Plan& plan) {
+    return fmt::format("{:.6g} (cfl = {:.3g}){}", plan.time_step, plan.cfl,
+                       plan.limit.empty() ? "" : ": " + plan.limit);
 }
 
 void print_samples(std::span<const Sample> samples, double peak, bool damped) {

@@ -9,11 +9,11 @@
 #include <optional>
 
 #include "tools/nmbcrun/output/checkpoint.hpp"
-#include "tools/nmbcrun/output/checksum.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
 #include "tools/nmbcrun/output/recorder.hpp"
 #include "tools/nmbcrun/report.hpp"
+#include "tools/nmbcrun/resumable.hpp"
 #include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 
@@ -38,52 +38,6 @@ std::string fastest_node(const nmbc::Chain& chain) {
     return name_of(std::size_t(fastest - chain.velocity().begin()), chain);
 }
 
-/// Whether a run that ends later takes other steps up to there, too.
-bool depends_on_end(const Scene& scene) {
-    const auto depends = [](const Boundary& boundary) {
-        return boundary.kind == BoundaryKind::exact ||
-               (boundary.kind == BoundaryKind::extended && boundary.layer == 0);
-    };
-    return scene.incoming || depends(scene.left) || depends(scene.right);
-}
-
-/// All that a run with these keys and plan goes on from must have in common, the name of a key
-/// each; what changes no result is left out.
-std::map<std::string, std::string> identity(const Simulation& simulation) {
-    auto keys = simulation.scene().given;
-    if (depends_on_end(simulation.scene())) {
-        keys["the number of steps"] = fmt::format("{}", simulation.plan().steps);
-    } else {
-        keys.erase("time.end");
-    }
-    keys.erase("title");
-    keys.erase("output.checkpoint");
-    for (const auto& file : simulation.scene().own_tables) {
-        keys["the checksum of " + file->name()] = fmt::format("{:x}", checksum(file->text()));
-    }
-    keys["the version of nmbcrun"] = NMBC_VERSION;
-    keys["the time step"] = fmt::format("{:a}", simulation.plan().time_step);
-    return keys;
-}
-
-void require_same(const std::map<std::string, std::string>& stored,
-                  const std::map<std::string, std::string>& given,
-                  const std::filesystem::path& checkpoint) {
-    const auto value = [](const auto& keys, const std::string& key) {
-        const auto found = keys.find(key);
-        return found == keys.end() ? std::string("not given") : found->second;
-    };
-    auto all = stored;
-    all.insert(given.begin(), given.end());
-    for (const auto& [key, unused] : all) {
-        if (value(stored, key) != value(given, key)) {
-            throw SceneError(fmt::format("{} is of another scene: there {} is {}, here {}",
-                                         checkpoint.string(), key, value(stored, key),
-                                         value(given, key)));
-        }
-    }
-}
-
 /// One run, from its start or from a checkpoint, to its end.
 class Run {
   public:
@@ -96,12 +50,7 @@ class Run {
         nmbcgen::require_replaceable(checkpoint_);
         if (options.resume) {
             const Checkpoint from = load_checkpoint(checkpoint_);
-            require_same(from.scene, identity(simulation_), checkpoint_);
-            if (from.chain.steps > simulation_.plan().steps) {
-                throw SceneError(fmt::format("{} is at step {}, beyond time.end (step {})",
-                                             checkpoint_.string(), from.chain.steps,
-                                             simulation_.plan().steps));
-            }
+            require_resumable(simulation_, from, checkpoint_);
             recorder_.emplace(scene, options.folder, from.journals);
             simulation_.resume(from.chain);
             ledger_.resume(simulation_.chain(), from.ledger);
@@ -110,9 +59,9 @@ class Run {
         } else {
             recorder_.emplace(
                 scene, simulation_.chain(), options.folder,
-                fmt::format("nmbcrun   {}\n{}units     those of the scene, any consistent system; "
-                            "energies per cross-section area\n",
-                            NMBC_VERSION, heading_of(simulation_)));
+                fmt::format("nmbcrun   {}\n{}step      {}\nunits     those of the scene, any "
+                            "consistent system; energies per cross-section area\n",
+                            NMBC_VERSION, heading_of(simulation_), heading_of(simulation_.plan())));
             highlights_.driven_peak = simulation_.energies().total();
             highlights_.peak = highlights_.driven_peak;
         }
@@ -339,8 +288,9 @@ void run(const Scene& scene, const RunOptions& options) {
         fmt::print(stderr, "nmbcrun: warning: {}\n", printable(run.simulation().warning()));
     }
     if (!options.quiet) {
-        fmt::print("{}time      {} steps to {:.6g}\n\n", heading_of(run.simulation()),
-                   run.simulation().plan().steps, scene.end);
+        const Plan& plan = run.simulation().plan();
+        fmt::print("{}time      {} steps of {}\n\n", heading_of(run.simulation()), plan.steps,
+                   heading_of(plan));
     }
     try {
         run.to_the_end();

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <string_view>
 
 namespace nmbcrun {
 namespace {
@@ -23,9 +24,15 @@ void handle_interrupts(void (*handler)(int)) {
 
 void end_at_interrupts(int exit_code) {
     code = exit_code;
-    std::signal(SIGXFSZ, SIG_IGN);
-    std::signal(SIGPIPE, SIG_IGN);
-    handle_interrupts([](int /*signal*/) { ::_exit(code); });
+    for (const int signal :
+         {SIGXFSZ, SIGPIPE}) {  // not ignored, as programs we start would inherit
+        std::signal(signal, [](int /*signal*/) {});
+    }
+    handle_interrupts([](int /*signal*/) {
+        constexpr std::string_view words = "nmbcrun: stopped; nothing was written\n";
+        [[maybe_unused]] const auto ignored = ::write(STDERR_FILENO, words.data(), words.size());
+        ::_exit(code);
+    });
 }
 
 void note_interrupts() {

@@ -4,9 +4,9 @@
 
 namespace nmbcrun {
 
-/// From now on each of these signals ends the program with `exit_code`; one that is ignored (nohup)
-/// stays ignored. What nobody reads, or goes beyond the limit of a file's size (ulimit -f), ends
-/// nothing: writing to it fails.
+/// From now on each of these signals ends the program with `exit_code`, in words; one that is
+/// ignored (nohup) stays ignored. What nobody reads, or goes beyond the limit of a file's size
+/// (ulimit -f), ends nothing: writing to it fails.
 void end_at_interrupts(int exit_code);
 
 /// From now on they are noted; a second one ends the program.
