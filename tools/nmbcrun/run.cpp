@@ -12,6 +12,7 @@
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
 #include "tools/nmbcrun/output/recorder.hpp"
+#include "tools/nmbcrun/output/run_lock.hpp"
 #include "tools/nmbcrun/report.hpp"
 #include "tools/nmbcrun/resumable.hpp"
 #include "tools/nmbcrun/scene/printable.hpp"
@@ -48,6 +49,7 @@ class Run {
           checkpoint_(options.folder / (scene.name + ".checkpoint")) {
         note_interrupts();  // up to here nothing was written
         nmbcgen::require_replaceable(checkpoint_);
+        lock_.emplace(options.folder / (scene.name + ".lock"));
         if (options.resume) {
             const Checkpoint from = load_checkpoint(checkpoint_);
             require_resumable(simulation_, from, checkpoint_);
@@ -95,6 +97,7 @@ class Run {
 
     Simulation simulation_;
     Ledger ledger_;
+    std::optional<RunLock> lock_;
     std::optional<Recorder> recorder_;
     Highlights highlights_;
     RunOptions options_;

@@ -171,7 +171,7 @@ void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkp
     file.write(head);
     file.write(body);
     file.sync();
-    publish({&whole, 1});
+    nmbcgen::publish({&whole, 1});
 }
 
 Checkpoint load_checkpoint(const std::filesystem::path& path) {

@@ -54,7 +54,7 @@ std::vector<std::filesystem::path> inputs(const Scene& scene) {
 Recorder::Recorder(Scene scene, const nmbc::Chain& chain, std::filesystem::path folder,
                    std::string_view about)
     : scene_(std::move(scene)), folder_(std::move(folder)) {
-    take_names();
+    require_free_names();
     energies_ = std::make_unique<Journal>(path(".csv"));
     energies_->append(energies_head(about));
     if (!scene_.probes.empty()) {
@@ -74,7 +74,7 @@ Recorder::Recorder(Scene scene, const nmbc::Chain& chain, std::filesystem::path 
 Recorder::Recorder(Scene scene, std::filesystem::path folder,
                    const std::vector<Journal::Mark>& marks)
     : scene_(std::move(scene)), folder_(std::move(folder)) {
-    take_names();
+    require_free_names();
     auto mark = marks.begin();
     const auto next = [&](const char* ending) {
         if (mark == marks.end()) {
@@ -119,7 +119,7 @@ std::vector<Journal*> Recorder::journals() const {
 }
 
 /// Of all files, whatever the scene asks for: those it does not are removed at the end.
-void Recorder::take_names() {
+void Recorder::require_free_names() const {
     for (const char* const ending : {".csv", "_probes.csv", ".h5", "_field.csv"}) {
         const std::filesystem::path name = path(ending);
         nmbcgen::require_replaceable(name);
@@ -133,7 +133,6 @@ void Recorder::take_names() {
             }
         }
     }
-    lock_.emplace(path(".lock"));
 }
 
 void Recorder::record(const Sample& sample, const nmbc::Chain& chain) {

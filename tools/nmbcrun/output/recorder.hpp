@@ -5,13 +5,11 @@
 #include <filesystem>
 #include <memory>
 #include <nmbc/chain.hpp>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "tools/nmbcrun/output/journal.hpp"
-#include "tools/nmbcrun/output/run_lock.hpp"
 #include "tools/nmbcrun/output/sample.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
@@ -21,7 +19,7 @@ namespace nmbcrun {
 /// some; NAME_field.csv where it asks for it. They grow under temporary names, and what is
 /// published of them is whole. The energies so far are NAME.csv.part, a link, while the run lasts.
 /// Every member throws FileError; the constructors do where something else than a file is in the
-/// way of one or another run has them, and SceneError where the scene reads one of them.
+/// way of one, and SceneError where the scene reads one of them.
 class Recorder {
   public:
     /// Of a run that starts; about: what its energies are to say of it, whole lines.
@@ -66,13 +64,12 @@ class Recorder {
   private:
     std::filesystem::path path(const char* ending) const;
     std::vector<Journal*> journals() const;
-    void take_names();
+    void require_free_names() const;
     void link_growing() const;
     void remove_others(const std::vector<nmbcgen::NewFile>& files) const;
 
     Scene scene_;
     std::filesystem::path folder_;
-    std::optional<RunLock> lock_;
     std::unique_ptr<Journal> energies_;
     std::unique_ptr<Journal> probed_;     // none without probes
     std::unique_ptr<Journal> snapshots_;  // nor without snapshots
