@@ -153,10 +153,10 @@ for file in "${outputs[@]}"; do expect_same "whole/$file" "results/$file"; done
 try run "$scene" "${long[@]}" "${later[@]}" --resume
 expect_as_longer
 # Not where the steps up to there depend on the end.
-try run "$scene" --set boundary.kind=extended --set domain.nodes=100 --set time.end=9 --quiet \
+try run "$scene" --set boundary.kind=extended --set drive.centre=99 --set time.end=9 --quiet \
     --keep-checkpoint --out wide
 expect_exit 0
-try run "$scene" --set boundary.kind=extended --set domain.nodes=100 --set time.end=10 --out wide --resume
+try run "$scene" --set boundary.kind=extended --set drive.centre=99 --set time.end=10 --out wide --resume
 expect_exit 2
 expect_stderr "there the number of steps is 450, here 500"
 
