@@ -47,7 +47,8 @@ expect_exit 1
 try verify "$scene" --tolerance 1e-13 --set boundary.kind=exact
 expect_exit 0
 for same in '[2,1]' '["1","1/2"]' '[1,0.5]' inverse; do # 1/m at n = 2
-    try run "$scene" --quiet --set "model.influence=$same" --set output.name=same
+    try run "$scene" --quiet --set "model.influence=$same" --set output.name=same \
+        --set title=own
     expect_exit 0
     expect_same results/own.csv results/same.csv
 done
