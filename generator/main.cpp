@@ -19,19 +19,11 @@
 #include "generator/names/names.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/support/certificate_cache.hpp"
+#include "generator/support/exit_code.hpp"
 #include "generator/support/files.hpp"
 
 namespace nmbcgen {
 namespace {
-
-enum ExitCode {
-    done = 0,
-    comparison_failed = 1,
-    bad_input = 2,
-    no_such_boundary = 3,
-    not_stable = 4,
-    file_failed = 5
-};
 
 /// Derives, proves and certifies, the last with what the cache knows.
 std::vector<Table> certified(const std::vector<Specification>& specifications,
@@ -123,7 +115,7 @@ int check(const Request& request) {
     }
     std::cerr << report << "The tables in " << folder.string()
               << " are stale. To write them anew: nmbcgen --all --out " << folder.string() << "\n";
-    return comparison_failed;
+    return does_not_hold;
 }
 
 /// One line on a terminal's stderr, gone at the end; nothing elsewhere.
@@ -207,7 +199,7 @@ int main(int argc, char** argv) {
         return nmbcgen::bad_input;
     } catch (const nmbcgen::NotStable& reason) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
-        return nmbcgen::not_stable;
+        return nmbcgen::unstable;
     } catch (const nmbcgen::FileError& error) {
         std::cerr << "nmbcgen: " << error.what() << "\n";
         return nmbcgen::file_failed;
@@ -220,6 +212,6 @@ int main(int argc, char** argv) {
         return nmbcgen::bad_input;
     } catch (const std::logic_error& error) {
         std::cerr << "nmbcgen: a defect of nmbcgen, nothing was written: " << error.what() << "\n";
-        return nmbcgen::comparison_failed;
+        return nmbcgen::does_not_hold;
     }
 }

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
-/// Files of nmbcgen: all or nothing.
+/// Text files: all or nothing.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace nmbcgen {
+#include "generator/support/posix_file.hpp"
 
-/// A file could not be read or written; what() names it and the system's reason.
-struct FileError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+namespace nmbcgen {
 
 /// Characters of a file's name: file systems take 255, a temporary file some more than its own.
 inline constexpr std::size_t longest_name = 200;
@@ -24,9 +20,9 @@ struct TextFile {
     std::string text;
 };
 
-/// Writes all files, making folders as needed. Each goes to a temporary neighbour first, and none
-/// takes its own name before all are on disk, so a full disk or a folder that cannot be written
-/// leaves what was there. Throws FileError.
+/// Writes files of one folder, which is made where it is missing. Each goes to a temporary
+/// neighbour first, and none takes its own name before all are on disk, so a full disk or a folder
+/// that cannot be written leaves what was there. Throws FileError.
 void write_files(const std::vector<TextFile>& files);
 
 /// The file's text; none where there is no such file. Throws FileError where it cannot be read.

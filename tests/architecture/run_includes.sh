@@ -28,7 +28,7 @@ allow generator/names "generator/(table|exact|names)/|$text"
 allow generator/stability 'generator/(table|exact|lattice|stability)/|boost/|Eigen/'
 allow generator/matching "generator/(table|exact|lattice|matching)/|ginac/|$text"
 allow generator/emit "generator/(table|exact|lattice|names|emit)/|nlohmann/|$text"
-allow generator/support "generator/(table|emit|names|support)/|nlohmann/|fcntl.h|unistd.h|$text"
+allow generator/support "generator/(table|emit|names|support)/|nlohmann/|CLI/|fcntl.h|unistd.h|sys/(file|stat).h|$text"
 allow generator/commands "generator/(table|exact|lattice|families|names|stability|matching|emit|support|commands)/|generator/pipeline.hpp|$text"
 allow generator/cli "generator/(table|exact|families|names|emit|commands|cli)/|CLI/|$text"
 allow generator "generator/|unistd.h|$text"
@@ -45,13 +45,13 @@ run sources 'scene|sides'
 run tables scene 'generator/(table|exact|families|names)/'
 run certification 'scene|sides|sources|tables' 'generator/(table|exact|stability)/'
 run simulation 'scene|sides|sources|tables|certification' 'unistd.h'
-run output 'scene|simulation' 'hdf5.h|fcntl.h|spawn.h|unistd.h|sys/(file|ioctl|wait).h'
+run output 'scene|simulation' 'generator/support/posix_file.hpp|hdf5.h|spawn.h|unistd.h|sys/(ioctl|wait).h'
 below='scene|sides|sources|tables|certification|simulation'
 run compare "$below" 'generator/(table|exact|stability)/'
 run chart "$below|compare|output" 'generator/support/|boost/math/'
 run advise "$below|compare|chart" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT'
-allow tools/nmbcrun "tools/nmbcrun/|tools/number_between.hpp|nmbc/|CLI/|$text"
-allow tools/bench "generator/|CLI/|nmbc/|benchmark/|boost/math/"
+allow tools/nmbcrun "tools/nmbcrun/|generator/support/(exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
+allow tools/bench "generator/|tools/nmbcrun/|CLI/|nmbc/|benchmark/|boost/math/|$text"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|unistd.h|$text"
 
 # The algebra system: in matching alone, and in the pipeline that calls it.

@@ -132,7 +132,7 @@ for seconds in 0 1; do
     code=0
     wait $! || code=$?
     expect_exit 130
-    expect_stderr "stopped; nothing was advised"
+    expect_stderr "nmbcrun: stopped; nothing was "
 done
 try advise "${bar[@]}"
 expect_exit 2

@@ -14,7 +14,7 @@
 #include "generator/cli/command_line.hpp"
 #include "generator/cli/option_values.hpp"
 #include "generator/exact/rational.hpp"
-#include "tools/number_between.hpp"
+#include "generator/support/number_between.hpp"
 
 namespace {
 
@@ -51,7 +51,7 @@ void parse_values(const std::string& text) {
     parse_value(parse_rational, text);
     parse_value(items_of, text);
     std::string number = text;
-    tools::number_between(1e-16, 1e16)(number);
+    nmbcgen::number_between(1e-16, 1e16)(number);
 }
 
 /// For as long as it lives, nothing is printed: help and error messages are many.

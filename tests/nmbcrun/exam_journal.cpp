@@ -62,8 +62,8 @@ std::string text_of(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-void publish(nmbcrun::NewFile file) {
-    nmbcrun::publish({&file, 1});
+void publish(nmbcgen::NewFile file) {
+    nmbcgen::publish({&file, 1});
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ TEST_CASE("a journal that could be written in part only is whole when there is s
     {
         const FullDisk disk(1000);
         CHECK_THROWS_AS(journal.append(text), nmbcrun::FileError);
-        CHECK_THROWS_AS(journal.mark(), nmbcrun::FileError);
+        CHECK_THROWS_AS(journal.sync(), nmbcrun::FileError);
     }
     publish(journal.copy());
     CHECK(text_of(folder / "run.csv") == "time\n" + text);
@@ -103,13 +103,13 @@ TEST_CASE("a copy that cannot be written leaves what was published, and nothing 
 
 TEST_CASE("a folder is in the way of a file, of a file nothing is") {
     const Folder folder;
-    CHECK_NOTHROW(nmbcrun::require_replaceable(folder / "run.csv"));
+    CHECK_NOTHROW(nmbcgen::require_replaceable(folder / "run.csv"));
     std::filesystem::create_directory(folder / "run.csv");
-    CHECK_THROWS_AS(nmbcrun::require_replaceable(folder / "run.csv"), nmbcrun::FileError);
+    CHECK_THROWS_AS(nmbcgen::require_replaceable(folder / "run.csv"), nmbcrun::FileError);
     CHECK_THROWS_AS(nmbcrun::Journal(folder / "run.csv"), nmbcrun::FileError);
     CHECK(folder.files() == 1);
     std::filesystem::remove(folder / "run.csv");
     publish(nmbcrun::Journal(folder / "run.csv").copy());
-    CHECK_NOTHROW(nmbcrun::require_replaceable(folder / "run.csv"));
+    CHECK_NOTHROW(nmbcgen::require_replaceable(folder / "run.csv"));
     CHECK(folder.files() == 1);
 }

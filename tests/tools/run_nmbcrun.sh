@@ -14,10 +14,17 @@ expect_stdout_line "energies     results/bar1d.csv"
 expect "a header line" grep -qx \
     'time,kinetic,strain,stabilisation,total,staggered,damped,ledger,work,left_end,right_end,drift' \
     results/bar1d.csv
-expect "10 rows for 100 steps" test "$(wc -l <results/bar1d.csv)" -eq 11
+# What it is of comes first, in comments: gnuplot and pandas (comment="#") read what follows.
+expect "the version, the scene and the units" diff - <(sed -n 's/^# //p' results/bar1d.csv) <<END
+$("$program" --version | sed 's/ /   /')
+$(sed -nE '/^scene/,/^time/{s/^time( .*) [0-9]+ steps of/step\1/;p}' "$scratch/stdout")
+units     those of the scene, any consistent system; energies per cross-section area
+END
+expect "comments before the header alone" awk '/^#/ { if (rows) exit 1; next } { rows++ }' results/bar1d.csv
+expect "10 rows for 100 steps" test "$(grep -vc '^#' results/bar1d.csv)" -eq 11
 expect "the last row at t - dt/2" grep -q '^1.99,' results/bar1d.csv
 # kinetic + strain + stabilisation = total, in every row
-expect "the energies add up" awk -F, 'NR > 1 && ($2 + $3 + $4 - $5)^2 > (1e-14 * $5)^2 { exit 1 }' \
+expect "the energies add up" awk -F, '/^[0-9]/ && ($2 + $3 + $4 - $5)^2 > (1e-14 * $5)^2 { exit 1 }' \
     results/bar1d.csv
 
 try run "$scene" "${short[@]}" --quiet --out elsewhere --set output.name=again
@@ -30,8 +37,8 @@ expect_same results/bar1d.csv elsewhere/again.csv
 try run "$scene" --quiet --set output.every=1
 expect_exit 0
 expect "the ledger adds up" awk -F, '
-    NR > 1 && $5 > peak { peak = $5 }
-    NR > 1 { drift = $12 < 0 ? -$12 : $12; if (drift > worst) worst = drift
+    /^[0-9]/ && $5 > peak { peak = $5 }
+    /^[0-9]/ { drift = $12 < 0 ? -$12 : $12; if (drift > worst) worst = drift
              rest = $8 - ($9 - $10 - $11 - $7) - $12; if (rest^2 > (1e-15 * peak)^2) exit 1 }
     END { exit !(worst > 0 && worst < 1e-13 * peak && $10 > 0.49 * peak && $11 > 0.49 * peak) }' \
     results/bar1d.csv
@@ -112,7 +119,7 @@ expect_stderr "times its peak before its sources ended"
 try run "$sourceless" "${short[@]}" --set initial.shape=gaussian --set initial.amplitude=1 \
     --set initial.width=1 --set initial.centre=-1000
 expect_exit 4
-expect_stderr "there was no energy at any time, so nothing to compare with: initial lies outside of the bar, or"
+expect_stderr "there was no energy at any time, so nothing to compare with: initial lies outside of the bar or between two nodes, or"
 try run "$sourceless" "${short[@]}" --set force.history=gaussian --set force.amplitude=1 \
     --set force.centre=250 --set force.time=1000 --set force.duration=1
 expect_exit 4
@@ -130,9 +137,9 @@ try run "$scratch/scenes/fed.toml" "${short[@]}" --set initial.shape=csv \
 expect_exit 0
 # The force over its two seconds, and at once: the first energy is the last one, half a step on.
 expect "it starts with the energy it was left with" awk -F, '
-    FNR == 1 { next }
+    !/^[0-9]/ { next }
     NR == FNR { last = $6; next }
-    FNR == 2 { exit !(($6 / last - 1)^2 < 1e-24) }' "$scratch/scenes/fed.csv" results/more.csv
+    { exit !(($6 / last - 1)^2 < 1e-24) }' "$scratch/scenes/fed.csv" results/more.csv
 
 # What a run has read it does not replace or remove.
 cp -r "$scratch/scenes" "$scratch/before"
@@ -197,6 +204,79 @@ expect_stderr "stopped at step"
 expect_stderr "--resume goes on"
 expect_file results/bar1d.csv
 expect "and to go on from, a checkpoint and a growing file" test "$(files_in results)" -eq 3
+expect "no lock, no link" test ! -e results/bar1d.lock -a ! -L results/bar1d.csv.part
+
+# While a run goes on its energies can be read, and no other run takes its names.
+rm -rf results
+env --default-signal=HUP "$program" run "$scene" --set time.end=1e7 >"$scratch/stdout" \
+    2>"$scratch/stderr" &
+first=$!
+for _ in {1..200}; do
+    if grep -qs '^[0-9]' results/bar1d.csv.part; then break; fi
+    sleep 0.1
+done
+expect "rows so far" grep -q '^[0-9]' results/bar1d.csv.part
+for resume in "" --resume; do
+    # shellcheck disable=SC2086  # nothing, or the option
+    try run "$scene" "${short[@]}" $resume
+    expect_exit 5
+    expect_stderr "cannot open results/bar1d.lock: it is held by process $first on "
+    expect_no_stdout
+done
+try run "$scene" "${short[@]}" --set output.name=other
+expect_exit 0
+# SIGHUP, as when a terminal is closed, is like SIGTERM.
+tried="run, and SIGHUP"
+kill -HUP $first
+code=0
+wait $first || code=$?
+expect_exit 130
+expect_file results/bar1d.checkpoint
+# What is killed leaves files; the next run of that name removes them when it is done.
+"$program" run "$scene" --set time.end=1e7 --set output.checkpoint=1e-9 >/dev/null 2>&1 &
+sleep 0.5
+kill -KILL $!
+wait $! 2>/dev/null || true
+touch results/bar1d_probes.csv.new-1 # of somebody else: no header
+try run "$scene" "${short[@]}"
+expect_exit 0
+expect "the energies of two runs, and what is not its own" diff - <(ls results) <<<"bar1d.csv
+bar1d_probes.csv.new-1
+other.csv"
+
+# Before the first step nothing is there to be kept: a signal ends the program at once. (An exact
+# end for many steps takes a while to make.)
+env --default-signal=INT "$program" run "$scene" --set boundary.kind=exact --set time.end=3900 \
+    --out early >"$scratch/stdout" 2>"$scratch/stderr" &
+sleep 0.3
+kill -INT $!
+code=0
+wait $! || code=$?
+expect_exit 130
+expect "nothing written" test ! -e early
+
+# Where nothing is read any more, as after head, that is an error of a file.
+tried="run | true"
+code=0
+{ "$program" run "$scene" "${short[@]}" 2>"$scratch/stderr" || echo $? >"$scratch/code"; } | true
+code=$(<"$scratch/code")
+expect_exit 5
+for option in --help --version "run --help"; do
+    tried="$option >/dev/full"
+    code=0
+    # shellcheck disable=SC2086  # words
+    "$program" $option >/dev/full 2>"$scratch/stderr" || code=$?
+    expect_exit 5
+done
+
+# Energy that comes in is no negative way out.
+try run "$2/tools/scenes/incoming.toml" --quiet
+expect "said in words" grep -qE '^went out     -[0-9.e+-]+ \(energy came in\) at the left end, [0-9.e+-]+ at the right one$' "$scratch/stdout"
+
+# --set takes one word, and spaces around its =.
+try run --set time.end=2 --set 'output.name = spaced' "$scene" --quiet
+expect_exit 0
+expect_file results/spaced.csv
 
 # While a scene is waited for, a signal ends the program; one that comes through a pipe is read.
 mkfifo "$scratch/pipe"
@@ -205,7 +285,7 @@ sleep 0.2
 kill -TERM $!
 code=0
 wait $! || code=$?
-expect_exit 143  # the shell's word for SIGTERM
+expect_exit 130
 try run /dev/stdin "${short[@]}" --quiet <"$scene"
 expect_exit 0
 

@@ -95,6 +95,7 @@ damage=(true)
 refused 2 "there model.G is 1.1, here 1.2" --set model.G=1.2
 refused 2 "there boundary.left.order is not given, here 1" --set boundary.left.order=1
 refused 2 "there output.every is 97, here 98" --set output.every=98
+refused 2 "bar1d.checkpoint is at step " --set time.end=0.1
 for length in 0 7 24 100 $((size - 1)); do
     damage=(truncate -s "$length" "$checkpoint")
     refused 5 "cannot go on from results/bar1d.checkpoint: it is "
@@ -126,6 +127,38 @@ fresh
 try run "$scene" "${long[@]}" --resume --set model.G=1.10 --set title=x --set output.checkpoint=9
 expect_exit 0
 expect_whole_run results
+
+# To a later end: as a run to there that was left alone. Neither end is at a step of a row, so that
+# the shorter run has a last one that the longer run does not have.
+later=(--set time.end=750)
+try run "$scene" "${long[@]}" "${later[@]}" --out longer
+expect_exit 0
+cp "$scratch/stdout" "$scratch/longer"
+expect_as_longer() {
+    expect_exit 0
+    for file in "${outputs[@]}"; do expect_same "longer/$file" "results/$file"; done
+    expect "the same last lines" diff <(sed "s/longer/results/" "$scratch/longer") "$scratch/stdout"
+    expect "the outputs only" test "$(files_in results)" -eq 4
+}
+fresh
+try run "$scene" "${long[@]}" "${later[@]}" --resume
+expect_as_longer
+rm -r results
+try run "$scene" "${long[@]}" --keep-checkpoint
+expect_exit 0
+for file in "${outputs[@]}"; do expect_same "whole/$file" "results/$file"; done
+try run "$scene" "${long[@]}" --resume --keep-checkpoint # at its end
+expect_exit 0
+for file in "${outputs[@]}"; do expect_same "whole/$file" "results/$file"; done
+try run "$scene" "${long[@]}" "${later[@]}" --resume
+expect_as_longer
+# Not where the steps up to there depend on the end.
+try run "$scene" --set boundary.kind=extended --set drive.centre=99 --set time.end=9 --quiet \
+    --keep-checkpoint --out wide
+expect_exit 0
+try run "$scene" --set boundary.kind=extended --set drive.centre=99 --set time.end=10 --out wide --resume
+expect_exit 2
+expect_stderr "there the number of steps is 450, here 500"
 
 # A run that starts anew leaves the old checkpoint alone until it has one of its own, and removes
 # it when it is done.

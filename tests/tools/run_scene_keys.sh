@@ -25,10 +25,10 @@ for bad in -1 nan 1e-30 '"1/0"' '"x"'; do
 done
 setting 2 "model.damping must be a number, or one as a string" model.damping=true
 for tau in 7/3 '"14/6"'; do
-    setting 2 "order 1, stride 1, damping tau = 7/3; it knows the committed set" "model.damping=$tau"
+    setting 2 "order 1, stride 1, damping tau = 7/3. " "model.damping=$tau"
 done
-setting 2 "damping tau = 3/10;" model.damping=0.3
-setting 2 "damping tau = 2;" model.damping=2
+setting 2 "damping tau = 3/10. " model.damping=0.3
+setting 2 "damping tau = 2. " model.damping=2
 setting 2 "must be \"midpoint\" or \"explicit\", not \"implicit\"" boundary.ghosts=implicit
 setting 2 'boundary.left.kind must be "nmbc", "fixed", "free"' boundary.left.kind=open
 setting 2 "boundary.allow_unstable must be true or false, not 1" boundary.allow_unstable=1
@@ -205,7 +205,17 @@ done
 idle "the order of a higdon end is 1 to 10, not 11" --set boundary.kind=higdon \
     --set boundary.order=11 --set boundary.allow_unstable=true
 
-# Mistakes in the file itself are named with their line.
+# Mistakes in the file itself are named with their line, and a misspelt table before what is missing
+# without it.
+sed 's/^\[domain\]/[Domain]/' "$scene" >"$scratch/capital.toml"
+refuses 2 "capital.toml:14: Domain is not a key of a scene; the nearest one is domain" "$scratch/capital.toml"
+sed 's/^\[drive\]/[drvie]/' "$scene" >"$scratch/drive.toml"
+refuses 2 "drvie is not a key of a scene; the nearest one is drive" "$scratch/drive.toml"
+# What is no UTF-8 is not for a terminal.
+# The command that makes a missing table comes before the tables there are.
+refuses 2 'order 7, stride 1. To make it beside the scene: nmbcgen --family nopd1d --order 7 --horizon 2' \
+    "$scene" --set boundary.order=7
+refuses 2 '--set model.\xff is not a key of a scene' "$scene" --set $'model.\xff=1'
 sed 's/^density/densty/' "$scene" >"$scratch/misspelt.toml"
 refuses 2 "misspelt.toml:11: material.densty is not a key" "$scratch/misspelt.toml"
 sed '/^horizon/d' "$scene" >"$scratch/missing.toml"
@@ -227,7 +237,7 @@ refuses 2 "model.horizon is missing" "$scratch/empty.toml"
 # Tables in tables are on the stack, so there is an end to them; the deepest that is read.
 deep=$(printf 'a.%.0s' {1..20000})
 printf '%sa=1' "${deep:0:32764}" >"$scratch/deep.toml"
-refuses 2 "model.horizon is missing" "$scratch/deep.toml"
+refuses 2 "deep.toml:1: a is not a key of a scene" "$scratch/deep.toml"
 printf '%sa=1' "${deep:0:32766}" >"$scratch/deep.toml"
 refuses 2 "deep.toml: a scene has at most 32768 bytes" "$scratch/deep.toml"
 refuses 2 "/dev/zero: a scene has at most 32768 bytes" /dev/zero
@@ -236,6 +246,10 @@ refuses 2 "a key and its value have at most 4096 bytes" "$scene" --set "${deep:0
 refuses 2 "a key and its value have at most 4096 bytes" "$scene" --set "title={${deep:0:4090}a=1}"
 refuses 2 "title must be a string in quotes, not {a = {a = " "$scene" --set "title={${deep:0:4080}a=1}"
 expect "it is quoted in part" test "$(wc -c <"$scratch/stderr")" -lt 200
+
+# A pulse that is nowhere different.
+refuses 2 "initial.width is 1e+09, so wide that the displacement is the same all over the bar to 1e-09" \
+    "$2/tools/scenes/broadband.toml" --set initial.width=1e9
 
 # A whole number that no double is.
 try run "$scene" --set material.youngs_modulus=9223372036854775807

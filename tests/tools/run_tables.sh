@@ -47,7 +47,8 @@ expect_exit 1
 try verify "$scene" --tolerance 1e-13 --set boundary.kind=exact
 expect_exit 0
 for same in '[2,1]' '["1","1/2"]' '[1,0.5]' inverse; do # 1/m at n = 2
-    try run "$scene" --quiet --set "model.influence=$same" --set output.name=same
+    try run "$scene" --quiet --set "model.influence=$same" --set output.name=same \
+        --set title=own
     expect_exit 0
     expect_same results/own.csv results/same.csv
 done
@@ -96,10 +97,10 @@ refuses() {
     expect_no_stdout
 }
 third=(--set model.horizon=3 --set 'model.influence=[1,0.75,0.5]')
-refuses 2 "nmbcrun has no table for family nopd1d, horizon 3, influence 1, 3/4, 1/2, order 1, stride 1; it knows \
-the committed set and those of model.tables, in which there is nothing of this influence. To make it beside the \
+refuses 2 "nmbcrun has no table for family nopd1d, horizon 3, influence 1, 3/4, 1/2, order 1, stride 1. To make it beside the \
 scene: nmbcgen --family nopd1d --order 1 --horizon 3 --weights 1,3/4,1/2 --G 1 --format json --out FOLDER, and \
-model.tables = [\"nopd1d_n3_w_1o1_3o4_1o2_order1_G1o1.json\"]" "${third[@]}"
+model.tables = [\"nopd1d_n3_w_1o1_3o4_1o2_order1_G1o1.json\"]. It knows the committed set and those of model.tables, in which there is nothing of this \
+influence" "${third[@]}"
 # Without a certificate of its own: no step is chosen, and one that is given is certified here.
 third+=(--set 'model.tables=["nopd1d_n3_w_1o1_3o4_1o2_order1_G1o1.json"]')
 refuses 4 "its table, in scenes/nopd1d_n3_w_1o1_3o4_1o2_order1_G1o1.json, was written with --uncertified; NMBC1 with \

@@ -36,7 +36,7 @@ expect_exit 2
 expect_stderr "the time step is 0.4, but $needs"
 try run "$automatic" "${matched[@]}" --set boundary.matched_step=1/7
 expect_exit 2
-expect_stderr "no table for family nopd1d, horizon 1, order 2, stride 1, matched_step 1/7;"
+expect_stderr "no table for family nopd1d, horizon 1, order 2, stride 1, matched_step 1/7. "
 try run "$automatic" "${matched[@]}" --set boundary.ghosts='"explicit"'
 expect_exit 2
 expect_stderr "a boundary that is matched in time steps needs midpoint ghosts"

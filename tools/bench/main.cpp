@@ -8,11 +8,11 @@
 
 #include "generator/matching/symbolic_system.hpp"
 #include "generator/pipeline.hpp"
+#include "generator/support/exit_code.hpp"
 
 namespace {
 
-// The project's exit codes; the others are not for this program.
-enum ExitCode { done = 0, bad_input = 2, no_such_boundary = 3 };
+using enum nmbcgen::ExitCode;
 
 /// Prints the processor time of one call, the mean of as many as take a fifth of a second.
 void time(const std::function<void()>& work) {

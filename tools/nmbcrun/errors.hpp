@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "generator/support/posix_file.hpp"
+
 namespace nmbcrun {
 
 /// The scene, or what it asks for, is wrong (2); what() says where and how.
@@ -28,9 +30,6 @@ struct Interrupted : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A file could not be read or written (5).
-struct FileError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+using nmbcgen::FileError;  // (5)
 
 }  // namespace nmbcrun

@@ -8,6 +8,8 @@
 #include <optional>
 #include <system_error>
 
+#include "generator/support/exit_code.hpp"
+#include "generator/support/number_between.hpp"
 #include "tools/nmbcrun/advise/advise.hpp"
 #include "tools/nmbcrun/chart/chart.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
@@ -16,19 +18,10 @@
 #include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 #include "tools/nmbcrun/verify.hpp"
-#include "tools/number_between.hpp"
 
 namespace {
 
-enum ExitCode {
-    done = 0,
-    does_not_hold = 1,
-    bad_input = 2,
-    no_such_boundary = 3,
-    unstable = 4,
-    file_failed = 5,
-    stopped = 130
-};
+using enum nmbcgen::ExitCode;
 
 struct Arguments {
     std::string scene;
@@ -39,14 +32,11 @@ struct Arguments {
     std::optional<std::size_t> long_run;
     bool resume = false;
     bool plot = false;
+    bool keep_checkpoint = false;
 };
 
-/// Read while a signal still ends the program: a pipe that nobody writes into is waited for.
 nmbcrun::Scene scene_of(const Arguments& arguments) {
-    nmbcrun::Scene scene =
-        nmbcrun::read_scene(arguments.scene, nmbcrun::split_settings(arguments.settings));
-    nmbcrun::note_interrupts();
-    return scene;
+    return nmbcrun::read_scene(arguments.scene, nmbcrun::split_settings(arguments.settings));
 }
 
 void stop_where_interrupted() {
@@ -59,7 +49,7 @@ constexpr const char* exit_codes =
     "Exit codes: 0 done; 1 verify: the error is above the tolerance, advise and run --tolerance:\n"
     "nothing meets it; 2 wrong arguments or scene; 3 there is no such boundary condition;\n"
     "4 the ends are not stable together, or the run became non-finite or had no energy;\n"
-    "5 a file could not be read or written; 130 stopped by Ctrl-C or SIGTERM.";
+    "5 a file could not be read or written; 130 stopped by Ctrl-C, SIGTERM or SIGHUP.";
 
 /// What CLI11 says, but of what is no subcommand: that alone, and not that one is required.
 std::string problem_of(const CLI::ParseError& error, const CLI::App& app) {
@@ -80,20 +70,16 @@ const CLI::Validator not_empty(
 /// The exit code of a command, errors told.
 template <class Command>
 int exit_code_of(Command command) {
-    const auto failed = [](const std::exception& error, ExitCode code) {
+    const auto failed = [](const std::exception& error, nmbcgen::ExitCode code) {
         std::cerr << "nmbcrun: " << nmbcrun::printable(error.what()) << "\n";
         return code;
     };
     try {
-        const ExitCode code = command();
+        const nmbcgen::ExitCode code = command();
         if (std::fflush(stdout) != 0) {
             throw nmbcrun::FileError("cannot write to standard output");
         }
         return code;
-    } catch (const nmbcrun::SceneError& error) {
-        return failed(error, bad_input);
-    } catch (const std::invalid_argument& error) {
-        return failed(error, bad_input);
     } catch (const nmbcrun::NotMet& error) {
         std::cerr << "nmbcrun: " << nmbcrun::printable_lines(error.what()) << "\n";
         return does_not_hold;
@@ -109,12 +95,15 @@ int exit_code_of(Command command) {
         return failed(error, file_failed);
     } catch (const std::bad_alloc&) {
         return failed(nmbcrun::SceneError("not enough memory for this scene"), bad_input);
+    } catch (const std::exception& error) {  // SceneError, and what the runtime refuses
+        return failed(error, bad_input);
     }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    nmbcrun::end_at_interrupts(stopped);
     Arguments arguments;
     CLI::App app("nmbcrun: runs scenes with nonlocal matching boundary conditions.", "nmbcrun");
     app.set_version_flag("--version", "nmbcrun " NMBC_VERSION);
@@ -128,8 +117,7 @@ int main(int argc, char** argv) {
         command
             ->add_option("--set", arguments.settings,
                          "KEY=VALUE, e.g. boundary.order=2: overrides the scene; may be repeated")
-            ->expected(1)
-            ->take_all();
+            ->allow_extra_args(false);  // the next one is the scene
         command->add_flag("--quiet", arguments.quiet, "no progress bar, only the last lines");
         return command;
     };
@@ -141,10 +129,12 @@ int main(int argc, char** argv) {
     run->add_flag("--plot", arguments.plot,
                   "draw the energies, and the spectrum of the fields and the displacements over "
                   "space and time where the scene writes them");
+    run->add_flag("--keep-checkpoint", arguments.keep_checkpoint,
+                  "leave a checkpoint at the end: --resume goes on to a later time.end");
     run->add_option("--tolerance", arguments.tolerance,
                     "take the cheapest ends and time step that advise finds for it, instead of the "
                     "scene's ends")
-        ->check(tools::number_between(1e-16, 1e16))
+        ->check(nmbcgen::number_between(1e-16, 1e16))
         ->excludes(resume);
     auto* const verify =
         add_command("verify", "compare a scene with the same one without ends (docs/verify.md)");
@@ -152,7 +142,7 @@ int main(int argc, char** argv) {
         ->add_option("--tolerance", arguments.tolerance,
                      "largest max |u - u_ref| / max |u_ref| that is right")
         ->required()
-        ->check(tools::number_between(1e-16, 1e16));
+        ->check(nmbcgen::number_between(1e-16, 1e16));
     auto* const chart = add_command(
         "chart", "cost and error of every boundary there is for a scene (docs/chart.md)");
     chart->add_option("--out", arguments.folder, "folder for the results (default results)")
@@ -167,11 +157,18 @@ int main(int argc, char** argv) {
     advise
         ->add_option("--tolerance", arguments.tolerance, "largest error over max |u| that is right")
         ->required()
-        ->check(tools::number_between(1e-16, 1e16));
+        ->check(nmbcgen::number_between(1e-16, 1e16));
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
-        return app.exit(help, std::cout, std::cerr);
+        return exit_code_of([&] {
+            app.exit(help, std::cout, std::cerr);
+            std::cout.flush();
+            if (!std::cout) {
+                throw nmbcrun::FileError("cannot write to standard output");
+            }
+            return done;
+        });
     } catch (const CLI::ParseError& error) {
         std::cerr << "nmbcrun: " << nmbcrun::printable(problem_of(error, app))
                   << "\nSee nmbcrun --help.\n";
@@ -181,9 +178,11 @@ int main(int argc, char** argv) {
         return exit_code_of([&] {
             nmbcrun::Scene scene = scene_of(arguments);
             if (arguments.tolerance > 0) {
+                nmbcrun::note_interrupts();
                 scene = nmbcrun::as_advised(scene, arguments.tolerance, stop_where_interrupted);
             }
-            nmbcrun::run(scene, {arguments.folder, arguments.quiet, arguments.resume});
+            nmbcrun::run(scene, {arguments.folder, arguments.quiet, arguments.resume,
+                                 arguments.keep_checkpoint});
             if (arguments.plot) {
                 nmbcrun::draw_run(scene, arguments.folder);
             }
@@ -192,15 +191,17 @@ int main(int argc, char** argv) {
     }
     if (advise->parsed()) {
         return exit_code_of([&] {
-            nmbcrun::advise(scene_of(arguments), arguments.tolerance, arguments.quiet,
-                            stop_where_interrupted);
+            const nmbcrun::Scene scene = scene_of(arguments);
+            nmbcrun::note_interrupts();
+            nmbcrun::advise(scene, arguments.tolerance, arguments.quiet, stop_where_interrupted);
             return done;
         });
     }
     if (chart->parsed()) {
         return exit_code_of([&] {
-            nmbcrun::chart(scene_of(arguments),
-                           {arguments.folder, arguments.long_run, arguments.quiet});
+            const nmbcrun::Scene scene = scene_of(arguments);
+            nmbcrun::note_interrupts();
+            nmbcrun::chart(scene, {arguments.folder, arguments.long_run, arguments.quiet});
             return done;
         });
     }

@@ -9,11 +9,12 @@
 #include <optional>
 
 #include "tools/nmbcrun/output/checkpoint.hpp"
-#include "tools/nmbcrun/output/checksum.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
 #include "tools/nmbcrun/output/recorder.hpp"
+#include "tools/nmbcrun/output/run_lock.hpp"
 #include "tools/nmbcrun/report.hpp"
+#include "tools/nmbcrun/resumable.hpp"
 #include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 
@@ -38,58 +39,31 @@ std::string fastest_node(const nmbc::Chain& chain) {
     return name_of(std::size_t(fastest - chain.velocity().begin()), chain);
 }
 
-/// All that a run with these keys and plan goes on from must have in common, the name of a key
-/// each; what changes no result is left out.
-std::map<std::string, std::string> identity(const Simulation& simulation) {
-    auto keys = simulation.scene().given;
-    keys.erase("title");
-    keys.erase("output.checkpoint");
-    for (const auto& file : simulation.scene().own_tables) {
-        keys["the checksum of " + file->name()] = fmt::format("{:x}", checksum(file->text()));
-    }
-    keys["the version of nmbcrun"] = NMBC_VERSION;
-    keys["the time step"] = fmt::format("{:a}", simulation.plan().time_step);
-    keys["the number of steps"] = fmt::format("{}", simulation.plan().steps);
-    return keys;
-}
-
-void require_same(const std::map<std::string, std::string>& stored,
-                  const std::map<std::string, std::string>& given,
-                  const std::filesystem::path& checkpoint) {
-    const auto value = [](const auto& keys, const std::string& key) {
-        const auto found = keys.find(key);
-        return found == keys.end() ? std::string("not given") : found->second;
-    };
-    auto all = stored;
-    all.insert(given.begin(), given.end());
-    for (const auto& [key, unused] : all) {
-        if (value(stored, key) != value(given, key)) {
-            throw SceneError(fmt::format("{} is of another scene: there {} is {}, here {}",
-                                         checkpoint.string(), key, value(stored, key),
-                                         value(given, key)));
-        }
-    }
-}
-
 /// One run, from its start or from a checkpoint, to its end.
 class Run {
   public:
     Run(const Scene& scene, const RunOptions& options)
         : simulation_(scene),
           ledger_(simulation_.make_ledger()),
-          quiet_(options.quiet),
+          options_(options),
           checkpoint_(options.folder / (scene.name + ".checkpoint")) {
-        require_replaceable(checkpoint_);
+        note_interrupts();  // up to here nothing was written
+        nmbcgen::require_replaceable(checkpoint_);
+        lock_.emplace(options.folder / (scene.name + ".lock"));
         if (options.resume) {
             const Checkpoint from = load_checkpoint(checkpoint_);
-            require_same(from.scene, identity(simulation_), checkpoint_);
+            require_resumable(simulation_, from, checkpoint_);
             recorder_.emplace(scene, options.folder, from.journals);
             simulation_.resume(from.chain);
             ledger_.resume(simulation_.chain(), from.ledger);
             highlights_ = from.highlights;
             is_stored_ = true;
         } else {
-            recorder_.emplace(scene, simulation_.chain(), options.folder);
+            recorder_.emplace(
+                scene, simulation_.chain(), options.folder,
+                fmt::format("nmbcrun   {}\n{}step      {}\nunits     those of the scene, any "
+                            "consistent system; energies per cross-section area\n",
+                            NMBC_VERSION, heading_of(simulation_), heading_of(simulation_.plan())));
             highlights_.driven_peak = simulation_.energies().total();
             highlights_.peak = highlights_.driven_peak;
         }
@@ -102,11 +76,18 @@ class Run {
     const Simulation& simulation() const { return simulation_; }
 
   private:
+    /// What a run with a later end goes on from, without the last row where that run has none.
+    struct End {
+        Highlights highlights;
+        std::vector<Journal::Mark> journals;
+    };
+
     const nmbc::Chain& chain() const { return simulation_.chain(); }
     std::size_t next_stop() const;
     void step();
     void look_at(const Sample& sample);
-    void keep_for_report(const Sample& sample);
+    Sample sample() const;
+    void add_last_row();
     void advance();
     void store();
     void publish_end();
@@ -116,10 +97,12 @@ class Run {
 
     Simulation simulation_;
     Ledger ledger_;
+    std::optional<RunLock> lock_;
     std::optional<Recorder> recorder_;
     Highlights highlights_;
-    bool quiet_;
+    RunOptions options_;
     std::filesystem::path checkpoint_;
+    std::optional<End> end_;
     bool is_stored_ = false;  // whether the checkpoint is one of this run
 };
 
@@ -154,14 +137,10 @@ void Run::look_at(const Sample& sample) {
     }
 }
 
-/// About twelve of a run's rows, and the last.
-void Run::keep_for_report(const Sample& sample) {
-    const std::size_t every = simulation_.scene().every;
-    const std::size_t rows = (simulation_.plan().steps + every - 1) / every;
-    const std::size_t row = (chain().steps() + every - 1) / every - 1;
-    if (row % std::max<std::size_t>(1, rows / 12) == 0 || simulation_.is_done()) {
-        highlights_.samples.push_back(sample);
-    }
+Sample Run::sample() const {
+    const auto energies = simulation_.energies();
+    return {chain().time() - simulation_.plan().time_step / 2, energies,
+            ledger_.balance(chain(), energies)};
 }
 
 /// The next step at which anything is written or looked at.
@@ -179,25 +158,37 @@ std::size_t Run::next_stop() const {
 /// On to the next stop. Many steps at once are faster than one by one, and the same bit for bit.
 void Run::step() {
     simulation_.advance(next_stop() - chain().steps(), ledger_);
-    const std::size_t steps = chain().steps();
-    const bool is_row = steps % simulation_.scene().every == 0 || simulation_.is_done();
-    if (is_row || steps % look_every == 0) {
-        const auto energies = simulation_.energies();
-        const Sample sample{chain().time() - simulation_.plan().time_step / 2, energies,
-                            ledger_.balance(chain(), energies)};
-        if (is_row && std::isfinite(energies.total())) {
-            keep_for_report(sample);
-            recorder_->record(sample, chain());
+    const bool is_row = chain().steps() % simulation_.scene().every == 0;
+    if (is_row || chain().steps() % look_every == 0) {
+        const Sample now = sample();
+        if (is_row && std::isfinite(now.energies.total())) {
+            recorder_->record(now, chain());
         }
-        look_at(sample);
+        look_at(now);
     }
     recorder_->look(chain());
 }
 
+/// Of the last step, where no row is due.
+void Run::add_last_row() {
+    if (chain().steps() % simulation_.scene().every == 0) {
+        return;
+    }
+    end_ = {highlights_, recorder_->marks()};
+    const Sample last = sample();
+    if (std::isfinite(last.energies.total())) {
+        recorder_->record(last, chain());
+    }
+    look_at(last);
+}
+
 void Run::store() {
+    recorder_->sync();
+    const End& end = end_ ? *end_ : End{highlights_, recorder_->marks()};
     save_checkpoint(checkpoint_, {identity(simulation_), chain().state(), ledger_.totals(),
-                                  highlights_, recorder_->marks()});
+                                  end.highlights, end.journals});
     recorder_->keep(true);
+    recorder_->remove_leftovers();
     is_stored_ = true;
 }
 
@@ -225,19 +216,28 @@ void Run::to_the_end() {
         clean_up();
         throw;
     }
-    clean_up();
+    if (options_.keep_checkpoint) {
+        store();
+    } else {
+        clean_up();
+    }
 }
 
 void Run::clean_up() {
     recorder_->keep(false);
-    remove_checkpoint(checkpoint_);
+    std::error_code ignored;
+    std::filesystem::remove(checkpoint_, ignored);
+    recorder_->remove_leftovers();
 }
 
 void Run::advance() {
     using Clock = std::chrono::steady_clock;
-    const std::chrono::duration<double> pause(simulation_.scene().checkpoint);
-    Progress progress(simulation_.plan().steps, quiet_, chain().steps());
+    using Seconds = std::chrono::duration<double>;
+    const Seconds pause(simulation_.scene().checkpoint);
+    constexpr Seconds until_flushed(1);
+    Progress progress(simulation_.plan().steps, options_.quiet, chain().steps());
     auto stored = Clock::now();
+    auto flushed = stored;
     while (!simulation_.is_done()) {
         step();
         progress.update(chain().steps());
@@ -251,11 +251,17 @@ void Run::advance() {
                 fmt::format("stopped at {} of {}. Energies up to there: {}. --resume goes on",
                             place(), simulation_.plan().steps, recorder_->energies().string()));
         }
-        if (chain().steps() % look_every == 0 && Clock::now() - stored > pause) {
+        const auto now = Clock::now();
+        if (now - flushed > until_flushed) {
+            recorder_->flush();
+            flushed = now;
+        }
+        if (now - stored > pause) {
             store();
             stored = Clock::now();
         }
     }
+    add_last_row();
 }
 
 void Run::print() const {
@@ -265,10 +271,12 @@ void Run::print() const {
             "there was no energy at any time, so nothing to compare with: {}. Energies: {}",
             simulation_.why_no_energy(), recorder_->energies().string()));
     }
-    if (!quiet_) {
-        print_samples(highlights_, is_damped(scene));
+    const std::size_t rows = (simulation_.plan().steps + scene.every - 1) / scene.every;
+    const auto samples = recorder_->samples(rows);
+    if (!options_.quiet) {
+        print_samples(samples, highlights_.peak, is_damped(scene));
     }
-    print_balance(highlights_, is_damped(scene));
+    print_balance(samples.back(), highlights_, is_damped(scene));
     fmt::print("{}", recorder_->files());
 }
 
@@ -283,7 +291,9 @@ void run(const Scene& scene, const RunOptions& options) {
         fmt::print(stderr, "nmbcrun: warning: {}\n", printable(run.simulation().warning()));
     }
     if (!options.quiet) {
-        print_heading(run.simulation());
+        const Plan& plan = run.simulation().plan();
+        fmt::print("{}time      {} steps of {}\n\n", heading_of(run.simulation()), plan.steps,
+                   heading_of(plan));
     }
     try {
         run.to_the_end();

@@ -120,6 +120,7 @@ bool verify(const Scene& scene, double tolerance, bool quiet) {
         fmt::print("time       {} steps of {:.6g} (cfl = {:.3g})\n\n", simulation.plan().steps,
                    simulation.plan().time_step, simulation.plan().cfl);
     }
+    note_interrupts();
     const Outcome outcome = run_both(simulation, reference, quiet);
     const double error = outcome.deviation.relative();
     const bool holds = error <= tolerance;

@@ -8,17 +8,17 @@
 #include <iostream>
 #include <system_error>
 
+#include "generator/support/exit_code.hpp"
 #include "generator/support/files.hpp"
+#include "generator/support/number_between.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
-#include "tools/number_between.hpp"
 #include "tools/stability_atlas/atlas.hpp"
 #include "tools/stability_atlas/choices.hpp"
 #include "tools/stability_atlas/csv.hpp"
 
 namespace {
 
-// The project's exit codes; the others are not for this program.
-enum ExitCode { done = 0, bad_input = 2, file_failed = 5 };
+using enum nmbcgen::ExitCode;
 
 struct Arguments {
     std::vector<unsigned> horizons{1, 2, 3, 4};
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 5))
         ->delimiter(',');
     choices->add_option("--G", arguments.values, "values of G, decimal numbers (default 0 to 6)")
-        ->check(tools::number_between(0, 1e6))
+        ->check(nmbcgen::number_between(0, 1e6))
         ->delimiter(',');
     app.footer("Exit codes: 0 done; 2 wrong arguments; 5 a file could not be written.");
     try {

@@ -16,7 +16,7 @@ namespace {
 
 // The file: magic, size and checksum of what follows, and that. Numbers are as this machine has
 // them: another byte order would not go on bit for bit anyway, and is no magic.
-constexpr std::uint64_t magic = 0x31307463626d6e;  // "nmbct01"; another layout, another number
+constexpr std::uint64_t magic = 0x32307463626d6e;  // "nmbct02"; another layout, another number
 
 struct Header {
     std::uint64_t magic_number = magic;
@@ -148,7 +148,6 @@ void visit(Part& checkpoint, Each each, All all) {
     each(checkpoint.highlights.peak);
     each(checkpoint.highlights.driven_peak);
     each(checkpoint.highlights.drift);
-    all(checkpoint.highlights.samples);
     all(checkpoint.journals);
 }
 
@@ -160,48 +159,19 @@ std::string pack(const Checkpoint& checkpoint) {
     return writer.bytes();
 }
 
-/// Of the checkpoint that is there; none where it cannot be read at all.
-std::vector<Journal::Mark> journals_of(const std::filesystem::path& path) {
-    try {
-        return load_checkpoint(path).journals;
-    } catch (const FileError&) {
-        return {};
-    }
-}
-
-/// What runs have left that were killed while they stored a checkpoint.
-void remove_leftovers(const std::filesystem::path& path) {
-    const std::string start = path.filename().string() + ".new-";
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(path.parent_path(), error)) {
-        if (entry.path().filename().string().starts_with(start)) {
-            remove_unless_open(entry.path());
-        }
-    }
-}
-
-void remove_journals(const std::filesystem::path& path, const std::vector<Journal::Mark>& marks) {
-    for (const Journal::Mark& mark : marks) {
-        remove_unless_open(path.parent_path() / mark.name);
-    }
-}
-
 }  // namespace
 
 void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-    const auto replaced = journals_of(path);
     const std::string body = pack(checkpoint);
     const Header header{magic, body.size(), checksum(body)};
     std::string head(sizeof(header), '\0');
     std::memcpy(head.data(), &header, sizeof(header));
-    PosixFile file = PosixFile::create_beside(path);
-    NewFile whole(file.path(), path);
+    nmbcgen::PosixFile file = nmbcgen::PosixFile::create_beside(path);
+    nmbcgen::NewFile whole(file.path(), path);
     file.write(head);
     file.write(body);
     file.sync();
-    publish({&whole, 1});
-    remove_leftovers(path);
-    remove_journals(path, replaced);  // less those of this run, which are open
+    nmbcgen::publish({&whole, 1});
 }
 
 Checkpoint load_checkpoint(const std::filesystem::path& path) {
@@ -211,7 +181,7 @@ Checkpoint load_checkpoint(const std::filesystem::path& path) {
     if (!std::filesystem::exists(path)) {
         throw refuse("there is no such file");
     }
-    const PosixFile file = PosixFile::open(path);
+    const nmbcgen::PosixFile file = nmbcgen::PosixFile::open(path);
     Header header;
     std::string head(sizeof(header), '\0');
     const std::size_t got = file.read(0, head.data(), head.size());
@@ -233,14 +203,6 @@ Checkpoint load_checkpoint(const std::filesystem::path& path) {
         checkpoint, [&](auto& value) { reader.get(value); },
         [&](auto& list) { reader.get_all(list); });
     return checkpoint;
-}
-
-void remove_checkpoint(const std::filesystem::path& path) {
-    const auto journals = journals_of(path);
-    std::error_code ignored;
-    std::filesystem::remove(path, ignored);
-    remove_leftovers(path);
-    remove_journals(path, journals);
 }
 
 }  // namespace nmbcrun

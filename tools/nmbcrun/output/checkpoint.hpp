@@ -9,16 +9,15 @@
 #include <vector>
 
 #include "tools/nmbcrun/output/journal.hpp"
-#include "tools/nmbcrun/output/sample.hpp"
+#include "tools/nmbcrun/simulation/ledger.hpp"
 
 namespace nmbcrun {
 
 /// What a run keeps of its energies for its last lines.
 struct Highlights {
-    double peak = 0;                ///< the largest total energy of every tenth step
-    double driven_peak = 0;         ///< and of those under a source
-    double drift = 0;               ///< the largest of the ledger, whatever its sign
-    std::vector<Sample> samples{};  ///< about twelve, and the last
+    double peak = 0;         ///< the largest total energy of every tenth step
+    double driven_peak = 0;  ///< and of those under a source
+    double drift = 0;        ///< the largest of the ledger, whatever its sign
 };
 
 struct Checkpoint {
@@ -29,14 +28,11 @@ struct Checkpoint {
     std::vector<Journal::Mark> journals{};
 };
 
-/// Puts it in the place of an older one, of which the journals that no run has open are removed.
-/// The older one is there until the new one is on the disk. Throws FileError.
+/// Puts it in the place of an older one, which is there until the new one is on the disk. Throws
+/// FileError.
 void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
 /// Throws FileError where there is none, or none that is whole.
 Checkpoint load_checkpoint(const std::filesystem::path& path);
-
-/// Removes it, and its journals that no run has open.
-void remove_checkpoint(const std::filesystem::path& path);
 
 }  // namespace nmbcrun

@@ -8,7 +8,7 @@
 namespace nmbcrun {
 
 CsvFile::CsvFile(const std::filesystem::path& path, const std::string& header)
-    : path_(path), file_(PosixFile::create_beside(path)), made_(file_.path(), path) {
+    : path_(path), file_(nmbcgen::PosixFile::create_beside(path)), made_(file_.path(), path) {
     append(header);
     flush();
 }
@@ -27,18 +27,18 @@ void CsvFile::flush() {
     buffer_.clear();
 }
 
-NewFile CsvFile::whole() {
+nmbcgen::NewFile CsvFile::whole() {
     flush();
     file_.sync();
     return std::move(made_);
 }
 
 void CsvFile::publish() {
-    NewFile file = whole();
-    nmbcrun::publish({&file, 1});
+    nmbcgen::NewFile file = whole();
+    nmbcgen::publish({&file, 1});
 }
 
-NewFile write_field(const std::filesystem::path& path, const nmbc::Chain& chain) {
+nmbcgen::NewFile write_field(const std::filesystem::path& path, const nmbc::Chain& chain) {
     CsvFile csv(path, field_header);
     const nmbc::ChainParameters& p = chain.parameters();
     for (std::size_t node = 1; node <= p.nodes; ++node) {

@@ -6,7 +6,7 @@
 #include <nmbc/chain.hpp>
 #include <string>
 
-#include "tools/nmbcrun/output/posix_file.hpp"
+#include "generator/support/posix_file.hpp"
 
 namespace nmbcrun {
 
@@ -20,7 +20,7 @@ class CsvFile {
     void append(const std::string& line);
 
     /// All of it is on the disk.
-    NewFile whole();
+    nmbcgen::NewFile whole();
 
     /// Gives the whole file its own name.
     void publish();
@@ -31,8 +31,8 @@ class CsvFile {
     void flush();
 
     std::filesystem::path path_;
-    PosixFile file_;
-    NewFile made_;
+    nmbcgen::PosixFile file_;
+    nmbcgen::NewFile made_;
     std::string buffer_;  // not written yet
 };
 
@@ -40,6 +40,6 @@ inline constexpr const char* field_header = "node,x,u,v";
 
 /// A CSV file of the interior nodes, a row of field_header each: node 1, 2, .. at x = node dX
 /// [length], u at t, v at t - dt/2.
-NewFile write_field(const std::filesystem::path& path, const nmbc::Chain& chain);
+nmbcgen::NewFile write_field(const std::filesystem::path& path, const nmbc::Chain& chain);
 
 }  // namespace nmbcrun

@@ -29,7 +29,7 @@ class Closing {
 }  // namespace
 
 Hdf5File::Hdf5File(const std::filesystem::path& path)
-    : made_(PosixFile::create_beside(path).path(), path) {
+    : made_(nmbcgen::PosixFile::create_beside(path).path(), path) {
     // After a write that failed the library crashes in what it does at the end of the program
     // (h5py, issue 914); everything is closed here.
     H5dont_atexit();
@@ -102,13 +102,13 @@ void Hdf5File::write(const std::string& name, std::span<const double> values) {
                      values.data()));
 }
 
-NewFile Hdf5File::whole() {
+nmbcgen::NewFile Hdf5File::whole() {
     for (const auto& [name, dataset] : datasets_) {
         checked(H5Dclose(dataset));
     }
     datasets_.clear();
     checked(H5Fclose(std::exchange(file_, H5I_INVALID_HID)));
-    PosixFile::open(made_.temporary()).sync();
+    nmbcgen::PosixFile::open(made_.temporary()).sync();
     return std::move(made_);
 }
 

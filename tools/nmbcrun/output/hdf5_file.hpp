@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/nmbcrun/output/posix_file.hpp"
+#include "generator/support/posix_file.hpp"
 
 namespace nmbcrun {
 
@@ -42,13 +42,13 @@ class Hdf5File {
     void write(const std::string& name, std::span<const double> values);
 
     /// Closes it; all of it is on the disk.
-    NewFile whole();
+    nmbcgen::NewFile whole();
 
   private:
     hid_t checked(hid_t result) const;
     void attach(hid_t object, const Attributes& attributes) const;
 
-    NewFile made_;
+    nmbcgen::NewFile made_;
     hid_t file_ = H5I_INVALID_HID;
     std::map<std::string, hid_t> datasets_;
 };

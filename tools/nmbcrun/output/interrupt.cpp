@@ -1,24 +1,45 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/output/interrupt.hpp"
 
+#include <unistd.h>
+
 #include <csignal>
-#include <initializer_list>
+#include <string_view>
 
 namespace nmbcrun {
 namespace {
 
 volatile std::sig_atomic_t noted = 0;
+volatile std::sig_atomic_t code = 0;
+
+void handle_interrupts(void (*handler)(int)) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        if (std::signal(signal, handler) == SIG_IGN) {
+            std::signal(signal, SIG_IGN);
+        }
+    }
+}
 
 }  // namespace
 
-void note_interrupts() {
-    std::signal(SIGXFSZ, SIG_IGN);  // then the write that goes beyond the limit fails
-    for (const int signal : {SIGINT, SIGTERM}) {
-        std::signal(signal, [](int received) {
-            noted = 1;
-            std::signal(received, SIG_DFL);
-        });
+void end_at_interrupts(int exit_code) {
+    code = exit_code;
+    for (const int signal :
+         {SIGXFSZ, SIGPIPE}) {  // not ignored, as programs we start would inherit
+        std::signal(signal, [](int /*signal*/) {});
     }
+    handle_interrupts([](int /*signal*/) {
+        constexpr std::string_view words = "nmbcrun: stopped; nothing was written\n";
+        [[maybe_unused]] const auto ignored = ::write(STDERR_FILENO, words.data(), words.size());
+        ::_exit(code);
+    });
+}
+
+void note_interrupts() {
+    handle_interrupts([](int received) {
+        noted = 1;
+        std::signal(received, SIG_DFL);
+    });
 }
 
 bool interrupted() {

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
-/// Ctrl-C and SIGTERM end a run between two steps, so that nothing half-written stays behind.
+/// Ctrl-C, SIGTERM and SIGHUP: at once, or between two steps, so that nothing half-written stays.
 #pragma once
 
 namespace nmbcrun {
 
-/// From now on SIGINT and SIGTERM are noted instead of ending the program; a second one ends it. A
-/// file that grows beyond the limit of its size (ulimit -f) ends nothing: writing to it fails.
+/// From now on each of these signals ends the program with `exit_code`, in words; one that is
+/// ignored (nohup) stays ignored. What nobody reads, or goes beyond the limit of a file's size
+/// (ulimit -f), ends nothing: writing to it fails.
+void end_at_interrupts(int exit_code);
+
+/// From now on they are noted; a second one ends the program.
 void note_interrupts();
 
-/// Whether one has come.
+/// Whether one was noted.
 bool interrupted();
 
 }  // namespace nmbcrun

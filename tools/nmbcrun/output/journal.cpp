@@ -16,7 +16,7 @@ constexpr std::size_t block = 1 << 16;  // bytes written or read at once
 
 /// Hands the first `size` bytes to `take`, block by block. Returns whether they were all there.
 template <class Take>
-bool read_blocks(const PosixFile& file, std::uint64_t size, Take take) {
+bool read_blocks(const nmbcgen::PosixFile& file, std::uint64_t size, Take take) {
     std::string bytes(block, '\0');
     for (std::uint64_t done = 0; done < size;) {
         const auto wanted = std::size_t(std::min<std::uint64_t>(block, size - done));
@@ -33,12 +33,12 @@ bool read_blocks(const PosixFile& file, std::uint64_t size, Take take) {
 
 Journal::Journal(std::filesystem::path path)
     : path_(std::move(path)),
-      file_(PosixFile::create_beside(path_)),
+      file_(nmbcgen::PosixFile::create_beside(path_)),
       mark_{file_.path().filename().string(), 0, checksum_of_nothing} {}
 
 Journal::Journal(std::filesystem::path path, const Mark& mark)
     : path_(std::move(path)),
-      file_(PosixFile::open(path_.parent_path() / mark.name)),
+      file_(nmbcgen::PosixFile::open(path_.parent_path() / mark.name)),
       mark_(mark),
       is_kept_(true) {
     std::uint64_t found = checksum_of_nothing;
@@ -74,10 +74,9 @@ void Journal::flush() {
     buffer_.clear();
 }
 
-Journal::Mark Journal::mark() {
+void Journal::sync() {
     flush();
     file_.sync();
-    return mark_;
 }
 
 const std::filesystem::path& Journal::source() {
@@ -85,10 +84,10 @@ const std::filesystem::path& Journal::source() {
     return file_.path();
 }
 
-NewFile Journal::copy() {
+nmbcgen::NewFile Journal::copy() {
     flush();
-    PosixFile file = PosixFile::create_beside(path_);
-    NewFile copy(file.path(), path_);
+    nmbcgen::PosixFile file = nmbcgen::PosixFile::create_beside(path_);
+    nmbcgen::NewFile copy(file.path(), path_);
     if (!read_blocks(file_, mark_.size, [&](std::string_view bytes) { file.write(bytes); })) {
         throw FileError(
             fmt::format("cannot read {}: it has become shorter", file_.path().string()));

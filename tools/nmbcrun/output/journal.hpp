@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "tools/nmbcrun/output/posix_file.hpp"
+#include "generator/support/posix_file.hpp"
 
 namespace nmbcrun {
 
@@ -33,13 +33,17 @@ class Journal {
 
     void append(std::string_view bytes);
 
-    /// All that was appended is on the disk. After a member that threw it may be tried again.
-    Mark mark();
+    /// How far it is.
+    const Mark& mark() const { return mark_; }
+    /// All that was appended is in the file, and on the disk. After a member that threw it may be
+    /// tried again.
+    void flush();
+    void sync();
     /// From here on the file stays when the journal ends, or does not.
     void keep(bool kept) { is_kept_ = kept; }
 
     /// A copy of it, on the disk, that is to be path().
-    NewFile copy();
+    nmbcgen::NewFile copy();
 
     /// Bytes appended so far, and the file that has them all.
     std::uint64_t size() const { return mark_.size; }
@@ -48,10 +52,8 @@ class Journal {
     const std::filesystem::path& path() const { return path_; }
 
   private:
-    void flush();
-
     std::filesystem::path path_;
-    PosixFile file_;
+    nmbcgen::PosixFile file_;
     std::string buffer_;  // not written yet
     Mark mark_;           // what was appended
     bool is_kept_ = false;

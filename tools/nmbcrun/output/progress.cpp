@@ -38,23 +38,22 @@ Progress::~Progress() {
 }
 
 void Progress::update(std::size_t done) {
-    if (!shown_ || done < next_) {
+    using namespace std::chrono_literals;
+    if (!shown_ || Clock::now() - drawn_ < 100ms) {
         return;
     }
-    const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+    drawn_ = Clock::now();
+    const double elapsed = std::chrono::duration<double>(drawn_ - start_).count();
     const double fraction = double(done) / double(std::max<std::size_t>(total_, 1));
     const auto done_here = double(done - first_);
-    const double left = done_here > 0 ? elapsed * double(total_ - done) / done_here : 0;
+    const auto left =
+        done_here > 0 ? fmt::format("{:.0f} s left", elapsed * double(total_ - done) / done_here)
+                      : std::string();
     constexpr int width = 40;
     const int filled = int(fraction * width);
-    fmt::print(stderr, "\r[{}{}] {:3.0f} %, {:.0f} s left \033[K",
-               std::string(std::size_t(filled), '#'), std::string(std::size_t(width - filled), '.'),
-               100 * fraction, left);
+    fmt::print(stderr, "\r[{}{}] {:3.0f} %, {} \033[K", std::string(std::size_t(filled), '#'),
+               std::string(std::size_t(width - filled), '.'), 100 * fraction, left);
     std::fflush(stderr);
-    // Aim for ten drawings a second by the speed so far, and for 100 in all at the start.
-    const double per_second = elapsed > 0.1 ? done_here / elapsed : double(total_);
-    next_ =
-        done + std::max<std::size_t>(1, std::min(total_ / 100 + 1, std::size_t(per_second / 10)));
 }
 
 }  // namespace nmbcrun

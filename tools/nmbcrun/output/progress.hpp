@@ -16,16 +16,16 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// To be called at every step; draws a few times a second.
+    /// To be called often; draws a few times a second, by the clock.
     void update(std::size_t done);
 
   private:
     using Clock = std::chrono::steady_clock;
     std::size_t total_;
     std::size_t first_;
-    std::size_t next_ = 0;  // the step to look at the clock again
     bool shown_;
     Clock::time_point start_ = Clock::now();
+    Clock::time_point drawn_ = start_;
 };
 
 }  // namespace nmbcrun

@@ -10,18 +10,11 @@
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/csv.hpp"
+#include "tools/nmbcrun/output/energies_file.hpp"
 #include "tools/nmbcrun/output/snapshots.hpp"
 
 namespace nmbcrun {
 namespace {
-
-std::string energies_row(const Sample& sample) {
-    const auto& [time, e, balance] = sample;
-    // The time is a rounded multiple of the step, which ten digits hide; the energies read back.
-    return fmt::format("{:.10g},{},{},{},{},{},{},{},{},{},{},{}\n", time, e.kinetic, e.strain,
-                       e.stabilisation, e.total(), e.staggered, e.damped, balance.energy,
-                       balance.work, balance.left, balance.right, balance.drift);
-}
 
 std::string probes_header(const std::vector<std::size_t>& probes) {
     std::string header = "time";
@@ -30,6 +23,9 @@ std::string probes_header(const std::vector<std::size_t>& probes) {
     }
     return header + "\n";
 }
+
+/// The energies of a run that goes on.
+constexpr const char* growing = ".csv.part";
 
 /// What not every run of a name publishes, and how such a file begins.
 constexpr std::pair<const char*, std::string_view> optional_files[] = {
@@ -55,11 +51,12 @@ std::vector<std::filesystem::path> inputs(const Scene& scene) {
 
 }  // namespace
 
-Recorder::Recorder(Scene scene, const nmbc::Chain& chain, std::filesystem::path folder)
+Recorder::Recorder(Scene scene, const nmbc::Chain& chain, std::filesystem::path folder,
+                   std::string_view about)
     : scene_(std::move(scene)), folder_(std::move(folder)) {
     require_free_names();
     energies_ = std::make_unique<Journal>(path(".csv"));
-    energies_->append(fmt::format("{}\n", energies_header));
+    energies_->append(energies_head(about));
     if (!scene_.probes.empty()) {
         probed_ = std::make_unique<Journal>(path("_probes.csv"));
         probed_->append(probes_header(scene_.probes));
@@ -71,6 +68,7 @@ Recorder::Recorder(Scene scene, const nmbc::Chain& chain, std::filesystem::path 
     for (Journal* const journal : journals()) {
         journal->source();  // what cannot be written is known before the first step
     }
+    link_growing();
 }
 
 Recorder::Recorder(Scene scene, std::filesystem::path folder,
@@ -91,6 +89,19 @@ Recorder::Recorder(Scene scene, std::filesystem::path folder,
     if (scene_.snapshots > 0) {
         snapshots_ = next(".h5");
     }
+    link_growing();
+}
+
+Recorder::~Recorder() {
+    std::error_code ignored;
+    std::filesystem::remove(path(growing), ignored);
+}
+
+/// Where the file system knows no links there is none.
+void Recorder::link_growing() const {
+    std::error_code ignored;
+    std::filesystem::remove(path(growing), ignored);
+    std::filesystem::create_symlink(energies_->source().filename(), path(growing), ignored);
 }
 
 std::filesystem::path Recorder::path(const char* ending) const {
@@ -111,7 +122,7 @@ std::vector<Journal*> Recorder::journals() const {
 void Recorder::require_free_names() const {
     for (const char* const ending : {".csv", "_probes.csv", ".h5", "_field.csv"}) {
         const std::filesystem::path name = path(ending);
-        require_replaceable(name);
+        nmbcgen::require_replaceable(name);
         for (const std::filesystem::path& input : inputs(scene_)) {
             std::error_code none;  // of them is there
             if (std::filesystem::equivalent(input, name, none)) {
@@ -143,9 +154,15 @@ void Recorder::look(const nmbc::Chain& chain) {
     }
 }
 
-std::vector<Journal::Mark> Recorder::marks() {
-    std::vector<Journal::Mark> marks;
+void Recorder::sync() {
     for (Journal* const journal : journals()) {
+        journal->sync();
+    }
+}
+
+std::vector<Journal::Mark> Recorder::marks() const {
+    std::vector<Journal::Mark> marks;
+    for (const Journal* const journal : journals()) {
         marks.push_back(journal->mark());
     }
     return marks;
@@ -158,7 +175,7 @@ void Recorder::keep(bool kept) {
 }
 
 void Recorder::publish(const nmbc::Chain& chain, bool at_end) {
-    std::vector<NewFile> files;
+    std::vector<nmbcgen::NewFile> files;
     files.push_back(energies_->copy());
     if (probed_) {
         files.push_back(probed_->copy());
@@ -170,20 +187,52 @@ void Recorder::publish(const nmbc::Chain& chain, bool at_end) {
         files.push_back(write_field(path("_field.csv"), chain));
     }
     remove_others(files);
-    nmbcrun::publish(files);
+    nmbcgen::publish(files);
 }
 
 /// Only what is a file of that kind: NAME_field.csv can be the energies of a scene of that name.
-void Recorder::remove_others(const std::vector<NewFile>& files) const {
+void Recorder::remove_others(const std::vector<nmbcgen::NewFile>& files) const {
     for (const auto& [ending, beginning] : optional_files) {
         const std::filesystem::path other = path(ending);
-        const bool is_new = std::ranges::find(files, other, &NewFile::path) != files.end();
+        const bool is_new = std::ranges::find(files, other, &nmbcgen::NewFile::path) != files.end();
         std::error_code error;
         if (!is_new && begins_with(other, beginning) && !std::filesystem::remove(other, error)) {
             throw FileError(fmt::format("cannot remove {} of an earlier run: {}", other.string(),
                                         error.message()));
         }
     }
+}
+
+/// Growing files and copies of them that no process has open.
+void Recorder::remove_leftovers() const {
+    std::vector<std::pair<std::string, std::string_view>> kinds{{".csv", ""}, {".checkpoint", ""}};
+    kinds.insert(kinds.end(), std::begin(optional_files), std::end(optional_files));
+    const auto own = marks();
+    const auto is_own = [&](const std::string& name) {
+        return std::ranges::find(own, name, &Journal::Mark::name) != own.end();
+    };
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_, error)) {
+        const std::string name = entry.path().filename().string();
+        for (const auto& [ending, beginning] : kinds) {
+            if (name.starts_with(scene_.name + ending + ".new-") && !is_own(name) &&
+                (beginning.empty() || ending == ".h5" || begins_with(entry.path(), beginning))) {
+                nmbcgen::remove_unless_open(entry.path());
+            }
+        }
+    }
+}
+
+std::vector<Sample> Recorder::samples(std::size_t rows) const {
+    const std::size_t every = std::max<std::size_t>(1, rows / 12);
+    std::vector<Sample> samples;
+    std::size_t row = 0;
+    read_energies(energies_->source(), [&](const std::vector<double>& numbers) {
+        if (row++ % every == 0 || row == rows) {
+            samples.push_back(sample_of(numbers));
+        }
+    });
+    return samples;
 }
 
 std::string Recorder::files() const {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nmbc/chain.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/nmbcrun/output/journal.hpp"
@@ -16,14 +17,20 @@ namespace nmbcrun {
 
 /// FOLDER/NAME.csv, the energies; NAME_probes.csv and NAME.h5 (the snapshots) where the scene has
 /// some; NAME_field.csv where it asks for it. They grow under temporary names, and what is
-/// published of them is whole. Every member throws FileError; the constructors do where something
-/// else than a file is in the way of one, and SceneError where the scene reads one of them.
+/// published of them is whole. The energies so far are NAME.csv.part, a link, while the run lasts.
+/// Every member throws FileError; the constructors do where something else than a file is in the
+/// way of one, and SceneError where the scene reads one of them.
 class Recorder {
   public:
-    /// Of a run that starts.
-    Recorder(Scene scene, const nmbc::Chain& chain, std::filesystem::path folder);
+    /// Of a run that starts; about: what its energies are to say of it, whole lines.
+    Recorder(Scene scene, const nmbc::Chain& chain, std::filesystem::path folder,
+             std::string_view about);
     /// Of one that goes on from these marks.
     Recorder(Scene scene, std::filesystem::path folder, const std::vector<Journal::Mark>& marks);
+
+    ~Recorder();
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
 
     /// A row of energies and of the probes.
     void record(const Sample& sample, const nmbc::Chain& chain);
@@ -31,8 +38,11 @@ class Recorder {
     /// To be called at every step: takes a snapshot where one is due.
     void look(const nmbc::Chain& chain);
 
-    /// All that was recorded is on the disk: where to go on from.
-    std::vector<Journal::Mark> marks();
+    /// Where to go on from, once all of it is on the disk.
+    std::vector<Journal::Mark> marks() const;
+    void sync();
+    /// The energies so far can be read.
+    void flush() { energies_->flush(); }
     /// From here on the growing files stay when the recorder ends, or do not.
     void keep(bool kept);
 
@@ -40,6 +50,12 @@ class Recorder {
     /// as far as the file system can do that; and removes what an earlier run has published of
     /// the others.
     void publish(const nmbc::Chain& chain, bool at_end);
+
+    /// Removes what killed runs have left, and what no checkpoint but this run's needs.
+    void remove_leftovers() const;
+
+    /// About so many of the rows, and the last.
+    std::vector<Sample> samples(std::size_t rows) const;
 
     /// The files of a whole run, a line each.
     std::string files() const;
@@ -49,7 +65,8 @@ class Recorder {
     std::filesystem::path path(const char* ending) const;
     std::vector<Journal*> journals() const;
     void require_free_names() const;
-    void remove_others(const std::vector<NewFile>& files) const;
+    void link_growing() const;
+    void remove_others(const std::vector<nmbcgen::NewFile>& files) const;
 
     Scene scene_;
     std::filesystem::path folder_;

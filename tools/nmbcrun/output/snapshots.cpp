@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/energies_file.hpp"
 #include "tools/nmbcrun/output/hdf5_file.hpp"
 
 namespace nmbcrun {
@@ -28,26 +27,6 @@ bool read(std::istream& stream, std::span<double> values) {
                             std::streamsize(values.size_bytes())));
 }
 
-/// The numbers below the header, row by row.
-std::vector<double> read_csv(const std::filesystem::path& path) {
-    std::ifstream stream(path);
-    std::vector<double> values;
-    std::string line;
-    std::getline(stream, line);
-    while (std::getline(stream, line)) {
-        const char* next = line.data();
-        const char* const end = next + line.size();
-        while (next < end) {
-            const auto [after, error] = std::from_chars(next, end, values.emplace_back());
-            if (error != std::errc()) {
-                throw FileError(fmt::format("cannot read {}: {}", path.string(), line));
-            }
-            next = after + 1;
-        }
-    }
-    return values;
-}
-
 }  // namespace
 
 void append_snapshot(Journal& snapshots, const nmbc::Chain& chain) {
@@ -59,11 +38,14 @@ void append_snapshot(Journal& snapshots, const nmbc::Chain& chain) {
     append(snapshots, chain.velocity().subspan(first, nodes));
 }
 
-NewFile write_snapshots(Journal& snapshots, Journal& energies, const nmbc::ChainParameters& p) {
+nmbcgen::NewFile write_snapshots(Journal& snapshots, Journal& energies,
+                                 const nmbc::ChainParameters& p) {
     const std::size_t times = snapshots.size() / (sizeof(double) * (1 + 2 * p.nodes));
-    const auto columns =
-        std::size_t(std::ranges::count(std::string_view(energies_header), ',')) + 1;
-    const std::vector<double> rows = read_csv(energies.source());
+    const auto columns = std::size_t(std::ranges::count(energies_header, ',')) + 1;
+    std::vector<double> rows;
+    read_energies(energies.source(), [&](const std::vector<double>& row) {
+        rows.insert(rows.end(), row.begin(), row.end());
+    });
 
     Hdf5File file(snapshots.path());
     file.describe(
@@ -81,7 +63,7 @@ NewFile write_snapshots(Journal& snapshots, Journal& energies, const nmbc::Chain
     file.add("energies", {rows.size() / columns, columns},
              {{"unit", "energy/area; the first column: time"},
               {"layout", "row x column"},
-              {"columns", energies_header}});
+              {"columns", std::string(energies_header)}});
 
     std::vector<double> x(p.nodes);
     for (std::size_t node = 0; node < p.nodes; ++node) {

@@ -8,16 +8,13 @@
 
 namespace nmbcrun {
 
-/// The columns of a run's CSV file of energies.
-inline constexpr const char* energies_header =
-    "time,kinetic,strain,stabilisation,total,staggered,damped,ledger,work,left_end,right_end,drift";
-
 /// Adds t, u at t and v at t - dt/2 of the interior nodes.
 void append_snapshot(Journal& snapshots, const nmbc::Chain& chain);
 
 /// Writes the HDF5 file that the journal of snapshots is for: `time` [snapshots], `x` [nodes], `u`
 /// and `v` [snapshots x nodes], `energies` [rows x columns], what the journal of energies has under
 /// energies_header. Throws FileError.
-NewFile write_snapshots(Journal& snapshots, Journal& energies, const nmbc::ChainParameters& p);
+nmbcgen::NewFile write_snapshots(Journal& snapshots, Journal& energies,
+                                 const nmbc::ChainParameters& p);
 
 }  // namespace nmbcrun

@@ -8,7 +8,7 @@
 namespace nmbcrun {
 
 /// UTF-8 with its control characters escaped, \x1b or \u009b, so that none of them commands the
-/// terminal.
+/// terminal; and so is what is no UTF-8, \xff.
 std::string printable(std::string_view text);
 
 /// Likewise of a message in several lines, none of which a scene broke: line ends stay.

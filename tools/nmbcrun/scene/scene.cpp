@@ -176,6 +176,14 @@ std::vector<std::size_t> read_probes(SceneReader& reader, const Scene& scene) {
     return probes;
 }
 
+/// Without blanks around it.
+std::string trimmed(std::string_view text) {
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+    const auto first = std::ranges::find_if_not(text, is_blank);
+    const auto last = std::find_if_not(text.rbegin(), text.rend(), is_blank).base();
+    return first < last ? std::string(first, last) : std::string();
+}
+
 }  // namespace
 
 std::string_view name_of(BoundaryKind kind) {
@@ -249,10 +257,11 @@ Overrides split_settings(const std::vector<std::string>& settings) {
     Overrides overrides;
     for (const std::string& setting : settings) {
         const std::size_t mark = setting.find('=');
-        if (mark == 0 || mark == std::string::npos) {
+        const std::string key = trimmed(setting.substr(0, mark));
+        if (key.empty() || mark == std::string::npos) {
             throw SceneError("--set needs KEY=VALUE, not '" + setting + "'");
         }
-        overrides.emplace_back(setting.substr(0, mark), setting.substr(mark + 1));
+        overrides.emplace_back(key, trimmed(setting.substr(mark + 1)));
     }
     return overrides;
 }
@@ -268,6 +277,8 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
 Scene read_scene_text(const std::string& text, const std::string& path,
                       const Overrides& overrides) {
     SceneReader reader(text, path, overrides);
+    reader.refuse_other_tables({"title", "model", "material", "domain", "boundary", "time",
+                                "output", "drive", "initial", "force", "incoming", "preload"});
     Scene scene;
     scene.name = read_name(reader, path);
     scene.title = printable(reader.text("title").value_or(scene.name));

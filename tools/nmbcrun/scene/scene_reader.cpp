@@ -300,6 +300,26 @@ std::map<std::string, std::string> SceneReader::given() const {
     return keys;
 }
 
+void SceneReader::fail_unknown(const std::string& key,
+                               const std::vector<std::string>& known) const {
+    const auto nearest = std::ranges::min_element(
+        known, {}, [&](const auto& other) { return edit_distance(key, other); });
+    // One that shares less than half its letters is no help.
+    const bool near = 2 * edit_distance(key, *nearest) <= key.size();
+    fail(key, "is not a key of a scene" + (near ? "; the nearest one is " + *nearest
+                                                : std::string("; docs/scenes.md lists them")));
+}
+
+void SceneReader::refuse_other_tables(const std::vector<std::string>& tables) const {
+    for (const auto& [name, node] : document_) {
+        const std::string key(name.str());
+        if (key.find('.') == std::string::npos &&  // which refuse_unknown_keys() explains
+            std::ranges::find(tables, key) == tables.end()) {
+            fail_unknown(key, tables);
+        }
+    }
+}
+
 void SceneReader::refuse_unknown_keys() const {
     refuse_unknown_keys_in(document_, "");
 }
@@ -318,13 +338,7 @@ void SceneReader::refuse_unknown_keys_in(const toml::table& table,
         } else if (is_group) {
             fail(key, "must be a table");
         } else if (std::ranges::find(known_, key) == known_.end()) {
-            const auto nearest = std::ranges::min_element(
-                known_, {}, [&](const auto& known) { return edit_distance(key, known); });
-            // One that shares less than half its letters is no help.
-            const bool near = 2 * edit_distance(key, *nearest) <= key.size();
-            fail(key,
-                 "is not a key of a scene" + (near ? "; the nearest one is " + *nearest
-                                                   : std::string("; docs/scenes.md lists them")));
+            fail_unknown(key, known_);
         }
     }
 }

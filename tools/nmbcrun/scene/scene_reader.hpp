@@ -82,6 +82,10 @@ class SceneReader {
     /// Throws for the key if it is there, for the whole file if not.
     [[noreturn]] void fail(std::string_view key, const std::string& problem) const;
 
+    /// Throws where the document has another key than these outside of all tables: a misspelt table
+    /// is named before what is missing without it.
+    void refuse_other_tables(const std::vector<std::string>& tables) const;
+
     /// Throws where the document has a key that none of the calls above asked for.
     void refuse_unknown_keys() const;
 
@@ -89,6 +93,8 @@ class SceneReader {
     [[noreturn]] void missing(std::string_view key) const;
     void apply_override(const std::string& key, const std::string& value);
     void refuse_unknown_keys_in(const toml::table& table, const std::string& prefix) const;
+    [[noreturn]] void fail_unknown(const std::string& key,
+                                   const std::vector<std::string>& known) const;
     std::string place(std::string_view key) const;
     const toml::node* find(std::string_view key);
 

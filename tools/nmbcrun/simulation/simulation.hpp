@@ -53,6 +53,8 @@ class Simulation {
         chain_.step(sources_, std::forward<Observe>(observe));
     }
     void step() { chain_.step(sources_); }
+    /// Steps, all at once.
+    void advance(std::size_t steps) { chain_.advance(steps, sources_); }
     /// Steps that are entered into the ledger of this simulation.
     void advance(std::size_t steps, Ledger& ledger) { ledger.advance(chain_, steps, sources_); }
     Ledger make_ledger() const { return {chain_, sources_.nodes()}; }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
@@ -58,6 +59,19 @@ void read_file(const std::filesystem::path& file, const nmbc::ChainParameters& p
     fields.is_staggered = true;
 }
 
+/// Of a displacement that is the same all over the bar, roundings would be all that moves.
+void require_shape(const Initial& initial, std::span<const double> u) {
+    const auto [lowest, highest] = std::ranges::minmax(u);
+    constexpr double roundings = 1e-9;
+    const double largest = std::max(std::abs(lowest), std::abs(highest));
+    if (u.size() > 1 && largest > 0 && highest - lowest <= roundings * largest) {
+        throw SceneError(
+            fmt::format("initial.width is {:g}, so wide that the displacement is the same all over "
+                        "the bar to {:g}",
+                        initial.pulse.width, roundings));
+    }
+}
+
 }  // namespace
 
 InitialFields initial_fields(const Scene& scene, const nmbc::Lattice& lattice,
@@ -76,6 +90,9 @@ InitialFields initial_fields(const Scene& scene, const nmbc::Lattice& lattice,
     for (std::size_t entry = 0; entry < nodes; ++entry) {
         const double X = (double(entry) + 1 - double(first_interior)) * scene.spacing;
         pulsed[entry] = value_at(initial.pulse, X - initial.centre, scene.spacing);
+    }
+    if (initial.kind != InitialKind::velocity) {
+        require_shape(initial, std::span(fields.u).subspan(first_interior, parameters.nodes));
     }
     fields.is_staggered =
         initial.kind == InitialKind::to_the_right || initial.kind == InitialKind::to_the_left;

@@ -185,7 +185,7 @@ std::string Sources::why_no_energy() const {
         why += "a force or an incoming wave acts at no time of the run, or ";
     }
     if (scene_.initial) {
-        why += "initial lies outside of the bar, or ";
+        why += "initial lies outside of the bar or between two nodes, or ";
     }
     return why + "an amplitude is too small for doubles, or preload.strain is 0";
 }

@@ -148,8 +148,8 @@ const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary
         return **found;
     }
     throw SceneError(fmt::format(
-        "nmbcrun has no table for family {}, horizon {}{}{}{}{}; it knows the committed set{}, in "
-        "which {}{}",
+        "nmbcrun has no table for family {}, horizon {}{}{}{}{}{}. It knows the committed "
+        "set{}, in which {}",
         scene.family, scene.horizon,
         scene.weights.empty() ? "" : fmt::format(", influence {}", fmt::join(scene.weights, ", ")),
         matching ? fmt::format(", order {}, stride {}", boundary.order, boundary.stride) : "",
@@ -157,8 +157,8 @@ const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary
             ? fmt::format(", matched_step {}", boundary.matched_step)
             : "",
         scene.tau == "0" ? "" : fmt::format(", damping tau = {}", scene.tau),
-        scene.own_tables.empty() ? "" : " and those of model.tables", what_there_is(scene),
-        how_to_make(scene, boundary)));
+        how_to_make(scene, boundary), scene.own_tables.empty() ? "" : " and those of model.tables",
+        what_there_is(scene)));
 }
 
 const TableFile* uncertified_file(const Scene& scene, const nmbc::MatchingTable& table) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Numbers on the command lines of the tools.
+/// Numbers on command lines.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <string>
 #include <system_error>
 
-namespace tools {
+namespace nmbcgen {
 
 /// Lets numbers from low to high pass. CLI::Range lets NaN pass, too.
 inline CLI::Validator number_between(double low, double high) {
@@ -25,4 +25,4 @@ inline CLI::Validator number_between(double low, double high) {
     return {fault, fmt::format("{:g} to {:g}", low, high)};
 }
 
-}  // namespace tools
+}  // namespace nmbcgen

@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/output/posix_file.hpp"
+#include "generator/support/posix_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <string>
 #include <utility>
 
-#include "tools/nmbcrun/errors.hpp"
+namespace nmbcgen {
 
-namespace nmbcrun {
-namespace {
-
-[[noreturn]] void fail(const char* what, const std::filesystem::path& path) {
+void fail(std::string_view what, const std::filesystem::path& path) {
     const int reason = errno;
     throw FileError(fmt::format("cannot {} {}: {}", what, path.string(), std::strerror(reason)));
 }
-
-}  // namespace
 
 PosixFile::PosixFile(std::filesystem::path path, int descriptor)
     : path_(std::move(path)), descriptor_(descriptor) {}
@@ -35,18 +32,27 @@ PosixFile::~PosixFile() {
     }
 }
 
-PosixFile PosixFile::create_beside(const std::filesystem::path& path) {
-    require_replaceable(path);
+namespace {
+
+constexpr mode_t for_all = 0666;  // less the user's umask, as every other file
+
+void make_folder_of(const std::filesystem::path& path) {
     std::error_code error;
     std::filesystem::create_directories(path.parent_path(), error);
     if (error) {
         throw FileError(fmt::format("cannot make the folder {}: {}", path.parent_path().string(),
                                     error.message()));
     }
+}
+
+}  // namespace
+
+PosixFile PosixFile::create_beside(const std::filesystem::path& path) {
+    require_replaceable(path);
+    make_folder_of(path);
     for (int number = 0;; ++number) {  // a process of the same number may have left one
         auto name = std::filesystem::path(path).concat(
             fmt::format(".new-{}{}", ::getpid(), number == 0 ? "" : fmt::format("-{}", number)));
-        constexpr mode_t for_all = 0666;  // less the user's umask, as every other file
         const int descriptor =
             ::open(name.c_str(), O_RDWR | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC, for_all);
         if (descriptor >= 0) {
@@ -71,6 +77,31 @@ PosixFile PosixFile::open(const std::filesystem::path& path) {
             fmt::format("cannot open {}: a run that goes on has it open", path.string()));
     }
     return file;
+}
+
+PosixFile PosixFile::open_or_create(const std::filesystem::path& path) {
+    require_replaceable(path);
+    make_folder_of(path);
+    for (;;) {
+        const int descriptor =
+            ::open(path.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, for_all);
+        if (descriptor < 0) {
+            fail("write", path);
+        }
+        PosixFile file(path, descriptor);
+        if (!file.lock()) {
+            std::string who(200, '\0');
+            who.resize(file.read(0, who.data(), who.size()));
+            throw FileError(fmt::format("cannot open {}: it is held by {}", path.string(),
+                                        who.substr(0, who.find('\n'))));
+        }
+        struct stat opened {};
+        struct stat named {};
+        if (::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
+            opened.st_ino == named.st_ino && opened.st_dev == named.st_dev) {
+            return file;
+        }  // else who had it has removed it meanwhile
+    }
 }
 
 /// Whether nobody else has it; true, too, where the file system knows no locks.
@@ -133,6 +164,9 @@ void publish(std::span<NewFile> files) {
         }
         file.temporary_.clear();
     }
+    if (files.empty()) {
+        return;
+    }
     const std::filesystem::path folder = files.front().path_.parent_path();
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor >= 0) {  // as far as the file system can do that
@@ -160,4 +194,4 @@ void remove_unless_open(const std::filesystem::path& path) {
     }
 }
 
-}  // namespace nmbcrun
+}  // namespace nmbcgen

@@ -7,9 +7,18 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <stdexcept>
 #include <string_view>
 
-namespace nmbcrun {
+namespace nmbcgen {
+
+/// A file could not be read or written; what() names it and the system's reason.
+struct FileError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Throws FileError: that one cannot do this with the file, and errno in words.
+[[noreturn]] void fail(std::string_view what, const std::filesystem::path& path);
 
 /// Every member throws FileError with the path and the system's reason.
 class PosixFile {
@@ -19,6 +28,9 @@ class PosixFile {
     static PosixFile create_beside(const std::filesystem::path& path);
     /// A file that is there, to be read and written. Nobody else may have it open.
     static PosixFile open(const std::filesystem::path& path);
+    /// The same of a file that may be missing, and its folder, too. Where somebody else has it open
+    /// the error has what is in it, as that says who.
+    static PosixFile open_or_create(const std::filesystem::path& path);
 
     PosixFile(PosixFile&& other) noexcept;
     PosixFile& operator=(PosixFile&&) = delete;
@@ -76,4 +88,4 @@ void require_replaceable(const std::filesystem::path& path);
 /// Removes the file unless a process has it open as a PosixFile; nothing where it is not there.
 void remove_unless_open(const std::filesystem::path& path);
 
-}  // namespace nmbcrun
+}  // namespace nmbcgen

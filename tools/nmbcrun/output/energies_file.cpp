@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/output/energies_file.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <fstream>
+
+#include "tools/nmbcrun/errors.hpp"
+
+namespace nmbcrun {
+
+std::string energies_head(std::string_view about) {
+    std::string head;
+    while (!about.empty()) {
+        const std::size_t size = about.find('\n') + 1;
+        head += fmt::format("# {}", about.substr(0, size));
+        about.remove_prefix(size);
+    }
+    return fmt::format("{}{}\n", head, energies_header);
+}
+
+std::string energies_row(const Sample& sample) {
+    const auto& [time, e, balance] = sample;
+    // The time is a rounded multiple of the step, which ten digits hide; the energies read back.
+    return fmt::format("{:.10g},{},{},{},{},{},{},{},{},{},{},{}\n", time, e.kinetic, e.strain,
+                       e.stabilisation, e.total(), e.staggered, e.damped, balance.energy,
+                       balance.work, balance.left, balance.right, balance.drift);
+}
+
+void read_energies(const std::filesystem::path& path,
+                   const std::function<void(const std::vector<double>&)>& take) {
+    std::ifstream stream(path);
+    std::vector<double> row;
+    std::string line;
+    while (std::getline(stream, line)) {
+        if (line.starts_with('#') || line == energies_header) {
+            continue;
+        }
+        row.clear();
+        const char* next = line.data();
+        const char* const end = next + line.size();
+        while (next < end) {
+            const auto [after, error] = std::from_chars(next, end, row.emplace_back());
+            if (error != std::errc()) {
+                throw FileError(fmt::format("cannot read {}: {}", path.string(), line));
+            }
+            next = after + 1;
+        }
+        take(row);
+    }
+}
+
+Sample sample_of(const std::vector<double>& row) {
+    return {
+        .time = row[0],
+        .energies = {.kinetic = row[1],
+                     .strain = row[2],
+                     .stabilisation = row[3],
+                     .staggered = row[5],
+                     .damped = row[6]},
+        .balance = {
+            .energy = row[7], .work = row[8], .left = row[9], .right = row[10], .drift = row[11]}};
+}
+
+}  // namespace nmbcrun

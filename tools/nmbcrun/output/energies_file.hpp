@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+/// The CSV file of a run's energies: lines "# ..", a header and rows.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/nmbcrun/output/sample.hpp"
+
+namespace nmbcrun {
+
+inline constexpr std::string_view energies_header =
+    "time,kinetic,strain,stabilisation,total,staggered,damped,ledger,work,left_end,right_end,drift";
+
+/// The lines before the rows; about: what is said of the run, whole lines.
+std::string energies_head(std::string_view about);
+
+std::string energies_row(const Sample& sample);
+
+/// Calls with the numbers of each row, in the order of the header. Throws FileError.
+void read_energies(const std::filesystem::path& path,
+                   const std::function<void(const std::vector<double>&)>& take);
+
+/// Of the numbers of a row.
+Sample sample_of(const std::vector<double>& row);
+
+}  // namespace nmbcrun

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/output/run_lock.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <string>
+
+namespace nmbcrun {
+
+RunLock::RunLock(const std::filesystem::path& path)
+    : file_(nmbcgen::PosixFile::open_or_create(path)) {
+    std::array<char, 256> host{};
+    ::gethostname(host.data(), host.size() - 1);
+    file_.cut_to(0);
+    file_.write(fmt::format("process {} on {}\n", ::getpid(), host.data()));
+}
+
+RunLock::~RunLock() {
+    std::error_code ignored;
+    std::filesystem::remove(file_.path(), ignored);
+}
+
+}  // namespace nmbcrun
