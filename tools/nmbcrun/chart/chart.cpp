@@ -48,7 +48,7 @@ constexpr double fine_cfl = 0.0125;  // an eighth of the smallest: an error 1/64
 double node_steps(const Scene& scene) {
     const double step = scene.step.value();
     const double unit = unit_of_time(scene);
-    double nodes = double(scene.nodes);
+    auto nodes = double(scene.nodes);
     switch (scene.left.kind) {
         case BoundaryKind::extended:
             nodes += 2 * double(scene.left.layer > 0 ? scene.left.layer
