@@ -124,7 +124,7 @@ TEST_CASE("NMBC of order 2 and perfectly matched layers are steady") {
           LongRun::steady);
 }
 
-TEST_CASE("where there are backward waves, Higdon's conditions grow by reflecting them") {
+TEST_CASE("where there are backward waves Higdon's conditions grow by reflecting them") {
     for (const int order : {3, 4}) {
         CAPTURE(order);
         const Scene scene = chain_of(2, 1.85, 500, 0.8);
@@ -137,7 +137,7 @@ TEST_CASE("where there are backward waves, Higdon's conditions grow by reflectin
     }
 }
 
-TEST_CASE("without, they grow by roundings, at a rate for each step and any length") {
+TEST_CASE("without backward waves they grow by roundings at a rate for each step and any length") {
     // 1, t, .. t^(order - 1) are solutions: a factor 1 of a step of this multiplicity, which
     // roundings of relative size eps split by about the root of eps of this order.
     const double root = std::pow(std::numeric_limits<double>::epsilon() / 2, 1.0 / 4);

@@ -1,20 +1,20 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# nmbcrun chart: its CSV and its picture. Nothing is said of times here.
+# nmbcrun chart: its CSV and its pictures; and the pictures of a run. Nothing is said of times here.
 # Usage: run_chart.sh NMBCRUN SOURCE_FOLDER (absolute)
 source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
 scene=$2/tools/scenes/bar1d.toml
 
-try chart "$scene" --set model.horizon=1 --set model.G=0.5 --set domain.nodes=200 \
-    --set drive.centre=100 --set time.end=30 --endurance 4000
+small=(--set model.horizon=1 --set model.G=0.5 --set domain.nodes=100 --set drive.centre=50)
+try chart "$scene" "${small[@]}" --set time.end=40 --long-run 4000
 expect_exit 0
 expect_no_stderr
 csv=results/bar1d_chart.csv
 error_of() { # BOUNDARY CFL: its boundary error
     awk -F, -v boundary="$1" -v cfl="$2" '$1 == boundary && $3 == cfl { print $11 }' $csv
 }
-expect "a header line" grep -qx "boundary,kind,cfl,steps,certified,fate,rate,step_cost,construction,$(:
-    )total_cost,boundary_error,total_error,energy_left,on_step_front,on_front,layer_share" $csv
+expect "a header line" grep -qx "boundary,kind,cfl,steps,certified,long_run,rate,step_cost,construction,$(:
+    )total_cost,boundary_error,total_error,energy_left,on_step_front,on_front,layer_share,profile,target" $csv
 for kind in nmbc mbc higdon sponge pml extended exact fixed free; do
     for cfl in 0.1 0.2 0.4 0.8; do
         expect "$kind at cfl $cfl" grep -q ",$kind,$cfl," $csv
@@ -31,13 +31,51 @@ expect "a fixed end sends all back" awk -F, '$1 == "fixed" && ($11 < 0.9 || $11 
 expect "what has no certificate says so" awk -F, \
     '($2 == "higdon" || $2 == "mbc") && $5 != 0 { exit 1 }' $csv
 expect "a front of runs" awk -F, '$15 == 1 { front++ } END { exit !(front >= 2) }' $csv
+# At cfl 0.4 it is the narrowest that lets nothing back: a node less does.
+expect "an extended end no wider than the run needs" awk -F, \
+    '$1 == "extended" && $3 == 0.4 && ($11 > 1e-12 || $16 < 1) { exit 1 }' $csv
+for picture in svg png; do
+    expect_stdout_line "picture      results/bar1d_chart.$picture"
+done
+expect "a whole picture" grep -q '</svg>' results/bar1d_chart.svg
+expect "as PNG, too" test -s results/bar1d_chart.png
 
-expect "a picture is drawn" gnuplot -c "$2/tools/plots/chart.gp" $csv "$scratch/chart"
-expect "a whole picture" grep -q '</svg>' "$scratch/chart.svg"
-expect "as PNG, too" test -s "$scratch/chart.png"
+# A layer as it is tuned leaves what verify finds, and no more than with the profile and target that
+# a scene has without.
+IFS=, read -r profile target < <(awk -F, '$1 == "pml 20" && $3 == 0.4 { print $17 "," $18 }' $csv)
+sed /^step/d "$scene" >bar.toml
+error_with() { # SETTING..: of a layer of 20 nodes in the chart's steps
+    "$program" verify bar.toml "${small[@]}" --set time.end=40 --set time.cfl=0.4 --tolerance 1 --quiet \
+        --set boundary.kind=pml --set boundary.layer=20 "$@" | awk '/^error/ { print $2 }'
+}
+tuned=$(error_with --set "boundary.profile=$profile" --set "boundary.target=$target")
+# The chart's steps are a little shorter, and it looks at a hundred times only.
+expect "the error of a tuned layer" awk -v a="$(error_of 'pml 20' 0.4)" -v b="$tuned" \
+    'BEGIN { exit !(a / b > 0.9 && a / b < 1.1) }'
+expect "better than untuned" below "$tuned" "$(error_with)"
 
-try chart "$scene" --endurance 10
+# What cannot end a scene is left out, and named.
+try chart "$2/tools/scenes/broadband.toml" --set time.end=4 --set domain.nodes=60 --set initial.centre=5 \
+    --long-run 4000 --quiet
+expect_exit 0
+expect_stderr "left out: exact: "
+expect "no such rows" test "$(grep -c '^exact' results/broadband_chart.csv)" -eq 0
+
+# Pictures of a run; and the command where there is no gnuplot.
+run=(run "$scene" "${small[@]}" --set time.end=40 --plot --quiet)
+try "${run[@]}" --set output.field=true --set output.snapshots=20
+expect_exit 0
+expect_no_stderr
+for picture in energy.svg energy.png spectrum.svg spectrum.png spacetime.png; do
+    expect_stdout_line "picture      results/bar1d_$picture"
+    expect_file "results/bar1d_$picture"
+done
+expect "the run" env PATH=/nowhere "$program" "${run[@]}" --set "output.name=it is" >"$scratch/stdout"
+expect_stdout_line "to draw it   gnuplot -c $(dirname "$(dirname "$program")")/share/nmbc/plots/energy.gp $(:
+    )'results/it is_energy' 'results/it is.csv' 'bar of Nicely 2018, section 5'"
+
+try chart "$scene" --long-run 10
 expect_exit 2
-try chart "$scene" --out /dev/null/here --endurance 4000
+try chart "$scene" --out /dev/null/here --long-run 4000
 expect_exit 5
 finish

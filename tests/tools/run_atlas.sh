@@ -33,6 +33,16 @@ expect "what is predicted is measured" awk -F, '
     }
     END { exit bad || inside < 80 || growing < 50 || amplified < 5 }' out/points.csv
 
+# Colours change where the windows end, 208/85 and 3.7742 of NMBC2, and fill the picture.
+expect "cells from edge to edge" awk -F, '
+    $1 == 2 && $2 == 2 && $3 == 1 {
+        if ($12 != last + 0) { print; bad = 1 }
+        last = $13
+        if ($12 == 2.44705882) low = 1
+        if ($13 > 3.7742 && $13 < 3.7743) high = 1
+    }
+    END { exit bad || last != 6 || !low || !high }' out/points.csv
+
 # The edges that theory knows: 208/85, 1032/1445.
 expect "modal windows" grep -qx '2,2,1,modal,2.44705882,3.7742[0-9]*' out/windows.csv
 expect "modal windows, stride 2" grep -qx '2,2,2,modal,0.714186851,2.9699[0-9]*' out/windows.csv
@@ -52,7 +62,8 @@ refuses 2 "--horizon" --horizon 5
 refuses 2 "--points" --points 1
 refuses 2 "--points needs a value" --points
 refuses 2 "unknown option --G" --G 1
-refuses 5 "/dev/null" --horizon 1 --points 2 --out /dev/null/folder
+# At once, and not after hours of work.
+refuses 5 "cannot write to the folder /dev/null/folder" --points 10000 --out /dev/null/folder
 
 # What to choose, from the committed tables: NMBC2 with stride 2 at n = 2, bold as it is contractive.
 program=$stability_atlas

@@ -29,9 +29,6 @@ height(rate) = strip * (log10(rate) - lowest) / (highest - lowest)
 
 stats points using (column("G")) nooutput
 top = STATS_max
-stats points using (column("horizon") == horizon && column("order") == 1 && column("stride") == 1 ? \
-                    column("G") : NaN) nooutput
-half = top / (STATS_records - 1) / 2
 
 # Okabe and Ito's palette, lighter; told apart without colour vision by lightness.
 contractive = 0x6cc5a5
@@ -49,9 +46,9 @@ colour(failure, grade, supremum) = \
 set terminal svg size 1000, 115 + 92 * rows font "sans,15" background "white"
 set output ARG3
 set label sprintf("Horizon n = %d", horizon) font "sans,20" at screen 0.02, screen 1 offset 0, -1.6
-set xrange [-half:top + half]
+set xrange [0:top]
 set yrange [-0.05:rows]
-set xlabel "stabilisation G"
+set xlabel "stabilisation G [1]"
 set xtics 0.5 out nomirror
 set mxtics 5
 set border 1
@@ -70,16 +67,17 @@ do for [order = 1:4] {
         }
     }
 }
-set label "growth\n[c/dX]" font "sans,11" at graph 1.01, first rows + 0.15
+set label "growth rate\n[c/dX]" font "sans,11" at graph 1.01, first rows + 0.15
 set key at screen 0.99, screen 0.99 right top horizontal maxrows 3 maxcols 3 samplen 1.2 width -1 Left reverse
 
 # A bar over a strip, from x to the end of the window or of the picture; NaN: none.
-end(high) = valid(high) && column(high) < top + half ? column(high) : top + half
+end(high) = valid(high) && column(high) < top ? column(high) : top
 shown(kind) = column("horizon") == horizon && strcol("kind") eq kind && column("low") < top
 
 plot \
     points using (column("G")):(column("horizon") == horizon ? \
-        row(column("order"), column("stride")) + strip / 2 : NaN):(half * 1.05):(strip / 2): \
+        row(column("order"), column("stride")) + strip / 2 : NaN):(column("from")):(column("to")): \
+        (row(column("order"), column("stride"))):(row(column("order"), column("stride")) + strip): \
         (colour(strcol("failure"), strcol("grade"), column("supremum"))) \
         with boxxyerror fillstyle solid noborder linecolor rgb variable notitle, \
     points using (column("horizon") == horizon && column("measured_growth") > 0 ? column("G") : NaN): \

@@ -79,8 +79,8 @@ do for [kind in "svg png"] {
             bottom = lowest / 3
             set format x "%g"
             set format y "10^{%T}"
-            set xtics add (sprintf("≤ %g", least_cost) least_cost)
-            set ytics add ("≥ 10" highest, "≤ 10^{-10}" lowest)
+            set xtics add (sprintf("≤%g", least_cost) least_cost)
+            set ytics add ("≥10" highest, "≤10^{-10}" lowest)
             x(cost) = is_shown(column("cfl")) ? overhead(cost / column("steps")) : NaN
             error = "boundary_error"
             front = "on_step_front"
@@ -102,7 +102,7 @@ do for [kind in "svg png"] {
             set ytics autofreq
             set xtics autofreq
             set format x "10^{%T}"
-            set ytics add ("≥ 10" highest)
+            set ytics add ("≥10" highest)
             x(cost) = cost
             error = "total_error"
             front = "on_front"

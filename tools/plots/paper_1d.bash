@@ -35,8 +35,9 @@ must_simulate() {
 
 # ratios NAME [REFERENCE]: rows time and energy over the peak of REFERENCE (without it, its own).
 ratios() {
-    awk -F, '/^#/ { next }
-        $1 == "time" { file++; for (i = 1; i <= NF; i++) if ($i == "total") total = i; next }
+    awk -F, 'FNR == 1 { file++ }
+        /^#/ { next }
+        /^time/ { for (i = 1; i <= NF; i++) if ($i == "total") total = i; next }
         file == 1 { if ($total > peak) peak = $total; next }
         { print $1, $total / peak; if ($total > 100 * peak) exit }' "$data/${2-$1}.csv" "$data/$1.csv"
 }

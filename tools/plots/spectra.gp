@@ -43,7 +43,7 @@ do for [n = 1:4] {
     set xlabel n == 4 ? "wave number ξ [1/dX]" : ""
     do for [field in "u v"] {
         set yrange [1e-9:1e-2]
-        set ylabel sprintf("amplitude of %s, n = %d", field eq "u" ? "u [dX]" : "v [dX / time unit]", n)
+        set ylabel sprintf("%s, n = %d", field eq "u" ? "u [dX]" : "v [dX / time unit]", n)
         name(stage) = sprintf("%s/n%d_%s_spectrum.csv", folder, n, stage)
         plot name("nmbc1_before") using 1:(column(field)) with lines linetype 1 \
                  title (n == 1 && field eq "u" ? "end of the drive" : ""), \

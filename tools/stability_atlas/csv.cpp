@@ -45,19 +45,37 @@ std::string window_rows(const nmbcgen::Specification& method, std::string_view k
     return rows;
 }
 
+/// Where the colour changes between two points: at an edge of a window between them, else midway.
+double border(const Method& method, const Point& left, const Point& right) {
+    for (const auto* windows : {&method.windows.modal, &method.windows.contractive}) {
+        for (const nmbcgen::StabilityWindow& window : *windows) {
+            for (const double edge : {window.low.inner, window.high ? window.high->inner : 0}) {
+                if (left.G < edge && edge < right.G) {
+                    return edge;
+                }
+            }
+        }
+    }
+    return (left.G + right.G) / 2;
+}
+
 }  // namespace
 
 std::string points_csv(const std::vector<Method>& methods) {
     std::string csv =
         "horizon,order,stride,G,supremum,growing_mode_rate,failure,grade,in_modal_window,"
-        "in_scalar_window,measured_growth\n";
+        "in_scalar_window,measured_growth,from,to\n";
     for (const Method& method : methods) {
-        for (const Point& point : method.points) {
-            csv += fmt::format("{},{:.9g},{},{:.9g},{},{},{:d},{:d},{}\n",
+        for (std::size_t i = 0; i < method.points.size(); ++i) {
+            const Point& point = method.points[i];
+            const bool is_last = i + 1 == method.points.size();
+            csv += fmt::format("{},{:.9g},{},{:.9g},{},{},{:d},{:d},{},{:.9g},{:.9g}\n",
                                method_columns(method.specification), point.G,
                                or_empty(point.supremum), point.growing_mode_rate,
                                name_of(point.failure), name_of(point.grade), point.in_modal_window,
-                               point.in_scalar_window, or_empty(point.measured_growth));
+                               point.in_scalar_window, or_empty(point.measured_growth),
+                               i == 0 ? point.G : border(method, method.points[i - 1], point),
+                               is_last ? point.G : border(method, point, method.points[i + 1]));
         }
     }
     return csv;

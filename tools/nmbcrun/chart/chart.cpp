@@ -8,7 +8,6 @@
 #include <chrono>
 #include <iterator>
 #include <map>
-#include <mutex>
 #include <nmbc/chain.hpp>
 #include <nmbc/ends.hpp>
 #include <nmbc/lattice.hpp>
@@ -28,12 +27,10 @@
 #include "tools/nmbcrun/chart/points.hpp"
 #include "tools/nmbcrun/chart/trial.hpp"
 #include "tools/nmbcrun/chart/tuning.hpp"
+#include "tools/nmbcrun/chart/work.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/csv.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
-#include "tools/nmbcrun/output/interrupt.hpp"
-#include "tools/nmbcrun/output/progress.hpp"
-#include "tools/nmbcrun/sides/silent_layer.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
@@ -43,59 +40,6 @@ namespace {
 constexpr std::array cfls{0.1, 0.2, 0.4, 0.8};
 constexpr double shown_cfl = 0.4;
 constexpr double fine_cfl = 0.0125;  // an eighth of the smallest: an error 1/64 of its
-
-/// Work in steps of a plain node, about.
-double node_steps(const Scene& scene) {
-    const double step = scene.step.value();
-    const double unit = unit_of_time(scene);
-    double nodes = double(scene.nodes);
-    switch (scene.left.kind) {
-        case BoundaryKind::extended:
-            nodes += 2 * double(scene.left.layer > 0 ? scene.left.layer
-                                                     : silent_layer(lattice_of(scene), step / unit,
-                                                                    scene.end / unit));
-            break;
-        case BoundaryKind::sponge:
-            nodes += 2 * double(scene.left.layer);
-            break;
-        case BoundaryKind::pml:
-            nodes += 60 * double(scene.left.layer);  // 23 to 36 times a plain node each
-            break;
-        case BoundaryKind::exact:
-            nodes += 6e4;
-            break;
-        default:
-            break;
-    }
-    return nodes * double(steps_until(scene.end, step));
-}
-
-/// All that is to be done, known at the start; lets the user stop in between.
-class Work {
-  public:
-    /// total: node_steps of one core.
-    Work(double total, bool quiet) : total_(total), progress_(parts, quiet) {}
-
-    /// Counts so many node_steps.
-    Advance of(double work) {
-        return [this, work](double part) { add(work * part); };
-    }
-    void add(double work) {
-        const std::lock_guard lock(adding_);
-        done_ += work;
-        progress_.update(std::size_t(double(parts) * std::min(1.0, done_ / total_)));
-        if (interrupted()) {
-            throw Interrupted("stopped; no chart was written");
-        }
-    }
-
-  private:
-    static constexpr std::size_t parts = 100'000;
-    double total_;
-    double done_ = 0;
-    std::mutex adding_;
-    Progress progress_;
-};
 
 double cores() {
     return double(std::max(1U, std::thread::hardware_concurrency()));

@@ -23,6 +23,14 @@ bool is_tuned(const Boundary& boundary) {
     return boundary.kind == BoundaryKind::sponge || boundary.kind == BoundaryKind::pml;
 }
 
+/// What was chosen for the scene, in words.
+std::string choice(const Boundary& boundary) {
+    if (is_tuned(boundary)) {
+        return fmt::format("  profile {}, target {:.2g}", boundary.profile, target_of(boundary));
+    }
+    return boundary.kind == BoundaryKind::extended ? fmt::format("  {} nodes", boundary.layer) : "";
+}
+
 void print_failures(const std::vector<Point>& points) {
     fmt::print(
         "\ndrifts: as t^rate; unstable, grows: as exp(rate t)\n  {:<16}  {:>3}  {:>8}  {:>9}  {}\n",
@@ -95,15 +103,11 @@ void print(const std::vector<Point>& points, double cfl, std::size_t long_run) {
                "energy left", "certified", "long run", "tuned");
     for (const Point* point : shown) {
         const Trial& trial = point->trial;
-        const Boundary& boundary = point->what.boundary;
-        const std::string tuned =
-            is_tuned(boundary)
-                ? fmt::format("  profile {}, target {:.2g}", boundary.profile, target_of(boundary))
-                : "";
         fmt::print("{} {:<16}  {:>8.1f} %  {:10.2e}  {:11.2e}  {:>9}  {:>8}{}\n",
                    point->on_step_front ? "*" : " ", point->what.name,
                    100 * (point->step_cost() - 1), trial.boundary_error, trial.energy_left,
-                   trial.certified() ? "yes" : "no", name_of(point->long_run.outcome), tuned);
+                   trial.certified() ? "yes" : "no", name_of(point->long_run.outcome),
+                   choice(point->what.boundary));
     }
     print_failures(points);
 }

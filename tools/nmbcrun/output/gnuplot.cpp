@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 fs::path script_path(const std::string& script) {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    const fs::path path = program.parent_path().parent_path() / "share/nmbc/plots" / script;
+    fs::path path = program.parent_path().parent_path() / "share/nmbc/plots" / script;
     if (error || !fs::exists(path, error)) {
         throw FileError(fmt::format("there is no {} to draw with", path.string()));
     }
@@ -56,6 +56,7 @@ std::string as_command(const std::vector<std::string>& words) {
 /// Whether the program is installed. Throws FileError where it fails.
 bool run_program(std::vector<std::string> words) {
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) {
         arguments.push_back(word.data());
     }

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+/// How long a chart takes, and how far it is.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <mutex>
+
+#include "tools/nmbcrun/chart/trial.hpp"
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/interrupt.hpp"
+#include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/scene/scene.hpp"
+
+namespace nmbcrun {
+
+/// The work of a scene that has its step and like ends, in steps of a plain node, about.
+double node_steps(const Scene& scene);
+
+/// All that is to be done, known at the start; lets the user stop in between.
+class Work {
+  public:
+    /// total: node_steps of one core.
+    Work(double total, bool quiet) : total_(total), progress_(parts, quiet) {}
+
+    /// Counts so many node_steps.
+    Advance of(double work) {
+        return [this, work](double part) { add(work * part); };
+    }
+    void add(double work) {
+        const std::lock_guard lock(adding_);
+        done_ += work;
+        progress_.update(std::size_t(double(parts) * std::min(1.0, done_ / total_)));
+        if (interrupted()) {
+            throw Interrupted("stopped; no chart was written");
+        }
+    }
+
+  private:
+    static constexpr std::size_t parts = 100'000;
+    double total_;
+    double done_ = 0;
+    std::mutex adding_;
+    Progress progress_;
+};
+
+}  // namespace nmbcrun
