@@ -21,7 +21,7 @@ namespace {
 
 /// The model at one value of G.
 void fix_stabilisation(Model& model, const Rational& G) {
-    for (EnergySquare& square : model.energy) {
+    for (ExactSquare& square : model.energy) {
         square.weight = constant(evaluate(square.weight, G));
     }
     for (Polynomial& coefficient : model.symbol) {
@@ -29,9 +29,9 @@ void fix_stabilisation(Model& model, const Rational& G) {
     }
 }
 
-std::vector<RationalFunction> over_first(const std::vector<Polynomial>& numerators,
-                                         const Polynomial& first) {
-    std::vector<RationalFunction> result;
+std::vector<ExactFunction> over_first(const std::vector<Polynomial>& numerators,
+                                      const Polynomial& first) {
+    std::vector<ExactFunction> result;
     result.reserve(numerators.size());
     for (const Polynomial& numerator : numerators) {
         result.push_back(reduce(numerator, first));

@@ -164,7 +164,7 @@ double certified_cfl(const HalfSpace& half_space, double time_step) {
     const bool stable = own_cfl < 1 &&
                         stability_grade(stepped(half_space, time_step)) != Grade::none &&
                         stability_grade(half_space) != Grade::none;
-    const double cfl = stable ? largest_cfl(half_space, GhostLevel::midpoint) : 0;
+    const double cfl = stable ? largest_cfl(half_space, GhostRule::midpoint) : 0;
     return own_cfl > cfl ? 0 : cfl;
 }
 

@@ -36,7 +36,7 @@ std::string function_of_G(const std::string& table, const CoefficientList& list)
         fmt::format("static inline void {}_{}(double G, double {}[{}]) {{\n    (void)G;\n", table,
                     list.name, list.name, list.functions.size());
     for (std::size_t i = 0; i < list.functions.size(); ++i) {
-        const RationalFunction& function = list.functions[i];
+        const ExactFunction& function = list.functions[i];
         const std::string denominator = expression(function.denominator);
         text += fmt::format("    {}[{}] = {}{};\n", list.name, i,
                             denominator == "1.0" ? expression(function.numerator)
@@ -49,7 +49,7 @@ std::string function_of_G(const std::string& table, const CoefficientList& list)
 std::string constants(const std::string& table, const CoefficientList& list) {
     std::string text = fmt::format("static const double {}_{}[{}] = {{\n", table, list.name,
                                    list.functions.size());
-    for (const RationalFunction& function : list.functions) {
+    for (const ExactFunction& function : list.functions) {
         const Rational value = evaluate(function, 0);
         text += fmt::format("    {:a}, // {}\n", nearest_double(value), to_string(value));
     }
@@ -64,8 +64,9 @@ std::string largest_cfl(const std::string& table, const std::vector<StableStep>&
     std::ranges::stable_sort(descending, std::ranges::greater(), &StableStep::cfl);
     for (const StableStep& step : descending) {
         text += fmt::format(
-            "    if ({} <= G{}) return {};\n", literal(step.low),
-            std::isinf(step.high) ? std::string() : " && G <= " + literal(step.high), step.cfl);
+            "    if ({} <= G{}) return {};\n", literal(step.window.low),
+            std::isinf(step.window.high) ? std::string() : " && G <= " + literal(step.window.high),
+            step.cfl);
     }
     return text + "    return 0;\n}\n\n";
 }

@@ -121,9 +121,10 @@ std::vector<SomeWindow> read_windows(const Json& array) {
 std::vector<StableStep> read_steps(const Json& array) {
     std::vector<StableStep> steps;
     for (const Json& step : array) {
-        steps.push_back({step.at("low").get<double>(),
-                         step.at("high").is_null() ? HUGE_VAL : step.at("high").get<double>(),
-                         step.at("cfl").get<double>()});
+        steps.push_back(
+            {{step.at("low").get<double>(),
+              step.at("high").is_null() ? nmbc::unbounded : step.at("high").get<double>()},
+             step.at("cfl").get<double>()});
     }
     return steps;
 }
@@ -147,16 +148,17 @@ Json poles_array(const Certificate& certificate) {
 Json steps_array(const std::vector<StableStep>& steps) {
     Json array = Json::array();
     for (const StableStep& step : steps) {
-        array.push_back({{"low", step.low},
-                         {"high", std::isinf(step.high) ? Json(nullptr) : Json(step.high)},
-                         {"cfl", step.cfl}});
+        array.push_back(
+            {{"low", step.window.low},
+             {"high", std::isinf(step.window.high) ? Json(nullptr) : Json(step.window.high)},
+             {"cfl", step.cfl}});
     }
     return array;
 }
 
 Certificate read_certificate(const Json& object) {
     const Json& windows = object.at("windows");
-    Certificate certificate{.reflection = read_windows<Window>(windows.at("reflection")),
+    Certificate certificate{.reflection = read_windows<ExactWindow>(windows.at("reflection")),
                             .poles = {},
                             .modal = read_windows<StabilityWindow>(windows.at("modal")),
                             .contractive = read_windows<StabilityWindow>(windows.at("contractive")),

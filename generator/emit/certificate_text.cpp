@@ -40,7 +40,7 @@ std::string double_literal(double value) {
     return std::isinf(value) ? "unbounded" : fmt::format("{}", value);
 }
 
-std::string entry(const Window& window) {
+std::string entry(const ExactWindow& window) {
     const double low = nearest_double(window.low);
     const double high = window.high ? nearest_double(*window.high) : HUGE_VAL;
     return fmt::format("    // {} .. {}\n    {{{}, {}}},\n", describe(window.low),
@@ -56,8 +56,8 @@ std::string entry(const StabilityWindow& window) {
 }
 
 std::string entry(const StableStep& step) {
-    return fmt::format("    {{{{{}, {}}}, {}}},\n", double_literal(step.low),
-                       double_literal(step.high), step.cfl);
+    return fmt::format("    {{{{{}, {}}}, {}}},\n", double_literal(step.window.low),
+                       double_literal(step.window.high), step.cfl);
 }
 
 constexpr auto line_of = [](const auto& item) { return entry(item); };

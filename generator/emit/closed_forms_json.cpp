@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 Json polynomials(const std::vector<Polynomial>& list) {
     Json array = Json::array();
     for (const Polynomial& polynomial : list) {
-        const RationalFunction function = to_rational_function(polynomial);
+        const ExactFunction function = to_rational_function(polynomial);
         array.push_back(
             {{"num", texts_of(function.numerator)}, {"den", function.denominator[0].str()}});
     }

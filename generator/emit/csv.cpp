@@ -13,7 +13,7 @@ std::string emit_csv(const Table& table) {
     std::string text = fixed ? "list,index,exact,value\n" : "list,index,numerator,denominator\n";
     for (const CoefficientList& list : coefficient_lists(table)) {
         for (std::size_t i = 0; i < list.functions.size(); ++i) {
-            const RationalFunction& function = list.functions[i];
+            const ExactFunction& function = list.functions[i];
             text += fmt::format("{},{},", list.name, list.first + i);
             if (fixed) {
                 const Rational value = evaluate(function, 0);

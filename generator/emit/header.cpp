@@ -10,7 +10,6 @@
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/names/names.hpp"
-#include "generator/table/schema.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -23,7 +22,7 @@ std::string coefficient_list(const IntegerPolynomial& polynomial) {
     return list.empty() ? "0" : list;
 }
 
-std::string initialiser(const RationalFunction& function) {
+std::string initialiser(const ExactFunction& function) {
     return fmt::format(R"({{"{}", "{}"}})", coefficient_list(function.numerator),
                        coefficient_list(function.denominator));
 }
@@ -36,9 +35,9 @@ std::string initialiser(const Rational& number) {
     return initialiser(constant(number));
 }
 
-std::string initialiser(const EnergySquare& square) {
+std::string initialiser(const ExactSquare& square) {
     // The stencil as integers over a common divisor: a polynomial in z over an integer.
-    const RationalFunction stencil =
+    const ExactFunction stencil =
         to_rational_function(Polynomial(square.stencil.begin(), square.stencil.end()));
     IntegerPolynomial padded = stencil.numerator;
     padded.data().resize(square.stencil.size(), Integer(0));  // Polynomial drops zeros at the end
@@ -68,7 +67,7 @@ std::string schema_check() {
     return fmt::format(
         "static_assert(nmbc::table_schema == {},\n"
         "              \"tables and runtime differ: run the target 'regenerate'\");\n",
-        header_schema);
+        nmbc::table_schema);
 }
 
 }  // namespace

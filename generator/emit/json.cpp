@@ -27,7 +27,7 @@ Json exact_list(const IntegerPolynomial& polynomial) {
 }
 
 /// {"num": .., "den": ..}, or "p/q" in a table at a fixed G, where all is constant.
-Json exact(const RationalFunction& function, bool at_fixed_G) {
+Json exact(const ExactFunction& function, bool at_fixed_G) {
     if (at_fixed_G) {
         const Integer p = function.numerator.is_zero() ? Integer(0) : function.numerator[0];
         return to_string(Rational(p, function.denominator[0]));
@@ -52,9 +52,9 @@ Json exact_array(const std::vector<Item>& items, bool at_fixed_G) {
     return array;
 }
 
-Json energy_array(const std::vector<EnergySquare>& energy, bool at_fixed_G) {
+Json energy_array(const std::vector<ExactSquare>& energy, bool at_fixed_G) {
     Json array = Json::array();
-    for (const EnergySquare& square : energy) {
+    for (const ExactSquare& square : energy) {
         Json stencil = Json::array();
         for (const Rational& entry : square.stencil) {
             stencil.push_back(to_string(entry));

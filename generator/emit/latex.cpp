@@ -31,7 +31,7 @@ std::string polynomial(const IntegerPolynomial& coefficients) {
 }
 
 /// A fraction, its sign in front where the numerator has one term.
-std::string fraction(const RationalFunction& function) {
+std::string fraction(const ExactFunction& function) {
     std::string numerator = polynomial(function.numerator);
     const std::string denominator = polynomial(function.denominator);
     if (denominator == "1") {

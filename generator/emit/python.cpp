@@ -30,7 +30,7 @@ std::string number(double value) {
     return std::isinf(value) ? "inf" : fmt::format("{}", value);
 }
 
-std::string entry(const Window& window) {
+std::string entry(const ExactWindow& window) {
     return fmt::format("({}, {})", number(nearest_double(window.low)),
                        number(window.high ? nearest_double(*window.high) : HUGE_VAL));
 }
@@ -41,7 +41,8 @@ std::string entry(const StabilityWindow& window) {
 }
 
 std::string entry(const StableStep& step) {
-    return fmt::format("({}, {}, {})", number(step.low), number(step.high), number(step.cfl));
+    return fmt::format("({}, {}, {})", number(step.window.low), number(step.window.high),
+                       number(step.cfl));
 }
 
 template <class Item>
@@ -101,7 +102,7 @@ std::string emit_python(const Table& table) {
     for (const CoefficientList& list : coefficient_lists(table)) {
         text += fmt::format("{} = [{}\n", upper(list.name),
                             list.first > 0 ? fmt::format("  # from index {}", list.first) : "");
-        for (const RationalFunction& function : list.functions) {
+        for (const ExactFunction& function : list.functions) {
             text += fmt::format("    ({}, {}),\n", tuple(function.numerator),
                                 tuple(function.denominator));
         }

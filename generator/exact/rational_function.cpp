@@ -25,7 +25,7 @@ IntegerPolynomial times(const Polynomial& polynomial, const Integer& factor) {
 
 }  // namespace
 
-RationalFunction reduce(const Polynomial& numerator, const Polynomial& denominator) {
+ExactFunction reduce(const Polynomial& numerator, const Polynomial& denominator) {
     if (denominator.is_zero()) {
         throw std::domain_error("a rational function needs a denominator other than 0");
     }
@@ -52,7 +52,7 @@ RationalFunction reduce(const Polynomial& numerator, const Polynomial& denominat
     return {top, bottom};
 }
 
-RationalFunction to_rational_function(const Polynomial& polynomial) {
+ExactFunction to_rational_function(const Polynomial& polynomial) {
     return reduce(polynomial, constant(1));
 }
 
@@ -72,7 +72,7 @@ Rational evaluate(const Polynomial& polynomial, const Rational& argument) {
     return sum;
 }
 
-Rational evaluate(const RationalFunction& function, const Rational& argument) {
+Rational evaluate(const ExactFunction& function, const Rational& argument) {
     const Rational bottom = evaluate(over_rationals(function.denominator), argument);
     if (bottom == 0) {
         throw std::domain_error("pole of a rational function at " + argument.str());
@@ -80,10 +80,10 @@ Rational evaluate(const RationalFunction& function, const Rational& argument) {
     return evaluate(over_rationals(function.numerator), argument) / bottom;
 }
 
-Polynomial common_denominator(const std::vector<RationalFunction>& functions) {
+Polynomial common_denominator(const std::vector<ExactFunction>& functions) {
     std::vector<IntegerPolynomial> distinct;
     Polynomial product = constant(1);
-    for (const RationalFunction& function : functions) {
+    for (const ExactFunction& function : functions) {
         if (std::find(distinct.begin(), distinct.end(), function.denominator) == distinct.end()) {
             distinct.push_back(function.denominator);
             product *= over_rationals(function.denominator);
@@ -92,7 +92,7 @@ Polynomial common_denominator(const std::vector<RationalFunction>& functions) {
     return product;
 }
 
-Polynomial times_multiple(const RationalFunction& function, const Polynomial& multiple) {
+Polynomial times_multiple(const ExactFunction& function, const Polynomial& multiple) {
     const auto [quotient, remainder] =
         boost::math::tools::quotient_remainder(multiple, over_rationals(function.denominator));
     if (!remainder.is_zero()) {

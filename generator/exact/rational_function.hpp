@@ -8,12 +8,12 @@
 
 namespace nmbcgen {
 
-/// numerator/denominator in the normal form of RationalFunction.
+/// numerator/denominator in the normal form of ExactFunction.
 /// Throws std::domain_error where denominator is zero.
-RationalFunction reduce(const Polynomial& numerator, const Polynomial& denominator);
+ExactFunction reduce(const Polynomial& numerator, const Polynomial& denominator);
 
 /// A polynomial over Q as a rational function: the same, over the common denominator.
-RationalFunction to_rational_function(const Polynomial& polynomial);
+ExactFunction to_rational_function(const Polynomial& polynomial);
 
 /// The same coefficients over Q.
 Polynomial over_rationals(const IntegerPolynomial& polynomial);
@@ -23,14 +23,14 @@ Polynomial constant(const Rational& value);
 
 /// The value at the given argument. The second throws std::domain_error at a pole.
 Rational evaluate(const Polynomial& polynomial, const Rational& argument);
-Rational evaluate(const RationalFunction& function, const Rational& argument);
+Rational evaluate(const ExactFunction& function, const Rational& argument);
 
 /// The product of the distinct denominators, so that every member times it is a polynomial;
 /// not always the least such polynomial.
-Polynomial common_denominator(const std::vector<RationalFunction>& functions);
+Polynomial common_denominator(const std::vector<ExactFunction>& functions);
 
 /// function * multiple as a polynomial, where multiple is a multiple of its denominator.
 /// Throws std::logic_error where it is not.
-Polynomial times_multiple(const RationalFunction& function, const Polynomial& multiple);
+Polynomial times_multiple(const ExactFunction& function, const Polynomial& multiple);
 
 }  // namespace nmbcgen

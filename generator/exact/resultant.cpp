@@ -67,8 +67,8 @@ Integer resultant_over_integers(IntegerPolynomial f, IntegerPolynomial g) {
 
 /// Likewise over Q.
 Rational resultant_of_values(const Polynomial& f, const Polynomial& g) {
-    const RationalFunction F = to_rational_function(f);
-    const RationalFunction H = to_rational_function(g);
+    const ExactFunction F = to_rational_function(f);
+    const ExactFunction H = to_rational_function(g);
     const auto m = unsigned(f.degree());
     const auto n = unsigned(g.degree());
     return {resultant_over_integers(F.numerator, H.numerator),

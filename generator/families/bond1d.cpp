@@ -17,7 +17,7 @@ Model bond1d(unsigned horizon, std::span<const Rational> weights) {
     for (unsigned m = 1; m <= horizon; ++m) {
         stiffness += weights[m - 1] * m;
     }
-    std::vector<EnergySquare> energy;
+    std::vector<ExactSquare> energy;
     for (unsigned m = 1; m <= horizon; ++m) {
         std::vector<Rational> extension(2 * std::size_t(m) + 1);
         extension[m] = -1;

@@ -36,8 +36,8 @@ void damp(Model& model, const Rational& damping) {
     if (damping == 0) {
         return;
     }
-    std::vector<EnergySquare> at_unit_weight;  // the stabilisation at G = 1
-    for (const EnergySquare& square : model.energy) {
+    std::vector<ExactSquare> at_unit_weight;  // the stabilisation at G = 1
+    for (const ExactSquare& square : model.energy) {
         if (square.part == EnergyPart::stabilisation) {
             at_unit_weight.push_back(
                 {square.part, constant(evaluate(square.weight, 1)), square.stencil});

@@ -80,7 +80,7 @@ Model nopd1d(unsigned horizon, std::span<const Rational> weights) {
     for (int j = -n; j <= n; ++j) {
         strain.push_back(j == 0 ? Rational(0) : Rational(j * weight_of(j) / shape));
     }
-    std::vector<EnergySquare> energy{{EnergyPart::strain, constant(1), strain}};
+    std::vector<ExactSquare> energy{{EnergyPart::strain, constant(1), strain}};
 
     // Stabilisation state (34): z_IJ = u_{I+j} - u_I - j eps_I on every bond. Its factor
     // G C_BB w_j / (sum of the w_j), in (38) G C_BB/(2n), is G (2/n^3) w_j / (sum of the w_j) in

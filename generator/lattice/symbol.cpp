@@ -20,16 +20,16 @@ std::size_t width(const std::vector<Rational>& stencil) {
 
 }  // namespace
 
-std::vector<Polynomial> symbol_of(std::span<const EnergySquare> energy) {
+std::vector<Polynomial> symbol_of(std::span<const ExactSquare> energy) {
     if (energy.empty()) {
         throw std::logic_error("a lattice model needs an energy");
     }
     std::size_t widest = 0;
-    for (const EnergySquare& square : energy) {
+    for (const ExactSquare& square : energy) {
         widest = std::max(widest, width(square.stencil));
     }
     std::vector<Polynomial> symbol(widest);
-    for (const EnergySquare& square : energy) {
+    for (const ExactSquare& square : energy) {
         for (std::size_t m = 0; m < std::min(widest, square.stencil.size()); ++m) {
             Rational autocorrelation = 0;
             for (std::size_t i = 0; i + m < square.stencil.size(); ++i) {

@@ -11,6 +11,6 @@ namespace nmbcgen {
 
 /// The symbol of an energy: omega^2 = sum over its squares of weight * |stencil(z)|^2, since the
 /// equations of motion are u_tt = -d(energy)/du. Throws std::logic_error for an empty energy.
-std::vector<Polynomial> symbol_of(std::span<const EnergySquare> energy);
+std::vector<Polynomial> symbol_of(std::span<const ExactSquare> energy);
 
 }  // namespace nmbcgen

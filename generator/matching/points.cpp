@@ -194,7 +194,7 @@ void require_regular(const Polynomials<Real>& matching) {
 
 /// Whether the doubles are those of the numbers that were rounded, which are right to 45 digits:
 /// equations that are solved have pivots of 1e-60 at least, and entries of 105 digits.
-bool same_doubles(const std::vector<RationalFunction>& rounded, const std::vector<Real>& full,
+bool same_doubles(const std::vector<ExactFunction>& rounded, const std::vector<Real>& full,
                   const Real& size) {
     const Rational margin(1, pow(Integer(10), 31));
     for (std::size_t j = 0; j < full.size(); ++j) {
@@ -211,9 +211,9 @@ bool same_doubles(const std::vector<RationalFunction>& rounded, const std::vecto
     return true;
 }
 
-std::vector<RationalFunction> over(const std::vector<Rational>& numerators,
-                                   const Rational& denominator) {
-    std::vector<RationalFunction> result;
+std::vector<ExactFunction> over(const std::vector<Rational>& numerators,
+                                const Rational& denominator) {
+    std::vector<ExactFunction> result;
     result.reserve(numerators.size());
     for (const Rational& numerator : numerators) {
         result.push_back(reduce(constant(numerator), constant(denominator)));

@@ -52,8 +52,8 @@ void prove_damping(const Table& table) {
         return;
     }
     const auto& fixed_G = table.specification.stabilisation;
-    std::vector<EnergySquare> stabilisation;
-    for (const EnergySquare& square : table.model.energy) {
+    std::vector<ExactSquare> stabilisation;
+    for (const ExactSquare& square : table.model.energy) {
         if (square.part == EnergyPart::stabilisation) {
             stabilisation.push_back(square);
         }
@@ -76,7 +76,7 @@ void prove_residual(const Table& table) {
             "sizes of the coefficient lists");
     require(table.c[0] == to_rational_function(constant(1)), "c_0 = 1");
 
-    std::vector<RationalFunction> all = table.c;
+    std::vector<ExactFunction> all = table.c;
     all.insert(all.end(), table.b.begin(), table.b.end());
     const Polynomial common = common_denominator(all);
     std::vector<Polynomial> c;
@@ -101,8 +101,8 @@ void prove_residual(const Table& table) {
     require(!c_at_one.is_zero(), "C(1) is not zero");
 }
 
-void prove_normal_form(const std::vector<RationalFunction>& functions) {
-    for (const RationalFunction& f : functions) {
+void prove_normal_form(const std::vector<ExactFunction>& functions) {
+    for (const ExactFunction& f : functions) {
         require(reduce(over_rationals(f.numerator), over_rationals(f.denominator)) == f,
                 "normal form of a coefficient");
     }

@@ -77,7 +77,7 @@ Polynomial boundary_mode_polynomial_in_y(const HalfSpace& h) {
     const Polynomial C = C_in_y(h);
     const Polynomial B = B_in_y(h);
     const Polynomial whole = in_y(power_of_one_minus_w(h.reach())) * B * B;
-    if (h.ghosts == GhostLevel::old) {
+    if (h.ghosts == GhostRule::explicit_rule) {
         return whole + in_y(h.D) * B * C - in_y(h.L) * C * (C + dt * B);
     }
     const Polynomial half_step = constant(Rational(1, 2)) * dt * B;
@@ -87,7 +87,7 @@ Polynomial boundary_mode_polynomial_in_y(const HalfSpace& h) {
 /// The y = (k-1)/(k+1), |k| < 1, of all waves that obey the boundary condition for a zeta.
 std::vector<Complex> evanescent_solutions(const HalfSpace& h) {
     std::vector<Complex> solutions;
-    if (!h.is_damped() && h.ghosts == GhostLevel::midpoint) {
+    if (!h.is_damped() && h.ghosts == GhostRule::midpoint) {
         for (const Complex w : nonzero_roots(boundary_mode_polynomial(h))) {
             if (!on_unit_circle(w)) {
                 solutions.push_back(-std::sqrt(w));
@@ -131,7 +131,7 @@ std::vector<double> zeros_near_unit_circle(const HalfSpace& h) {
 
 /// Growth [c/dX] per time of a wave with this sigma; > 0 where |zeta| > 1.
 double growth_of(const HalfSpace& h, Complex sigma) {
-    return h.ghosts == GhostLevel::midpoint
+    return h.ghosts == GhostRule::midpoint
                ? sigma.real()
                : std::log(std::abs(1.0 + h.time_step * sigma)) / h.time_step;
 }
@@ -152,7 +152,7 @@ std::optional<Complex> growing_mode(const HalfSpace& half_space) {
 }
 
 std::optional<double> resonance(const HalfSpace& h) {
-    if (h.ghosts == GhostLevel::old || h.is_damped()) {
+    if (h.ghosts == GhostRule::explicit_rule || h.is_damped()) {
         // B/C is imaginary on the unit circle, sigma is not; what is damped has no waves there.
         return std::nullopt;
     }

@@ -27,18 +27,18 @@ Certificate certify_at(const Table& table, const Rational& G) {
     const Grade grade = stability_grade(half_space);
     if (grade != Grade::none) {
         certificate.modal = {{edge, edge}};
-        const auto step_with = [&](GhostLevel ghosts, Grade least) {
+        const auto step_with = [&](GhostRule ghosts, Grade least) {
             const double cfl = largest_cfl(half_space, ghosts, least);
-            return cfl > 0 ? std::vector{StableStep{edge.inner, edge.inner, cfl}}
+            return cfl > 0 ? std::vector{StableStep{{edge.inner, edge.inner}, cfl}}
                            : std::vector<StableStep>();
         };
-        certificate.max_cfl = step_with(GhostLevel::midpoint, Grade::paired);
+        certificate.max_cfl = step_with(GhostRule::midpoint, Grade::paired);
         if (!half_space.is_damped() && table.specification.time_step == 0) {
-            certificate.max_cfl_explicit = step_with(GhostLevel::old, Grade::paired);
+            certificate.max_cfl_explicit = step_with(GhostRule::explicit_rule, Grade::paired);
         }
         if (grade == Grade::contractive) {
             certificate.contractive = {{edge, edge}};
-            certificate.max_cfl_contractive = step_with(GhostLevel::midpoint, Grade::contractive);
+            certificate.max_cfl_contractive = step_with(GhostRule::midpoint, Grade::contractive);
         }
     }
     return certificate;
@@ -48,14 +48,14 @@ Certificate certify_open(const Table& table) {
     Certificate certificate;
     certificate.poles = poles(even_and_odd_parts(table));
     ModalWindows modal = modal_windows(table);
-    certificate.max_cfl = stable_steps(table, modal.modal, GhostLevel::midpoint, Grade::paired);
+    certificate.max_cfl = stable_steps(table, modal.modal, GhostRule::midpoint, Grade::paired);
     if (table.model.damping.empty()) {
         certificate.reflection = scalar_windows(table);
         certificate.max_cfl_contractive =
-            stable_steps(table, modal.contractive, GhostLevel::midpoint, Grade::contractive);
+            stable_steps(table, modal.contractive, GhostRule::midpoint, Grade::contractive);
         if (table.specification.time_step == 0) {
             certificate.max_cfl_explicit =
-                stable_steps(table, modal.modal, GhostLevel::old, Grade::paired);
+                stable_steps(table, modal.modal, GhostRule::explicit_rule, Grade::paired);
         }
     }
     certificate.modal = std::move(modal.modal);
@@ -65,7 +65,7 @@ Certificate certify_open(const Table& table) {
 
 /// Of a table at one G where G is not fixed: the certificate at every G >= 0.
 void widen(Certificate& certificate) {
-    for (Window& window : certificate.reflection) {
+    for (ExactWindow& window : certificate.reflection) {
         window.high.reset();
     }
     for (auto* const windows : {&certificate.modal, &certificate.contractive}) {
@@ -76,7 +76,7 @@ void widen(Certificate& certificate) {
     for (auto* const steps :
          {&certificate.max_cfl, &certificate.max_cfl_contractive, &certificate.max_cfl_explicit}) {
         for (StableStep& step : *steps) {
-            step.high = std::numeric_limits<double>::infinity();
+            step.window.high = std::numeric_limits<double>::infinity();
         }
     }
 }

@@ -9,10 +9,10 @@ namespace nmbcgen {
 namespace {
 
 /// Interior nodes that an end reads.
-Eigen::Index reach_of(const ChainEnd& end) {
+Eigen::Index reach_of(const LatticeEnd& end) {
     const HalfSpace& h = end.half_space;
-    return end.kind == EndKind::free ? Eigen::Index(h.reach())
-                                     : (Eigen::Index(h.c.size()) - 1) * h.stride;
+    return end.kind == LatticeEnd::Kind::free ? Eigen::Index(h.reach())
+                                              : (Eigen::Index(h.c.size()) - 1) * h.stride;
 }
 
 /// One end of a chain of `all` nodes: node number j counts from the outermost ghost inwards.
@@ -24,12 +24,12 @@ struct Numbering {
 };
 
 /// Ghost rows of `velocity` from the innermost layer outwards, where the interior's are known.
-void add_ghosts(Eigen::MatrixXd& velocity, const ChainEnd& end, const Numbering& node,
+void add_ghosts(Eigen::MatrixXd& velocity, const LatticeEnd& end, const Numbering& node,
                 double implicit_time) {
     const HalfSpace& h = end.half_space;
     const auto ghosts = Eigen::Index(h.reach());
     for (Eigen::Index layer = ghosts; layer-- > 0;) {
-        if (end.kind == EndKind::free) {
+        if (end.kind == LatticeEnd::Kind::free) {
             velocity.row(node(layer)) = velocity.row(node(2 * ghosts - 1 - layer));
             continue;
         }
@@ -46,11 +46,12 @@ void add_ghosts(Eigen::MatrixXd& velocity, const ChainEnd& end, const Numbering&
 }
 
 /// Puts the ghosts' values that a fixed or free end has in the place of the state's own.
-void take_ghosts_from_end(Eigen::MatrixXd& map, const ChainEnd& end, const Numbering& node) {
+void take_ghosts_from_end(Eigen::MatrixXd& map, const LatticeEnd& end, const Numbering& node) {
     const auto ghosts = Eigen::Index(end.half_space.reach());
     for (const Eigen::Index field : {Eigen::Index(0), node.all}) {
-        for (Eigen::Index layer = 0; layer < ghosts && end.kind != EndKind::matching; ++layer) {
-            if (end.kind == EndKind::free) {
+        for (Eigen::Index layer = 0; layer < ghosts && end.kind != LatticeEnd::Kind::matching;
+             ++layer) {
+            if (end.kind == LatticeEnd::Kind::free) {
                 map.col(field + node(2 * ghosts - 1 - layer)) += map.col(field + node(layer));
             }
             map.col(field + node(layer)).setZero();
@@ -71,8 +72,8 @@ void add_stencil(Eigen::MatrixXd::RowXpr row, Eigen::Index centre, double factor
 
 }  // namespace
 
-Eigen::MatrixXd one_step_map(const ChainEnd& left, const ChainEnd& right, std::size_t nodes,
-                             double time_step, GhostLevel level) {
+Eigen::MatrixXd one_step_map(const LatticeEnd& left, const LatticeEnd& right, std::size_t nodes,
+                             double time_step, GhostRule level) {
     const HalfSpace& lattice = left.half_space;
     const auto ghosts = Eigen::Index(lattice.reach());
     const auto interior = Eigen::Index(nodes);
@@ -88,7 +89,7 @@ Eigen::MatrixXd one_step_map(const ChainEnd& left, const ChainEnd& right, std::s
         add_stencil(velocity.row(i), i, -time_step, lattice.symbol);
         add_stencil(velocity.row(i), all + i, -time_step, lattice.damping);
     }
-    const double implicit_time = level == GhostLevel::midpoint ? time_step / 2 : 0;
+    const double implicit_time = level == GhostRule::midpoint ? time_step / 2 : 0;
     add_ghosts(velocity, left, {true, all}, implicit_time);
     add_ghosts(velocity, right, {false, all}, implicit_time);
     Eigen::MatrixXd map = Eigen::MatrixXd::Zero(2 * all, 2 * all);
@@ -100,8 +101,8 @@ Eigen::MatrixXd one_step_map(const ChainEnd& left, const ChainEnd& right, std::s
     return map;
 }
 
-double spectral_radius(const ChainEnd& left, const ChainEnd& right, std::size_t nodes,
-                       double time_step, GhostLevel level) {
+double spectral_radius(const LatticeEnd& left, const LatticeEnd& right, std::size_t nodes,
+                       double time_step, GhostRule level) {
     return one_step_map(left, right, nodes, time_step, level).eigenvalues().cwiseAbs().maxCoeff();
 }
 
@@ -113,7 +114,7 @@ double cfl_of(const HalfSpace& half_space, double time_step) {
     return time_step * maximum_frequency(half_space) / 2;
 }
 
-double largest_cfl(const HalfSpace& half_space, GhostLevel level, Grade least) {
+double largest_cfl(const HalfSpace& half_space, GhostRule level, Grade least) {
     const double top = maximum_frequency(half_space);
     KnownModes modes(half_space);
     const auto stable_at = [&](int hundredths) {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "generator/stability/chain_end.hpp"
+#include "generator/stability/lattice_end.hpp"
 #include "generator/stability/modal.hpp"
 
 namespace nmbcgen {
@@ -14,12 +14,12 @@ namespace nmbcgen {
 /// The ends are of one lattice. Ghosts of a fixed or free end are as the end has them, whatever the
 /// state says.
 /// Throws std::invalid_argument where the chain is shorter than an end reaches.
-Eigen::MatrixXd one_step_map(const ChainEnd& left, const ChainEnd& right, std::size_t nodes,
-                             double time_step, GhostLevel level);
+Eigen::MatrixXd one_step_map(const LatticeEnd& left, const LatticeEnd& right, std::size_t nodes,
+                             double time_step, GhostRule level);
 
 /// The spectral radius of the one-step map.
-double spectral_radius(const ChainEnd& left, const ChainEnd& right, std::size_t nodes,
-                       double time_step, GhostLevel level);
+double spectral_radius(const LatticeEnd& left, const LatticeEnd& right, std::size_t nodes,
+                       double time_step, GhostRule level);
 
 /// The top of the band, omega_max [c/dX].
 double maximum_frequency(const HalfSpace& half_space);
@@ -30,6 +30,6 @@ double cfl_of(const HalfSpace& half_space, double time_step);
 /// The largest cfl = dt omega_max / 2 in steps of 0.01 that has at least this grade, with every
 /// 0.05 below it, by the half-space condition in time steps (half_space.hpp), which holds for every
 /// length but short ones. omega_max is that of the undamped band. 0 where there is none.
-double largest_cfl(const HalfSpace& half_space, GhostLevel level, Grade least = Grade::paired);
+double largest_cfl(const HalfSpace& half_space, GhostRule level, Grade least = Grade::paired);
 
 }  // namespace nmbcgen

@@ -73,11 +73,10 @@ std::vector<Polynomial> every_second_in_y(const std::vector<Polynomial>& coeffic
     return sum;
 }
 
-std::vector<Rational> evaluate_all(const std::vector<RationalFunction>& functions,
-                                   const Rational& G) {
+std::vector<Rational> evaluate_all(const std::vector<ExactFunction>& functions, const Rational& G) {
     std::vector<Rational> values;
     values.reserve(functions.size());
-    for (const RationalFunction& function : functions) {
+    for (const ExactFunction& function : functions) {
         values.push_back(evaluate(function, G));
     }
     return values;
@@ -133,7 +132,7 @@ HalfSpace make_half_space(const Table& table, const Rational& G) {
 }
 
 EvenAndOddParts even_and_odd_parts(const Table& table) {
-    std::vector<RationalFunction> all = table.c;
+    std::vector<ExactFunction> all = table.c;
     all.insert(all.end(), table.b.begin(), table.b.end());
     const Polynomial denominator = common_denominator(all);
     std::vector<Polynomial> c;
@@ -146,7 +145,7 @@ EvenAndOddParts even_and_odd_parts(const Table& table) {
     return {every_second_in_y(c, stride, 0), every_second_in_y(b, stride, 1), denominator};
 }
 
-HalfSpace stepped(HalfSpace half_space, double time_step, GhostLevel ghosts) {
+HalfSpace stepped(HalfSpace half_space, double time_step, GhostRule ghosts) {
     half_space.time_step = time_step;
     half_space.ghosts = ghosts;
     return half_space;
@@ -155,8 +154,8 @@ HalfSpace stepped(HalfSpace half_space, double time_step, GhostLevel ghosts) {
 std::complex<double> boundary_rate(const HalfSpace& half_space, double omega) {
     const double sine = omega * half_space.time_step / 2;  // of half the angle of zeta
     const double cosine = std::sqrt(1 - sine * sine);
-    return half_space.ghosts == GhostLevel::midpoint ? std::complex<double>(0, omega / cosine)
-                                                     : omega * std::complex<double>(-sine, cosine);
+    return half_space.ghosts == GhostRule::midpoint ? std::complex<double>(0, omega / cosine)
+                                                    : omega * std::complex<double>(-sine, cosine);
 }
 
 std::complex<double> damped_rate(const HalfSpace& half_space, double omega) {

@@ -29,8 +29,7 @@
 
 namespace nmbcgen {
 
-/// Time level of u in (60) when ghost velocities at k+1/2 are found: the mean of k and k+1, or k.
-enum class GhostLevel { midpoint, old };
+using nmbc::GhostRule;
 
 struct HalfSpace {
     Polynomial L;  ///< in w, exact; see above
@@ -45,7 +44,7 @@ struct HalfSpace {
     std::vector<double> b;        ///< b_0 .. b_N, rounded
     int stride = 1;
     double time_step = 0;  ///< dt [dX/c] of leapfrog; 0: continuous time
-    GhostLevel ghosts = GhostLevel::midpoint;
+    GhostRule ghosts = GhostRule::midpoint;
 
     std::size_t reach() const { return symbol.size() - 1; }
     bool is_damped() const { return !D.is_zero(); }
@@ -66,7 +65,7 @@ struct EvenAndOddParts {
 EvenAndOddParts even_and_odd_parts(const Table& table);
 
 /// The same half space in steps of time_step [dX/c].
-HalfSpace stepped(HalfSpace half_space, double time_step, GhostLevel ghosts = GhostLevel::midpoint);
+HalfSpace stepped(HalfSpace half_space, double time_step, GhostRule ghosts = GhostRule::midpoint);
 
 /// sigma [c/dX] of a wave of frequency omega; omega dt/2 < 1 is assumed.
 std::complex<double> boundary_rate(const HalfSpace& half_space, double omega);

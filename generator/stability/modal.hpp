@@ -13,6 +13,7 @@
 
 #include "generator/stability/boundary_modes.hpp"
 #include "generator/stability/modes.hpp"
+#include "generator/table/certificate.hpp"
 
 namespace nmbcgen {
 
@@ -42,14 +43,9 @@ ModalVerdict verdict_without_incident_waves(const HalfSpace& half_space);
 
 ModalVerdict modal_verdict(const HalfSpace& half_space);
 
-enum class Grade {
-    none,         ///< not stable
-    paired,       ///< sup rho <= 1: stable with its like at the other end
-    contractive,  ///< sigma_max <= 1, too: stable with any contractive other end
-};
-
-/// The grade alone: quicker than modal_verdict(), as it stops at the first failure. `modes` are
-/// those of the half space's lattice.
+/// The grade alone, paired where sup rho <= 1, contractive where sigma_max <= 1, too: quicker than
+/// modal_verdict(), as it stops at the first failure. `modes` are those of the half space's
+/// lattice.
 Grade stability_grade(const HalfSpace& half_space, KnownModes& modes);
 Grade stability_grade(const HalfSpace& half_space);
 

@@ -22,8 +22,8 @@ class OwnStep {
     std::vector<StableStep> pieces(const std::vector<StableStep>& steps, Grade least) const {
         std::vector<StableStep> found;
         for (StableStep step : steps) {
-            step.high = last_within(step);
-            if (step.low <= step.high && has_grade(step, least)) {
+            step.window.high = last_within(step);
+            if (step.window.low <= step.window.high && has_grade(step, least)) {
                 found.push_back(step);
             }
         }
@@ -38,12 +38,13 @@ class OwnStep {
     /// The largest G of the piece where the step is no longer than its cfl allows; omega_max grows
     /// with G, the energy being a sum of squares. Less than its low where there is none.
     double last_within(const StableStep& step) const {
-        double inside = step.low;
+        double inside = step.window.low;
         if (cfl_at(inside) > step.cfl) {
             return -1;
         }
-        double outside = std::isinf(step.high) ? std::max(2 * step.low, 1.0) : step.high;
-        while (std::isinf(step.high) && cfl_at(outside) <= step.cfl) {
+        double outside =
+            std::isinf(step.window.high) ? std::max(2 * step.window.low, 1.0) : step.window.high;
+        while (std::isinf(step.window.high) && cfl_at(outside) <= step.cfl) {
             outside *= 2;
         }
         if (cfl_at(outside) <= step.cfl) {
@@ -58,12 +59,12 @@ class OwnStep {
 
     bool has_grade(const StableStep& step, Grade least) const {
         // At an edge of a window there may be a pole, or sup rho is 1.
-        const double near = 1e-6 * (step.high - step.low);
+        const double near = 1e-6 * (step.window.high - step.window.low);
         const auto holds = [&](double G) {
             return stability_grade(stepped(half_space_at(G), dt_)) >= least;
         };
-        return holds(step.low + near) && holds((step.low + step.high) / 2) &&
-               holds(step.high - near);
+        return holds(step.window.low + near) && holds((step.window.low + step.window.high) / 2) &&
+               holds(step.window.high - near);
     }
 
     const Table& table_;
@@ -86,13 +87,14 @@ std::vector<StabilityWindow> joined(const std::vector<StableStep>& pieces,
         };
         bool follows = false;  // a piece of this window
         for (const StableStep& piece : pieces) {
-            if (piece.low < window.low.inner || (window.high && piece.high > window.high->inner)) {
+            if (piece.window.low < window.low.inner ||
+                (window.high && piece.window.high > window.high->inner)) {
                 continue;
             }
-            if (follows && found.back().high->inner == piece.low) {
-                found.back().high = edge_at(piece.high);
+            if (follows && found.back().high->inner == piece.window.low) {
+                found.back().high = edge_at(piece.window.high);
             } else {
-                found.push_back({edge_at(piece.low), edge_at(piece.high)});
+                found.push_back({edge_at(piece.window.low), edge_at(piece.window.high)});
             }
             follows = true;
         }
@@ -106,10 +108,10 @@ std::vector<StableStep> within(const std::vector<StabilityWindow>& windows,
     std::vector<StableStep> found;
     for (const StableStep& piece : pieces) {
         for (const StabilityWindow& window : windows) {
-            const double low = std::max(piece.low, window.low.inner);
-            const double high = std::min(piece.high, window.high->inner);
+            const double low = std::max(piece.window.low, window.low.inner);
+            const double high = std::min(piece.window.high, window.high->inner);
             if (low <= high) {
-                found.push_back({low, high, piece.cfl});
+                found.push_back({{low, high}, piece.cfl});
             }
         }
     }

@@ -25,18 +25,18 @@ HalfSpace without_condition(HalfSpace lattice) {
 }
 
 /// What an end does by itself. Fixed and free ends keep the energy.
-RoundTripVerdict verdict_of_one(const ChainEnd& end) {
-    if (end.kind != EndKind::matching) {
+RoundTripVerdict verdict_of_one(const LatticeEnd& end) {
+    if (end.kind != LatticeEnd::Kind::matching) {
         return {};
     }
     const ModalVerdict alone = verdict_without_incident_waves(end.half_space);
     return {.failure = alone.failure, .wave_number = alone.wave_number, .growth = alone.growth};
 }
 
-double round_trip_supremum_at(const ChainEnd& left, const ChainEnd& right, double omega) {
+double round_trip_supremum_at(const LatticeEnd& left, const LatticeEnd& right, double omega) {
     // A free end's R is a part of D, and sup rho(R D) is a square root of that of like ends.
     for (const auto& [end, opposite] : {std::pair(&left, &right), std::pair(&right, &left)}) {
-        if (end->kind == EndKind::free) {
+        if (end->kind == LatticeEnd::Kind::free) {
             const Reflection other = reflection(*opposite, omega);
             return std::sqrt(round_trip_supremum(other, other));
         }
@@ -44,7 +44,7 @@ double round_trip_supremum_at(const ChainEnd& left, const ChainEnd& right, doubl
     return round_trip_supremum(reflection(left, omega), reflection(right, omega));
 }
 
-Peak largest_undamped(const ChainEnd& left, const ChainEnd& right) {
+Peak largest_undamped(const LatticeEnd& left, const LatticeEnd& right) {
     std::vector<double> frequencies = critical_frequencies(left.half_space);
     const std::vector<double> others = critical_frequencies(right.half_space);
     frequencies.insert(frequencies.end(), others.begin(), others.end());
@@ -53,11 +53,11 @@ Peak largest_undamped(const ChainEnd& left, const ChainEnd& right) {
         frequencies, [&](double omega) { return round_trip_supremum_at(left, right, omega); });
 }
 
-Peak largest_damped(const ChainEnd& left, const ChainEnd& right, std::size_t nodes) {
+Peak largest_damped(const LatticeEnd& left, const LatticeEnd& right, std::size_t nodes) {
     // The mirror image of a chain that ends in a free end makes it one of twice the length with
     // like ends, where a round trip is two of its own.
     for (const auto& [end, opposite] : {std::pair(&left, &right), std::pair(&right, &left)}) {
-        if (end->kind == EndKind::free) {
+        if (end->kind == LatticeEnd::Kind::free) {
             const HalfSpace& like = opposite->half_space;
             const Peak twice = damped_amplification(like, like, 2 * nodes);
             return {std::sqrt(twice.value), twice.omega};
@@ -94,17 +94,17 @@ void require_one_chain(const HalfSpace& left, const HalfSpace& right, std::size_
 
 }  // namespace
 
-ChainEnd fixed_end(const HalfSpace& lattice) {
-    return {EndKind::fixed, without_condition(lattice)};
+LatticeEnd fixed_end(const HalfSpace& lattice) {
+    return {LatticeEnd::Kind::fixed, without_condition(lattice)};
 }
 
-ChainEnd free_end(const HalfSpace& lattice) {
-    return {EndKind::free, without_condition(lattice)};
+LatticeEnd free_end(const HalfSpace& lattice) {
+    return {LatticeEnd::Kind::free, without_condition(lattice)};
 }
 
-Reflection reflection(const ChainEnd& end, double omega) {
+Reflection reflection(const LatticeEnd& end, double omega) {
     Reflection found = reflection(end.half_space, omega);
-    if (end.kind == EndKind::free) {
+    if (end.kind == LatticeEnd::Kind::free) {
         found.matrix.setZero();
         found.amplitudes.setZero();
         for (Eigen::Index i = 0; i < found.matrix.rows(); ++i) {
@@ -116,17 +116,17 @@ Reflection reflection(const ChainEnd& end, double omega) {
     return found;
 }
 
-RoundTripVerdict round_trip_verdict(const ChainEnd& left, const ChainEnd& right,
+RoundTripVerdict round_trip_verdict(const LatticeEnd& left, const LatticeEnd& right,
                                     std::size_t nodes) {
     require_one_chain(left.half_space, right.half_space, nodes);
-    for (const ChainEnd* end : {&left, &right}) {
+    for (const LatticeEnd* end : {&left, &right}) {
         RoundTripVerdict verdict = verdict_of_one(*end);
         if (verdict.failure != ModalFailure::none) {
             verdict.left = end == &left;
             return verdict;
         }
     }
-    if (left.kind != EndKind::matching && right.kind != EndKind::matching) {
+    if (left.kind != LatticeEnd::Kind::matching && right.kind != LatticeEnd::Kind::matching) {
         return {.amplification = 1};  // exactly: energy is kept; with damping, at most
     }
     const Peak highest = left.half_space.is_damped() ? largest_damped(left, right, nodes)

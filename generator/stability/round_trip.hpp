@@ -17,7 +17,7 @@
 
 #include <cstddef>
 
-#include "generator/stability/chain_end.hpp"
+#include "generator/stability/lattice_end.hpp"
 #include "generator/stability/modal.hpp"
 #include "generator/stability/reflection.hpp"
 
@@ -34,10 +34,10 @@ struct RoundTripVerdict {
 /// nodes: interior ones, on which the verdict on a damped chain depends; others need not say.
 /// Throws std::invalid_argument where the ends are of different lattices and, of a damped one,
 /// where there are no nodes, the time steps differ or the interior is not stable in such steps.
-RoundTripVerdict round_trip_verdict(const ChainEnd& left, const ChainEnd& right,
+RoundTripVerdict round_trip_verdict(const LatticeEnd& left, const LatticeEnd& right,
                                     std::size_t nodes = 0);
 
 /// The reflection of an end at frequency omega > 0. A free end sends every wave back as it came.
-Reflection reflection(const ChainEnd& end, double omega);
+Reflection reflection(const LatticeEnd& end, double omega);
 
 }  // namespace nmbcgen

@@ -45,11 +45,11 @@ bool scalar_reflection_is_bounded(const HalfSpace& half_space) {
     return not_negative_below_zero(half_space.E * half_space.O);
 }
 
-std::vector<Window> scalar_windows(const Table& table) {
+std::vector<ExactWindow> scalar_windows(const Table& table) {
     if (table.specification.stabilisation) {
         throw std::invalid_argument("scalar_windows: the table is for one value of G only");
     }
-    std::vector<Window> windows;
+    std::vector<ExactWindow> windows;
     if (table.specification.stride != 1) {
         return windows;
     }

@@ -19,7 +19,7 @@ namespace nmbcgen {
 /// isolated points left out. For a stride above 1 t changes sign within the band, where the two
 /// halves ask for opposite signs: no window.
 /// Throws std::invalid_argument for a table at a fixed G.
-std::vector<Window> scalar_windows(const Table& table);
+std::vector<ExactWindow> scalar_windows(const Table& table);
 
 /// Whether |R| <= 1 on the whole band at one G.
 bool scalar_reflection_is_bounded(const HalfSpace& half_space);

@@ -19,7 +19,7 @@ struct Sample {
 
 class Steps {
   public:
-    Steps(const Table& table, GhostLevel ghosts, Grade least)
+    Steps(const Table& table, GhostRule ghosts, Grade least)
         : table_(table), ghosts_(ghosts), least_(least) {}
 
     void cover(const StabilityWindow& window) {
@@ -77,15 +77,15 @@ class Steps {
         if (cfl <= 0) {
             return;
         }
-        if (!steps_.empty() && steps_.back().high == low && steps_.back().cfl == cfl) {
-            steps_.back().high = high;
+        if (!steps_.empty() && steps_.back().window.high == low && steps_.back().cfl == cfl) {
+            steps_.back().window.high = high;
         } else {
-            steps_.push_back({low, high, cfl});
+            steps_.push_back({{low, high}, cfl});
         }
     }
 
     const Table& table_;
-    GhostLevel ghosts_;
+    GhostRule ghosts_;
     Grade least_;
     std::vector<StableStep> steps_;
 };
@@ -93,7 +93,7 @@ class Steps {
 }  // namespace
 
 std::vector<StableStep> stable_steps(const Table& table,
-                                     const std::vector<StabilityWindow>& windows, GhostLevel ghosts,
+                                     const std::vector<StabilityWindow>& windows, GhostRule ghosts,
                                      Grade least) {
     Steps steps(table, ghosts, least);
     for (const StabilityWindow& window : windows) {

@@ -16,7 +16,7 @@ namespace nmbcgen {
 /// where they differ by more than 0.06 for smaller pieces, and 0.01 less than the least of them for
 /// what may lie between. A window without an end is sampled to 1000 times where it begins.
 std::vector<StableStep> stable_steps(const Table& table,
-                                     const std::vector<StabilityWindow>& windows, GhostLevel ghosts,
+                                     const std::vector<StabilityWindow>& windows, GhostRule ghosts,
                                      Grade least);
 
 }  // namespace nmbcgen

@@ -2,6 +2,7 @@
 /// What is known of the stability of a table, as sets of the stabilisation G.
 #pragma once
 
+#include <nmbc/table.hpp>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -11,8 +12,11 @@
 
 namespace nmbcgen {
 
-/// The values from low to high; none: to infinity.
-struct Window {
+using nmbc::Grade;
+using nmbc::StableStep;
+
+/// The values of G from low to high; none: to infinity.
+struct ExactWindow {
     AlgebraicNumber low;
     std::optional<AlgebraicNumber> high;
 };
@@ -75,13 +79,6 @@ struct StabilityWindow {
     std::optional<Edge> high;
 };
 
-/// For every G from low to high (which may be infinite), steps of this cfl or less are stable.
-struct StableStep {
-    double low;
-    double high;
-    double cfl;  ///< dt omega_max / 2
-};
-
 /// Chains of damped lattices are certified from this many interior nodes on: what a boundary
 /// amplifies has to be damped away before it arrives at the other end.
 inline constexpr unsigned least_damped_nodes = 100;
@@ -95,9 +92,9 @@ inline constexpr int highest_damped_G = 3;
 /// matched in time steps, modal and contractive windows and steps are for the G at which its own
 /// step is certified.
 struct Certificate {
-    std::vector<Window> reflection;      ///< the paper's scalar |R| <= 1 on the whole band; exact
-    std::vector<AlgebraicNumber> poles;  ///< where a coefficient has a pole
-    std::vector<StabilityWindow> modal;  ///< stable with both ends alike
+    std::vector<ExactWindow> reflection;  ///< the paper's scalar |R| <= 1 on the whole band; exact
+    std::vector<AlgebraicNumber> poles;   ///< where a coefficient has a pole
+    std::vector<StabilityWindow> modal;   ///< stable with both ends alike
     std::vector<StabilityWindow> contractive;  ///< and with any other contractive end
     std::vector<StableStep> max_cfl;  ///< with both ends alike; midpoint ghosts; most of the modal
                                       ///< windows

@@ -19,11 +19,11 @@ using IntegerPolynomial = boost::math::tools::polynomial<Integer>;
 /// A rational function of G in its one normal form: integer coefficients, numerator and
 /// denominator without a common factor (polynomial or integer), leading denominator
 /// coefficient positive. Zero is 0/1. exact/rational_function.hpp makes them.
-struct RationalFunction {
+struct ExactFunction {
     IntegerPolynomial numerator;
     IntegerPolynomial denominator;
 
-    friend bool operator==(const RationalFunction& left, const RationalFunction& right) {
+    friend bool operator==(const ExactFunction& left, const ExactFunction& right) {
         return left.numerator == right.numerator && left.denominator == right.denominator;
     }
 };

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// The versions of what tables are written as: raised by any change that an old reader would
-/// misread.
+/// The version of tables in JSON; that of the headers is nmbc::table_schema.
 #pragma once
 
 namespace nmbcgen {
 
-/// Of the JSON (docs/json.md).
+/// Raised by any change of the JSON that an old reader would misread.
 inline constexpr int json_schema = 3;
-
-/// Of the headers: nmbc::table_schema in runtime/nmbc/table.hpp.
-inline constexpr int header_schema = 4;
 
 }  // namespace nmbcgen

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <nmbc/table.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,8 @@
 #include "generator/table/certificate.hpp"
 
 namespace nmbcgen {
+
+using nmbc::EnergyPart;
 
 /// A wave number xi > 0 at which s(xi) C(z) - B(z) and its derivatives below multiplicity vanish.
 struct MatchingPoint {
@@ -44,18 +47,10 @@ inline unsigned rows_at_zero(const Specification& specification) {
     return rows;
 }
 
-/// The ledger entry an energy is counted in.
-enum class EnergyPart { strain, stabilisation };
-
-/// Its name in every format.
-constexpr std::string_view name_of(EnergyPart part) {
-    return part == EnergyPart::strain ? "strain" : "stabilisation";
-}
-
 /// One square of a lattice model's potential energy density,
 ///     (1/2) weight(G) * (sum_i stencil[i] u_{I + i - reach})^2   at node I,
 /// where stencil has 2*reach + 1 entries.
-struct EnergySquare {
+struct ExactSquare {
     EnergyPart part;
     Polynomial weight;
     std::vector<Rational> stencil;
@@ -69,14 +64,14 @@ struct EnergySquare {
 struct Model {
     std::string description;
     std::string source;  ///< the equations the model is taken from
-    std::vector<EnergySquare> energy;
+    std::vector<ExactSquare> energy;
     std::vector<Polynomial> symbol;
     std::vector<Rational> damping{};  ///< of tau sigma [c/dX], m = 0 .. reach; empty where tau = 0
 };
 
 /// Whether G changes the model at all.
 inline bool has_stabilisation(const Model& model) {
-    return std::ranges::any_of(model.energy, [](const EnergySquare& square) {
+    return std::ranges::any_of(model.energy, [](const ExactSquare& square) {
         return square.part == EnergyPart::stabilisation;
     });
 }
@@ -87,8 +82,8 @@ struct Table {
     Model model;
     std::vector<Polynomial> taylor;  ///< a_1 .. a_{2N+1} of s = sum a_k (i xi)^k, (47); s = i omega
                                      ///< where nothing is damped, in continuous time
-    std::vector<RationalFunction> c;  ///< c_0 .. c_N, c_0 = 1
-    std::vector<RationalFunction> b;  ///< b_0 .. b_N
+    std::vector<ExactFunction> c;    ///< c_0 .. c_N, c_0 = 1
+    std::vector<ExactFunction> b;    ///< b_0 .. b_N
     unsigned digits = 0;  ///< of c and b where matching points make them irrational; 0: exact
     /// Where c and b are rounded and lie in one quadratic field: what they were rounded from.
     std::vector<AlgebraicNumber> closed_c{};

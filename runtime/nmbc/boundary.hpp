@@ -7,7 +7,7 @@
 #include <limits>
 #include <nmbc/certificate.hpp>
 #include <nmbc/coefficients.hpp>
-#include <nmbc/inwards.hpp>
+#include <nmbc/node_line.hpp>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -79,7 +79,7 @@ class BasicMatchingBoundary {
     }
 
     /// The same where the sizes are known to be right.
-    void update(Inwards<const Real> u, Inwards<Real> v) const {
+    void update(NodeLine<const Real> u, NodeLine<Real> v) const {
         for (std::size_t ghost = ghost_layers_; ghost-- > 0;) {
             // From the inside out: what waits longest for its number, the velocity of the ghost
             // before this one, comes last.

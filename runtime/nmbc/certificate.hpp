@@ -12,16 +12,6 @@
 
 namespace nmbc {
 
-enum class Grade {
-    none,  ///< not certified
-    /// Stable with the same condition at the other end, but for short chains: see
-    /// MatchingTable::modal, and of a damped table least_nodes.
-    paired,
-    /// And, in continuous time, with any other end that adds no energy. In time steps that holds up
-    /// to certified_cfl(.., Opposite::any), which may be less than for like ends, or 0.
-    contractive,
-};
-
 /// The end at the other side of the chain.
 enum class Opposite {
     like,  ///< the same condition, with the same ghost rule

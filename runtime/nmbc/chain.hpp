@@ -6,9 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <nmbc/end_condition.hpp>
+#include <nmbc/boundary_condition.hpp>
 #include <nmbc/kernels.hpp>
 #include <nmbc/lattice.hpp>
+#include <nmbc/leapfrog.hpp>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -42,7 +43,7 @@ class BasicChain {
           left_(left.make(lattice_, parameters_)),
           right_(right.make(lattice_, parameters_)),
           force_(force_during(parameters_.time_step)),
-          brake_(brake_during(parameters_.time_step)) {
+          damping_(damping_during(parameters_.time_step)) {
         const std::size_t least =
             std::max(left_->least_interior_nodes(), right_->least_interior_nodes());
         if (parameters.nodes < least) {
@@ -57,7 +58,7 @@ class BasicChain {
         displacement_ = std::span(memory_).first(nodes());
         velocity_ = std::span(memory_).subspan(second);
         if (is_damped()) {
-            braking_.resize(nodes(), 0);
+            damping_change_.resize(nodes(), 0);
             damped_.resize(nodes(), 0);
         }
     }
@@ -75,6 +76,10 @@ class BasicChain {
     }
     /// Entry of the first interior node.
     std::size_t first_interior() const { return ghosts() + left_->layer_nodes(); }
+    /// Interior nodes next to an end whose velocities it may change.
+    std::size_t nodes_changed_by(End end) const {
+        return (end == End::left ? left_ : right_)->least_interior_nodes();
+    }
     double time() const { return static_cast<double>(steps_) * parameters_.time_step; }
     std::size_t steps() const { return steps_; }
 
@@ -103,8 +108,8 @@ class BasicChain {
         start_ends();
         const double back = -parameters_.time_step / 2;
         if (is_damped()) {
-            find_braking(*brake_during(back));
-            brake();
+            find_damping(*damping_during(back));
+            damp();
         }
         force_during(back)->kick(displacement_, velocity_);
         is_written_to_ = false;
@@ -113,22 +118,11 @@ class BasicChain {
 
     /// Steps, each of them: v to t + dt/2, ghosts by their end, u to t + dt. Before the ends,
     /// `prescribe` may set velocities of interior nodes: it is called with u at t, v at t + dt/2
-    /// and t + dt. After them, `observe` sees the same two fields whole, and t + dt.
-    ///
-    /// In memory, one step's drift and the next one's kick are one sweep: many steps at once are
-    /// faster than one by one, and the same bit for bit.
+    /// and t + dt. After them, `observe` sees the same two fields whole, and t + dt. Many steps at
+    /// once are faster than one by one, and the same bit for bit (leapfrog.hpp).
     template <class Prescribe, class Observe>
     void advance(std::size_t steps, Prescribe&& prescribe, Observe&& observe) {
-        if (steps == 0) {
-            return;
-        }
-        kick();
-        for (std::size_t step = 1; step < steps; ++step) {
-            between_kick_and_drift(prescribe, observe);
-            drift_and_kick();
-        }
-        between_kick_and_drift(prescribe, observe);
-        drift();
+        detail::advance(*this, steps, prescribe, observe);
     }
 
     template <class Prescribe>
@@ -190,6 +184,9 @@ class BasicChain {
     }
 
   private:
+    template <class Body, class... Hooks>
+    friend void detail::advance(Body& body, std::size_t steps, Hooks&... hooks);
+
     static constexpr auto ignore_fields = [](const auto& /*u*/, const auto& /*v*/,
                                              double /*time*/) {};
 
@@ -222,7 +219,7 @@ class BasicChain {
     }
 
     /// The same of the damping; none where there is none.
-    std::unique_ptr<const detail::Kick<Real>> brake_during(double duration) const {
+    std::unique_ptr<const detail::Kick<Real>> damping_during(double duration) const {
         if (!is_damped()) {
             return nullptr;
         }
@@ -236,15 +233,15 @@ class BasicChain {
             start_ends();
         }
         if (is_damped()) {
-            find_braking(*brake_);
+            find_damping(*damping_);
             count_damped();
-            brake();
+            damp();
         }
         force_->kick(displacement_, velocity_);
     }
 
     template <class Prescribe, class Observe>
-    void between_kick_and_drift(Prescribe& prescribe, Observe& observe) {
+    void close_sides(Prescribe& prescribe, Observe& observe) {
         const std::size_t done = steps_++;
         const std::span<const Real> u = displacement_;
         prescribe(u, std::span<Real>(velocity_), time());
@@ -270,14 +267,14 @@ class BasicChain {
     }
 
     /// What the damping changes v by, from the old v.
-    void find_braking(const detail::Kick<Real>& brake) {
-        std::ranges::fill(braking_, Real{0});
-        brake.kick(velocity_, braking_);
+    void find_damping(const detail::Kick<Real>& damping) {
+        std::ranges::fill(damping_change_, Real{0});
+        damping.kick(velocity_, damping_change_);
     }
 
-    void brake() {
+    void damp() {
         for (std::size_t node = ghosts(); node + ghosts() < nodes(); ++node) {
-            velocity_[node] += braking_[node];
+            velocity_[node] += damping_change_[node];
         }
     }
 
@@ -289,21 +286,21 @@ class BasicChain {
         }
         const double half = parameters_.density * parameters_.spacing / 2;
         for (std::size_t node = ghosts(); node + ghosts() < nodes(); ++node) {
-            damped_[node] -=
-                half * static_cast<double>(braking_[node]) * static_cast<double>(velocity_[node]);
+            damped_[node] -= half * static_cast<double>(damping_change_[node]) *
+                             static_cast<double>(velocity_[node]);
         }
     }
 
     Lattice lattice_;
     ChainParameters parameters_;
-    std::unique_ptr<EndCondition<Real>> left_;
-    std::unique_ptr<EndCondition<Real>> right_;
-    std::unique_ptr<const detail::Kick<Real>> force_;  // of one time step
-    std::unique_ptr<const detail::Kick<Real>> brake_;  // of the damping; none where undamped
-    std::vector<Real> memory_;                         // of the two fields
+    std::unique_ptr<BoundaryCondition<Real>> left_;
+    std::unique_ptr<BoundaryCondition<Real>> right_;
+    std::unique_ptr<const detail::Kick<Real>> force_;    // of one time step
+    std::unique_ptr<const detail::Kick<Real>> damping_;  // of the damping; none where undamped
+    std::vector<Real> memory_;                           // of the two fields
     std::span<Real> displacement_;
     std::span<Real> velocity_;
-    std::vector<Real> braking_;  // what the damping changes v by in this step; empty where undamped
+    std::vector<Real> damping_change_;  // by the damping in this step; empty where undamped
     std::vector<double> damped_;
     std::size_t steps_ = 0;
     bool is_written_to_ = false;  // by the user, since the last step

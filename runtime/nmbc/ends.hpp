@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <memory>
 #include <nmbc/boundary.hpp>
-#include <nmbc/end_condition.hpp>
+#include <nmbc/boundary_condition.hpp>
 #include <string>
 #include <type_traits>
 
@@ -15,7 +15,7 @@ namespace nmbc {
 namespace detail {
 
 template <class Real>
-class MatchingCondition final : public EndCondition<Real> {
+class MatchingCondition final : public BoundaryCondition<Real> {
   public:
     MatchingCondition(const BoundaryCoefficients& coefficients, std::size_t ghosts,
                       const ChainParameters& p, GhostRule rule)
@@ -25,7 +25,7 @@ class MatchingCondition final : public EndCondition<Real> {
         return std::max<std::size_t>(boundary_.reach() - boundary_.ghost_layers(), 1);
     }
 
-    void after_kick(Inwards<const Real> u, Inwards<Real> v, std::size_t /*step*/) override {
+    void after_kick(NodeLine<const Real> u, NodeLine<Real> v, std::size_t /*step*/) override {
         boundary_.update(u, v);
     }
 
@@ -34,22 +34,22 @@ class MatchingCondition final : public EndCondition<Real> {
 };
 
 template <class Real>
-class FixedCondition final : public EndCondition<Real> {
+class FixedCondition final : public BoundaryCondition<Real> {
   public:
     FixedCondition(std::size_t ghosts, std::size_t layer) : ghosts_(ghosts), layer_(layer) {}
 
     std::size_t layer_nodes() const override { return layer_; }
 
-    void start(Inwards<Real> u, Inwards<Real> v) override {
+    void start(NodeLine<Real> u, NodeLine<Real> v) override {
         hold(u);
         hold(v);
     }
-    void after_kick(Inwards<const Real> /*u*/, Inwards<Real> v, std::size_t /*step*/) override {
+    void after_kick(NodeLine<const Real> /*u*/, NodeLine<Real> v, std::size_t /*step*/) override {
         hold(v);
     }
 
   private:
-    void hold(Inwards<Real> field) const {
+    void hold(NodeLine<Real> field) const {
         for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
             field[ghost] = 0;
         }
@@ -60,22 +60,22 @@ class FixedCondition final : public EndCondition<Real> {
 };
 
 template <class Real>
-class FreeCondition final : public EndCondition<Real> {
+class FreeCondition final : public BoundaryCondition<Real> {
   public:
     explicit FreeCondition(std::size_t ghosts) : ghosts_(ghosts) {}
 
     std::size_t least_interior_nodes() const override { return ghosts_; }
 
-    void start(Inwards<Real> u, Inwards<Real> v) override {
+    void start(NodeLine<Real> u, NodeLine<Real> v) override {
         mirror(u);
         mirror(v);
     }
-    void after_kick(Inwards<const Real> /*u*/, Inwards<Real> v, std::size_t /*step*/) override {
+    void after_kick(NodeLine<const Real> /*u*/, NodeLine<Real> v, std::size_t /*step*/) override {
         mirror(v);
     }
 
   private:
-    void mirror(Inwards<Real> field) const {
+    void mirror(NodeLine<Real> field) const {
         for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
             field[ghost] = field[2 * ghosts_ - 1 - ghost];
         }
@@ -85,10 +85,10 @@ class FreeCondition final : public EndCondition<Real> {
 };
 
 template <class Real>
-class IdleCondition final : public EndCondition<Real> {
+class IdleCondition final : public BoundaryCondition<Real> {
   public:
-    void after_kick(Inwards<const Real> /*u*/, Inwards<Real> /*v*/, std::size_t /*step*/) override {
-    }
+    void after_kick(NodeLine<const Real> /*u*/, NodeLine<Real> /*v*/,
+                    std::size_t /*step*/) override {}
 };
 
 }  // namespace detail
@@ -101,8 +101,8 @@ struct MatchingEnd {
     /// What is certified is certified for its own lattice and, where that is damped, for long
     /// chains. Throws NotCertified otherwise, and as MatchingBoundary does.
     template <class Real>
-    std::unique_ptr<EndCondition<Real>> make(const Lattice& lattice, const ChainParameters& p,
-                                             std::type_identity<Real> /*precision*/) const {
+    std::unique_ptr<BoundaryCondition<Real>> make(const Lattice& lattice, const ChainParameters& p,
+                                                  std::type_identity<Real> /*precision*/) const {
         const bool certified = !coefficients.symbol.empty();
         if (certified &&
             (coefficients.symbol != lattice.symbol || coefficients.damping != lattice.damping)) {
@@ -127,8 +127,9 @@ struct FixedEnd {
     std::size_t layer = 0;
 
     template <class Real>
-    std::unique_ptr<EndCondition<Real>> make(const Lattice& lattice, const ChainParameters& /*p*/,
-                                             std::type_identity<Real> /*precision*/) const {
+    std::unique_ptr<BoundaryCondition<Real>> make(const Lattice& lattice,
+                                                  const ChainParameters& /*p*/,
+                                                  std::type_identity<Real> /*precision*/) const {
         return std::make_unique<detail::FixedCondition<Real>>(lattice.reach(), layer);
     }
 };
@@ -137,8 +138,9 @@ struct FixedEnd {
 /// node j does. The mirror is midway between the outermost interior node and the innermost ghost.
 struct FreeEnd {
     template <class Real>
-    std::unique_ptr<EndCondition<Real>> make(const Lattice& lattice, const ChainParameters& /*p*/,
-                                             std::type_identity<Real> /*precision*/) const {
+    std::unique_ptr<BoundaryCondition<Real>> make(const Lattice& lattice,
+                                                  const ChainParameters& /*p*/,
+                                                  std::type_identity<Real> /*precision*/) const {
         return std::make_unique<detail::FreeCondition<Real>>(lattice.reach());
     }
 };
@@ -147,9 +149,9 @@ struct FreeEnd {
 /// for others to be measured against.
 struct IdleEnd {
     template <class Real>
-    std::unique_ptr<EndCondition<Real>> make(const Lattice& /*lattice*/,
-                                             const ChainParameters& /*p*/,
-                                             std::type_identity<Real> /*precision*/) const {
+    std::unique_ptr<BoundaryCondition<Real>> make(const Lattice& /*lattice*/,
+                                                  const ChainParameters& /*p*/,
+                                                  std::type_identity<Real> /*precision*/) const {
         return std::make_unique<detail::IdleCondition<Real>>();
     }
 };

@@ -2,10 +2,13 @@
 /// Energies of a chain.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <nmbc/chain.hpp>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 namespace nmbc {
 
@@ -37,6 +40,51 @@ double apply(std::span<const double> stencil, const Real* first) {
         sum += stencil[i] * first[i];
     }
     return sum;
+}
+
+/// What one square of the energy has at each node of a block, before it is added up.
+struct SquareTerms {
+    static constexpr std::size_t nodes = 64;
+    std::array<double, nodes> middle;     ///< of u half-way between its two levels
+    std::array<double, nodes> staggered;  ///< of u^k and u^{k+1}
+};
+
+/// Finds the terms of `nodes` nodes; u and v begin where the first node's stencil does. The size of
+/// the stencil is known to the compiler, which vectorises over the nodes.
+template <class Real, std::size_t... J>
+void find_terms(const double* stencil, std::index_sequence<J...> /*size*/, double factor, double dt,
+                const Real* u, const Real* v, std::size_t nodes, SquareTerms& terms) {
+    double* __restrict middle = terms.middle.data();
+    double* __restrict staggered = terms.staggered.data();
+    for (std::size_t node = 0; node < nodes; ++node) {
+        double now = 0;
+        ((now += stencil[J] * u[node + J]), ...);
+        double rate = 0;
+        ((rate += stencil[J] * v[node + J]), ...);
+        const double half_way = now - dt / 2 * rate;
+        middle[node] = factor * half_way * half_way;
+        staggered[node] = factor * now * (now - dt * rate);
+    }
+}
+
+/// The same for a stencil of any size; those of horizons to 6 have loops of their own.
+template <std::size_t Size = 1, class Real>
+void find_terms(std::span<const double> stencil, double factor, double dt, const Real* u,
+                const Real* v, std::size_t nodes, SquareTerms& terms) {
+    if constexpr (Size > widest_fixed_reach + 1) {
+        for (std::size_t node = 0; node < nodes; ++node) {
+            const double now = apply(stencil, u + node);
+            const double rate = apply(stencil, v + node);
+            const double half_way = now - dt / 2 * rate;
+            terms.middle[node] = factor * half_way * half_way;
+            terms.staggered[node] = factor * now * (now - dt * rate);
+        }
+    } else if (stencil.size() == Size) {
+        find_terms(stencil.data(), std::make_index_sequence<Size>{}, factor, dt, u, v, nodes,
+                   terms);
+    } else {
+        find_terms<Size + 1>(stencil, factor, dt, u, v, nodes, terms);
+    }
 }
 
 }  // namespace detail
@@ -73,12 +121,15 @@ Energies energies(const BasicChain<Real>& chain, std::size_t first, std::size_t 
         const std::size_t half_width = square.stencil.size() / 2;  // at most ghosts() / 2
         const double factor = square.weight * p.youngs_modulus / p.spacing / 2;
         double energy = 0;
-        for (std::size_t node = begin; node < end; ++node) {
-            const double now = detail::apply(square.stencil, &u[node - half_width]);
-            const double rate = detail::apply(square.stencil, &v[node - half_width]);
-            const double middle = now - dt / 2 * rate;
-            energy += factor * middle * middle;
-            result.staggered += factor * now * (now - dt * rate);
+        detail::SquareTerms terms;
+        for (std::size_t node = begin; node < end; node += detail::SquareTerms::nodes) {
+            const std::size_t nodes = std::min(end - node, detail::SquareTerms::nodes);
+            detail::find_terms(square.stencil, factor, dt, &u[node - half_width],
+                               &v[node - half_width], nodes, terms);
+            for (std::size_t i = 0; i < nodes; ++i) {
+                energy += terms.middle[i];
+                result.staggered += terms.staggered[i];
+            }
         }
         (square.part == EnergyPart::strain ? result.strain : result.stabilisation) += energy;
     }

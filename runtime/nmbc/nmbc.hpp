@@ -3,12 +3,12 @@
 #pragma once
 
 #include <nmbc/boundary.hpp>
+#include <nmbc/boundary_condition.hpp>
 #include <nmbc/certificate.hpp>
 #include <nmbc/chain.hpp>
 #include <nmbc/coefficients.hpp>
-#include <nmbc/end_condition.hpp>
 #include <nmbc/ends.hpp>
 #include <nmbc/energy.hpp>
-#include <nmbc/inwards.hpp>
 #include <nmbc/lattice.hpp>
+#include <nmbc/node_line.hpp>
 #include <nmbc/table.hpp>

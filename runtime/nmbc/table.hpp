@@ -27,6 +27,11 @@ struct RationalFunction {
 /// The ledger entry an energy is counted in.
 enum class EnergyPart { strain, stabilisation };
 
+/// Its name in every format.
+constexpr std::string_view name_of(EnergyPart part) {
+    return part == EnergyPart::strain ? "strain" : "stabilisation";
+}
+
 /// One square of the lattice's potential energy density at node I (in E/dX^2 times
 /// displacement^2),
 ///     (1/2) weight(G) * ( sum_{i = -r..r} stencil_i u_{I+i} / divisor )^2,
@@ -48,6 +53,16 @@ struct Window {
 
 /// The upper end of a window that has none.
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+enum class Grade {
+    none,  ///< not certified
+    /// Stable with the same condition at the other end, but for short chains: see
+    /// MatchingTable::modal, and of a damped table least_nodes.
+    paired,
+    /// And, in continuous time, with any other end that adds no energy. In time steps that holds up
+    /// to certified_cfl(.., Opposite::any), which may be less than for like ends, or 0.
+    contractive,
+};
 
 /// Time level of u in (60) when the ghost velocities at k+1/2 are found.
 enum class GhostRule {

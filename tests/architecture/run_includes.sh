@@ -20,7 +20,7 @@ allow() {
 }
 
 text='fmt/'
-allow generator/table 'generator/table/|boost/'
+allow generator/table 'generator/table/|nmbc/table.hpp|boost/'
 allow generator/exact 'generator/(table|exact)/|boost/'
 allow generator/lattice 'generator/(table|exact|lattice)/|boost/'
 allow generator/families "generator/(table|exact|lattice|families)/|$text"
@@ -45,14 +45,13 @@ run sources 'scene|sides'
 run tables scene 'generator/(table|exact|families|names)/'
 run certification 'scene|sides|sources|tables' 'generator/(table|exact|stability)/'
 run simulation 'scene|sides|sources|tables|certification' 'unistd.h'
-run output 'scene|simulation' 'hdf5.h|fcntl.h|unistd.h|sys/(file|ioctl).h'
+run output 'scene|simulation' 'hdf5.h|fcntl.h|spawn.h|unistd.h|sys/(file|ioctl|wait).h'
 below='scene|sides|sources|tables|certification|simulation'
 run compare "$below" 'generator/(table|exact|stability)/'
-run chart "$below|compare|output"
+run chart "$below|compare|output" 'generator/support/|boost/math/'
 run advise "$below|compare|chart" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT'
 allow tools/nmbcrun "tools/nmbcrun/|tools/number_between.hpp|nmbc/|CLI/|$text"
-allow tools/pulses "tools/pulses/|tools/number_between.hpp|nmbc/|CLI/|$text"
-allow tools/bench "generator/|CLI/|nmbc/|benchmark/"
+allow tools/bench "generator/|CLI/|nmbc/|benchmark/|boost/math/"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|$text"
 
 # The algebra system: in matching alone, and in the pipeline that calls it.

@@ -11,7 +11,7 @@
 
 #include "tests/compare/advised_scenes.hpp"
 #include "tools/nmbcrun/advise/wave_grid.hpp"
-#include "tools/nmbcrun/chart/ladder.hpp"
+#include "tools/nmbcrun/chart/boundaries.hpp"
 #include "tools/nmbcrun/compare/reference.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "tests/compare/advised_scenes.hpp"
-#include "tools/nmbcrun/chart/ladder.hpp"
+#include "tools/nmbcrun/chart/boundaries.hpp"
 #include "tools/nmbcrun/compare/reference.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"

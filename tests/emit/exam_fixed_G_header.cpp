@@ -31,11 +31,11 @@ static_assert(data::rounded_b[0] == -data::rounded_b[3]);
 namespace {
 
 /// c_j(1/3) and b_j(1/3) from the table with G left open: not the way the header was made.
-std::vector<Rational> exact_values(std::vector<RationalFunction> Table::*list) {
+std::vector<Rational> exact_values(std::vector<ExactFunction> Table::*list) {
     const Table open =
         derive({.family = "nopd1d", .horizon = 2, .order = 3, .stride = 1, .stabilisation = {}});
     std::vector<Rational> values;
-    for (const RationalFunction& function : open.*list) {
+    for (const ExactFunction& function : open.*list) {
         values.push_back(evaluate(over_rationals(function.numerator), Rational(1, 3)) /
                          evaluate(over_rationals(function.denominator), Rational(1, 3)));
     }

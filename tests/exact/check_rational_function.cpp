@@ -14,7 +14,7 @@ using namespace nmbcgen::test;
 namespace {
 
 /// Greatest common divisor of all coefficients of both polynomials.
-Integer joint_content(const RationalFunction& f) {
+Integer joint_content(const ExactFunction& f) {
     Integer content = 0;
     for (const IntegerPolynomial* polynomial : {&f.numerator, &f.denominator}) {
         for (const Integer& coefficient : polynomial->data()) {
@@ -35,7 +35,7 @@ std::size_t common_degree(Polynomial left, Polynomial right) {
     return left.degree();
 }
 
-void assert_normal(const RationalFunction& f) {
+void assert_normal(const ExactFunction& f) {
     RC_ASSERT(joint_content(f) == 1);
     RC_ASSERT(f.denominator.data().back() > 0);
     RC_ASSERT(common_degree(over_rationals(f.denominator), over_rationals(f.numerator)) == 0U);
@@ -46,7 +46,7 @@ struct Fraction {
     Polynomial top = *polynomial(4);
     Polynomial bottom = *nonzero_polynomial(4);
     Polynomial factor = *nonzero_polynomial(3);
-    RationalFunction reduced = reduce(top * factor, bottom* factor);
+    ExactFunction reduced = reduce(top * factor, bottom* factor);
 };
 
 }  // namespace
@@ -55,17 +55,17 @@ TEST_CASE("fixed answers") {
     const auto p = [](std::vector<Rational> c) { return Polynomial(std::move(c)); };
     const auto z = [](std::vector<Integer> c) { return IntegerPolynomial(std::move(c)); };
     // (G^2 - 1)/(2G - 2) = (G + 1)/2
-    CHECK(reduce(p({-1, 0, 1}), p({-2, 2})) == RationalFunction{z({1, 1}), z({2})});
+    CHECK(reduce(p({-1, 0, 1}), p({-2, 2})) == ExactFunction{z({1, 1}), z({2})});
     // (1/2 + G/3)/(-1/4) = -(6 + 4G)/3
     CHECK(reduce(p({Rational(1, 2), Rational(1, 3)}), p({Rational(-1, 4)})) ==
-          RationalFunction{z({-6, -4}), z({3})});
+          ExactFunction{z({-6, -4}), z({3})});
     // The sign stands in the numerator: 1/(1 - G) = -1/(G - 1)
-    CHECK(reduce(p({1}), p({1, -1})) == RationalFunction{z({-1}), z({-1, 1})});
+    CHECK(reduce(p({1}), p({1, -1})) == ExactFunction{z({-1}), z({-1, 1})});
     // Zero is 0/1, whatever it was divided by.
-    CHECK(reduce(Polynomial(), p({3, 7})) == RationalFunction{IntegerPolynomial(), z({1})});
+    CHECK(reduce(Polynomial(), p({3, 7})) == ExactFunction{IntegerPolynomial(), z({1})});
     CHECK_THROWS_AS(reduce(p({1}), Polynomial()), std::domain_error);
     CHECK(to_rational_function(p({Rational(1, 4), Rational(-1, 6)})) ==
-          RationalFunction{z({3, -2}), z({12})});
+          ExactFunction{z({3, -2}), z({12})});
 }
 
 TEST_CASE("reduce gives a normal form") {
@@ -86,12 +86,12 @@ TEST_CASE("reduce gives a normal form") {
         RC_ASSERT(f.reduced == reduce(f.top, f.bottom));
     }));
     CHECK(rc::check("idempotent", [] {
-        const RationalFunction f = Fraction().reduced;
+        const ExactFunction f = Fraction().reduced;
         RC_ASSERT(f == reduce(over_rationals(f.numerator), over_rationals(f.denominator)));
     }));
     CHECK(rc::check("a polynomial keeps its coefficients", [] {
         const Polynomial p = *polynomial(5);
-        const RationalFunction f = to_rational_function(p);
+        const ExactFunction f = to_rational_function(p);
         assert_normal(f);
         RC_ASSERT(f.denominator.degree() == 0U);
         RC_ASSERT(over_rationals(f.numerator) == p * constant(Rational(f.denominator[0])));
@@ -100,17 +100,17 @@ TEST_CASE("reduce gives a normal form") {
 
 TEST_CASE("a common denominator clears every fraction") {
     CHECK(rc::check([] {
-        const std::vector<RationalFunction> functions{Fraction().reduced, Fraction().reduced,
-                                                      Fraction().reduced};
+        const std::vector<ExactFunction> functions{Fraction().reduced, Fraction().reduced,
+                                                   Fraction().reduced};
         const Polynomial common = common_denominator(functions);
         RC_ASSERT(!common.is_zero());
-        for (const RationalFunction& f : functions) {
+        for (const ExactFunction& f : functions) {
             // f * common = p as polynomials: numerator * common = p * denominator.
             RC_ASSERT(over_rationals(f.numerator) * common ==
                       times_multiple(f, common) * over_rationals(f.denominator));
         }
     }));
     // (1/(G + 1)) * (G + 2) is no polynomial.
-    const RationalFunction f = reduce(constant(1), Polynomial(std::vector<Rational>{1, 1}));
+    const ExactFunction f = reduce(constant(1), Polynomial(std::vector<Rational>{1, 1}));
     CHECK_THROWS_AS(times_multiple(f, Polynomial(std::vector<Rational>{2, 1})), std::logic_error);
 }

@@ -47,7 +47,7 @@ TEST_CASE("omega^2 is the weighted sum of |stencil(z)|^2") {
         CAPTURE(n);
         const Model model = make_model("nopd1d", n);
         ex squares = 0;
-        for (const EnergySquare& square : model.energy) {
+        for (const ExactSquare& square : model.energy) {
             squares += thaw(square.weight, G) * transform(square.stencil, z) *
                        transform(square.stencil, 1 / z);
         }
@@ -70,7 +70,7 @@ TEST_CASE("the squares are the strain (16) and one stabilisation state (34) for 
         // A unit strain u_{I+i} = i has strain 1 and leaves no stabilisation state; a rigid
         // shift has neither.
         for (std::size_t k = 0; k < model.energy.size(); ++k) {
-            const EnergySquare& square = model.energy[k];
+            const ExactSquare& square = model.energy[k];
             REQUIRE(square.stencil.size() == 2 * n + 1);
             Rational unit_strain = 0;
             for (std::size_t i = 0; i < square.stencil.size(); ++i) {

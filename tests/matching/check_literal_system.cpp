@@ -155,8 +155,8 @@ TEST_CASE("the tables of the model, at random G, orders, strides and dampings") 
             const Table table = derive(what);
             RC_ASSERT(solution.has_value());
             for (std::size_t j = 0; j <= what.order; ++j) {
-                const RationalFunction c = to_rational_function(constant((*solution)[j]));
-                const RationalFunction b =
+                const ExactFunction c = to_rational_function(constant((*solution)[j]));
+                const ExactFunction b =
                     to_rational_function(constant((*solution)[what.order + 1 + j]));
                 RC_ASSERT(table.c[j] == c);
                 RC_ASSERT(table.b[j] == b);

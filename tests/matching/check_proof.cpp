@@ -75,7 +75,7 @@ auto& any_of(List& list) {
 }
 
 /// Changes the value of a rational function, keeping its normal form.
-void nudge(RationalFunction& function) {
+void nudge(ExactFunction& function) {
     Polynomial numerator = over_rationals(function.numerator);
     nudge(numerator);
     function = reduce(numerator, over_rationals(function.denominator));
@@ -110,7 +110,7 @@ TEST_CASE("a table changed in one place is refused, and the place is named") {
         for (Polynomial& a : table.taylor) {
             a = -a;
         }
-        for (RationalFunction& b : table.b) {
+        for (ExactFunction& b : table.b) {
             b.numerator = -b.numerator;
         }
     });
@@ -121,19 +121,19 @@ TEST_CASE("a table changed in one place is refused, and the place is named") {
     refused("order", "sizes", [](Table& table) { ++table.specification.order; });
     refused("c and b scaled together", "c_0 = 1", [](Table& table) {
         for (auto* list : {&table.c, &table.b}) {
-            for (RationalFunction& function : *list) {
+            for (ExactFunction& function : *list) {
                 function = reduce(over_rationals(function.numerator) * constant(2),
                                   over_rationals(function.denominator));
             }
         }
     });
     refused("a coefficient not in lowest terms", "normal form", [](Table& table) {
-        RationalFunction& function = any_of(table.b);
+        ExactFunction& function = any_of(table.b);
         function.numerator *= Integer(3);
         function.denominator *= Integer(3);
     });
     refused("a common factor of degree 1", "normal form", [](Table& table) {
-        RationalFunction& function = any_of(table.b);
+        ExactFunction& function = any_of(table.b);
         const IntegerPolynomial factor(std::vector<Integer>{1, 1});
         function.numerator *= factor;
         function.denominator *= factor;
@@ -212,7 +212,7 @@ TEST_CASE("C(1) = 0 is refused even where the residual vanishes") {
     table.specification.order = 3;
     table.taylor.resize(7);
     const auto list = [](const std::vector<int>& numbers) {
-        std::vector<RationalFunction> functions;
+        std::vector<ExactFunction> functions;
         functions.reserve(numbers.size());
         for (const int number : numbers) {
             functions.push_back(to_rational_function(constant(number)));

@@ -25,7 +25,7 @@ Float to_float(const Rational& value) {
     return Float(numerator(value).str()) / Float(denominator(value).str());
 }
 
-Float value_at(const RationalFunction& function, const Rational& G) {
+Float value_at(const ExactFunction& function, const Rational& G) {
     return to_float(evaluate(over_rationals(function.numerator), G) /
                     evaluate(over_rationals(function.denominator), G));
 }

@@ -26,11 +26,11 @@ Table nopd1d_table(unsigned horizon, unsigned order, std::optional<Rational> G =
 }
 
 /// numerator/denominator from coefficients in ascending powers of G.
-RationalFunction function(std::vector<Rational> numerator, std::vector<Rational> denominator) {
+ExactFunction function(std::vector<Rational> numerator, std::vector<Rational> denominator) {
     return reduce(Polynomial(std::move(numerator)), Polynomial(std::move(denominator)));
 }
 
-RationalFunction number(const Rational& value) {
+ExactFunction number(const Rational& value) {
     return to_rational_function(constant(value));
 }
 

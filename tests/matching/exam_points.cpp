@@ -225,7 +225,7 @@ TEST_CASE("the proof sees the 29th digit, a wrong closed form, and a wave that g
     wrong = derive(chain(3, {part_of_pi(Rational(1, 3), 1), part_of_pi(Rational(2, 3), 1)}));
     wrong.closed_c.clear();
     wrong.closed_b.clear();
-    const auto set = [](std::vector<RationalFunction>& list, const std::vector<int>& values) {
+    const auto set = [](std::vector<ExactFunction>& list, const std::vector<int>& values) {
         for (std::size_t j = 0; j < values.size(); ++j) {
             list[j] = reduce(constant(values[j]), constant(1));
         }

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "tools/nmbcrun/chart/ladder.hpp"
+#include "tools/nmbcrun/chart/boundaries.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/scene/table_file.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
@@ -294,13 +294,13 @@ TEST_CASE("the scene's own come first, and those of its lattice alone are looked
     CHECK(uncertified_file(scene, table_of(scene, {.order = 1})) == nullptr);
     CHECK(uncertified_file(scene, table_of(scene, {.order = 2, .stride = 2})) ==
           scene.own_tables.front().get());
-    std::string rungs;
-    for (const Rung& rung : ladder(scene)) {
-        rungs += rung.name + ", ";
+    std::string all;
+    for (const NamedBoundary& one : boundaries_of(scene)) {
+        all += one.name + ", ";
     }
-    CHECK_MESSAGE(rungs.starts_with("fixed, free, NMBC2 s2, NMBC1 s1, higdon 1"), rungs);
-    CHECK_MESSAGE(rungs.find("mbc") == std::string::npos, rungs);  // knows constant influence alone
-    scene.G = 0.9;                                                 // they are for G = 1
+    CHECK_MESSAGE(all.starts_with("fixed, free, NMBC2 s2, NMBC1 s1, higdon 1"), all);
+    CHECK_MESSAGE(all.find("mbc") == std::string::npos, all);  // knows constant influence alone
+    scene.G = 0.9;                                             // they are for G = 1
     CHECK(names().empty());
     CHECK_THROWS_WITH_AS(
         table_of(scene, {.order = 3}),

@@ -60,7 +60,7 @@ TEST_CASE("never worse than the certified standard conditions, and certified its
         CHECK(standards == std::max(2 * aim.what.horizon, 4U));
         const HalfSpace half_space = make_half_space(derive(best->what), *best->what.stabilisation);
         CHECK(stability_grade(half_space) != Grade::none);
-        CHECK(largest_cfl(half_space, GhostLevel::midpoint) == best->certified_cfl);
+        CHECK(largest_cfl(half_space, GhostRule::midpoint) == best->certified_cfl);
         CHECK(mean_of(best->what, aim.band) == best->mean);
         CHECK(best->largest >= best->mean);
     }

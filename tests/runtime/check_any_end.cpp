@@ -20,10 +20,8 @@ namespace {
 using nmbc::GhostRule;
 using nmbc::MatchingTable;
 using nmbc::Opposite;
-using nmbcgen::ChainEnd;
-using nmbcgen::EndKind;
-using nmbcgen::GhostLevel;
 using nmbcgen::HalfSpace;
+using nmbcgen::LatticeEnd;
 using nmbcgen::Rational;
 
 /// A matching end in steps of a cfl, and the two ends that keep the energy, of one lattice.
@@ -37,7 +35,8 @@ struct Ends {
 Ends ends_at(const MatchingTable& table, const Rational& G, double cfl) {
     const HalfSpace h = make_half_space(nmbcgen::test::read_table(table), G);
     const double time_step = 2 * cfl / maximum_frequency(h);
-    return {time_step, {EndKind::matching, stepped(h, time_step)}, fixed_end(h), free_end(h)};
+    return {
+        time_step, {LatticeEnd::Kind::matching, stepped(h, time_step)}, fixed_end(h), free_end(h)};
 }
 
 /// The largest spectral radius of chains of 60 and 61 nodes between such ends.
@@ -45,7 +44,7 @@ double radius(const Ends& ends, const ChainEnd& opposite) {
     double largest = 0;
     for (const std::size_t nodes : {60U, 61U}) {
         largest = std::max(largest, spectral_radius(ends.matching, opposite, nodes, ends.time_step,
-                                                    GhostLevel::midpoint));
+                                                    GhostRule::midpoint));
     }
     return largest;
 }

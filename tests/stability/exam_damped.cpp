@@ -16,7 +16,7 @@
 
 namespace {
 
-using nmbcgen::GhostLevel;
+using nmbc::GhostRule;
 using nmbcgen::HalfSpace;
 using nmbcgen::Rational;
 using nmbcgen::test::relative;
@@ -194,11 +194,11 @@ TEST_CASE("in steps the interior's own limit is that of the quadratic in zeta") 
 TEST_CASE("at the largest cfl a damped chain does not grow, and a tenth above it can") {
     for (const Damped& what : {examples[2], examples[4], examples[6]}) {
         const HalfSpace h = half_space(what);
-        const double cfl = largest_cfl(h, GhostLevel::midpoint);
-        const nmbcgen::ChainEnd end{nmbcgen::EndKind::matching, h};
+        const double cfl = largest_cfl(h, GhostRule::midpoint);
+        const nmbcgen::LatticeEnd end{nmbcgen::LatticeEnd::Kind::matching, h};
         const auto radius_at = [&](double part, std::size_t nodes) {
             const double time_step = 2 * part * cfl / nmbcgen::maximum_frequency(h);
-            return spectral_radius(end, end, nodes, time_step, GhostLevel::midpoint);
+            return spectral_radius(end, end, nodes, time_step, GhostRule::midpoint);
         };
         CHECK(cfl > 0.15);
         for (const std::size_t nodes : {100U, 101U}) {

@@ -20,7 +20,6 @@
 namespace {
 
 using nmbc::GhostRule;
-using nmbcgen::GhostLevel;
 using nmbcgen::ModalFailure;
 using nmbcgen::test::Boundary;
 using nmbcgen::test::relative;
@@ -99,8 +98,8 @@ double measured_growth(nmbc::Chain chain, double expected) {
 
 /// ln |z| / dt of the largest eigenvalue z of the finite chain's one-step map.
 double spectral_growth(const nmbcgen::HalfSpace& h, std::size_t nodes, double time_step,
-                       GhostLevel level) {
-    const nmbcgen::ChainEnd end{nmbcgen::EndKind::matching, h};
+                       GhostRule level) {
+    const nmbcgen::LatticeEnd end{nmbcgen::LatticeEnd::Kind::matching, h};
     return std::log(nmbcgen::spectral_radius(end, end, nodes, time_step, level)) / time_step;
 }
 
@@ -147,7 +146,7 @@ TEST_CASE("amplified waves grow at the rate of the finite chain's largest eigenv
         const double time_step = 0.2 * 2 / nmbcgen::maximum_frequency(h);
         for (const std::size_t nodes : each.lengths) {
             CAPTURE(nodes);
-            const double predicted = spectral_growth(h, nodes, time_step, GhostLevel::midpoint);
+            const double predicted = spectral_growth(h, nodes, time_step, GhostRule::midpoint);
             const double measured = measured_growth(
                 random_chain(boundary, nodes, time_step, GhostRule::midpoint), predicted);
             CHECK(measured == relative(predicted, tolerance));
@@ -160,14 +159,14 @@ TEST_CASE("NMBC1 against a fixed end grows at the rate of the finite chain's lar
     for (const Boundary& boundary : {Boundary{1, 1, 1, 0.1}, Boundary{3, 1, 1, 1}}) {
         CAPTURE(boundary.horizon);
         const auto h = half_space(boundary);
-        const nmbcgen::ChainEnd matching{nmbcgen::EndKind::matching, h};
-        const nmbcgen::ChainEnd fixed = nmbcgen::fixed_end(h);
+        const nmbcgen::LatticeEnd matching{nmbcgen::LatticeEnd::Kind::matching, h};
+        const nmbcgen::LatticeEnd fixed = nmbcgen::fixed_end(h);
         CHECK(nmbcgen::round_trip_verdict(matching, matching).failure == ModalFailure::none);
         CHECK(nmbcgen::round_trip_verdict(matching, fixed).failure == ModalFailure::amplified_wave);
         constexpr std::size_t nodes = 40;
         const double time_step = 0.2 * 2 / nmbcgen::maximum_frequency(h);
         const double radius =
-            nmbcgen::spectral_radius(matching, fixed, nodes, time_step, GhostLevel::midpoint);
+            nmbcgen::spectral_radius(matching, fixed, nodes, time_step, GhostRule::midpoint);
         const double predicted = std::log(radius) / time_step;
         REQUIRE(predicted > 1e-4);
         const auto& table = committed_table(boundary);
@@ -189,8 +188,8 @@ TEST_CASE("explicit ghosts grow at the rate of the finite chain's largest eigenv
         const auto h = half_space(boundary);
         const double time_step = 0.1 * 2 / nmbcgen::maximum_frequency(h);
         // The double eigenvalue 1 of a constant and of a uniform velocity splits by roundings.
-        CHECK(spectral_growth(h, nodes, time_step, GhostLevel::midpoint) < 1e-9);
-        const double predicted = spectral_growth(h, nodes, time_step, GhostLevel::old);
+        CHECK(spectral_growth(h, nodes, time_step, GhostRule::midpoint) < 1e-9);
+        const double predicted = spectral_growth(h, nodes, time_step, GhostRule::explicit_rule);
         const double measured = measured_growth(
             random_chain(boundary, nodes, time_step, GhostRule::explicit_rule), predicted);
         CHECK(measured == relative(predicted, tolerance));
@@ -220,8 +219,8 @@ TEST_CASE("a boundary with C(1) = 0 lets a constant grow like t^2") {
     chain.displacement().front() += disturbance;
     chain.displacement().back() += disturbance;
 
-    const nmbcgen::ChainEnd end{nmbcgen::EndKind::matching, h};
-    const auto map = nmbcgen::one_step_map(end, end, nodes, time_step, GhostLevel::midpoint);
+    const nmbcgen::LatticeEnd end{nmbcgen::LatticeEnd::Kind::matching, h};
+    const auto map = nmbcgen::one_step_map(end, end, nodes, time_step, GhostRule::midpoint);
     const Eigen::MatrixXd difference = map - Eigen::MatrixXd::Identity(map.rows(), map.cols());
     const Eigen::MatrixXd left = Eigen::FullPivLU<Eigen::MatrixXd>(difference.transpose())
                                      .setThreshold(1e-9)  // roundings; the next is above 1e-6

@@ -12,26 +12,25 @@
 
 namespace {
 
-using nmbcgen::ChainEnd;
-using nmbcgen::EndKind;
 using nmbcgen::HalfSpace;
+using nmbcgen::LatticeEnd;
 using nmbcgen::ModalFailure;
 using nmbcgen::Rational;
 
-ChainEnd matching(unsigned horizon, unsigned order, unsigned stride, const Rational& G) {
-    return {EndKind::matching,
+LatticeEnd matching(unsigned horizon, unsigned order, unsigned stride, const Rational& G) {
+    return {LatticeEnd::Kind::matching,
             make_half_space(nmbcgen::derive({"nopd1d", horizon, order, stride, std::nullopt}), G)};
 }
 
 /// The fastest growth [c/dX] of chains of these lengths: ln rho / dt of the one-step map at a
 /// step so small that it is stable wherever the chain in continuous time is.
-double growth(const ChainEnd& left, const ChainEnd& right,
+double growth(const LatticeEnd& left, const LatticeEnd& right,
               std::initializer_list<std::size_t> lengths) {
     constexpr double time_step = 0.1;
     double largest = 0;
     for (const std::size_t nodes : lengths) {
         const double rho =
-            nmbcgen::spectral_radius(left, right, nodes, time_step, nmbcgen::GhostLevel::midpoint);
+            nmbcgen::spectral_radius(left, right, nodes, time_step, nmbc::GhostRule::midpoint);
         largest = std::max(largest, std::log(rho) / time_step);
     }
     return largest;
@@ -55,7 +54,8 @@ TEST_CASE("like ends: the verdict is modal_verdict's") {
         CAPTURE(known.horizon);
         CAPTURE(known.order);
         CAPTURE(known.G);
-        const ChainEnd end = matching(known.horizon, known.order, known.stride, Rational(known.G));
+        const LatticeEnd end =
+            matching(known.horizon, known.order, known.stride, Rational(known.G));
         const auto modal = nmbcgen::modal_verdict(end.half_space);
         const auto pair = nmbcgen::round_trip_verdict(end, end);
         CHECK(pair.failure == modal.failure);
@@ -74,7 +74,7 @@ TEST_CASE("fixed and free ends keep the energy flux") {
         const HalfSpace lattice = matching(horizon, 1, 1, Rational(G)).half_space;
         for (const double part : {0.1, 0.4, 0.7, 0.95}) {
             const double omega = part * nmbcgen::maximum_frequency(lattice);
-            for (const ChainEnd& end : {fixed_end(lattice), free_end(lattice)}) {
+            for (const LatticeEnd& end : {fixed_end(lattice), free_end(lattice)}) {
                 const Eigen::MatrixXcd R = nmbcgen::reflection(end, omega).matrix;
                 const Eigen::MatrixXcd flux = R.adjoint() * R;
                 // The roundings of k, and a Vandermonde system of up to 6.
@@ -97,8 +97,8 @@ TEST_CASE("NMBC1, stable with its like, against a fixed end") {
          {Known{1, 0.1, 4e-4}, Known{3, 1, 5e-4}, Known{1, 0.5, 0}, Known{1, 2, 0}}) {
         CAPTURE(known.horizon);
         CAPTURE(known.G);
-        const ChainEnd end = matching(known.horizon, 1, 1, Rational(known.G));
-        const ChainEnd fixed = fixed_end(end.half_space);
+        const LatticeEnd end = matching(known.horizon, 1, 1, Rational(known.G));
+        const LatticeEnd fixed = fixed_end(end.half_space);
         const auto verdict = nmbcgen::round_trip_verdict(end, fixed);
         CHECK(nmbcgen::round_trip_verdict(end, end).failure == ModalFailure::none);
         CHECK(nmbcgen::round_trip_verdict(fixed, end).amplification ==
@@ -119,11 +119,11 @@ TEST_CASE("verdicts agree with chains of several lengths") {
     for (const Condition& known :
          {Condition{1U, 2U, 1U, 0.1}, Condition{1U, 2U, 1U, 0.5}, Condition{1U, 2U, 1U, 0.9},
           Condition{2U, 2U, 2U, 0.5}, Condition{2U, 2U, 2U, 1.0}, Condition{2U, 2U, 2U, 2.5}}) {
-        const ChainEnd first = matching(known.horizon, 1, 1, Rational(known.G));
-        const ChainEnd second =
+        const LatticeEnd first = matching(known.horizon, 1, 1, Rational(known.G));
+        const LatticeEnd second =
             matching(known.horizon, known.order, known.stride, Rational(known.G));
-        const std::vector<ChainEnd> ends{first, second, fixed_end(first.half_space),
-                                         free_end(first.half_space)};
+        const std::vector<LatticeEnd> ends{first, second, fixed_end(first.half_space),
+                                           free_end(first.half_space)};
         for (std::size_t i = 0; i < ends.size(); ++i) {
             for (std::size_t j = i; j < ends.size(); ++j) {
                 CAPTURE(known.horizon);
@@ -142,14 +142,14 @@ TEST_CASE("verdicts agree with chains of several lengths") {
 }
 
 TEST_CASE("in time steps") {
-    const ChainEnd first = matching(1, 1, 1, Rational(1) / 2);
-    const ChainEnd second = matching(1, 2, 1, Rational(1) / 2);
+    const LatticeEnd first = matching(1, 1, 1, Rational(1) / 2);
+    const LatticeEnd second = matching(1, 2, 1, Rational(1) / 2);
     const double top = nmbcgen::maximum_frequency(first.half_space);
     // Against themselves they are stable up to cfl = .98 and .70 (exam_discrete.cpp).
     for (const double cfl : {0.5, 0.65, 0.75, 0.9}) {
         const double dt = 2 * cfl / top;
-        const auto stepped = [&](const ChainEnd& end) {
-            return ChainEnd{end.kind, nmbcgen::stepped(end.half_space, dt)};
+        const auto stepped = [&](const LatticeEnd& end) {
+            return LatticeEnd{end.kind, nmbcgen::stepped(end.half_space, dt)};
         };
         for (const auto& [left, right] :
              {std::pair{first, second}, std::pair{second, fixed_end(first.half_space)},
@@ -161,7 +161,7 @@ TEST_CASE("in time steps") {
             double rho = 0;
             for (const std::size_t nodes : {std::size_t{30}, std::size_t{61}}) {
                 rho = std::max(rho, nmbcgen::spectral_radius(left, right, nodes, dt,
-                                                             nmbcgen::GhostLevel::midpoint));
+                                                             nmbc::GhostRule::midpoint));
             }
             CHECK((verdict.failure == ModalFailure::none) == (rho < 1 + dt * no_growth));
         }
@@ -171,15 +171,15 @@ TEST_CASE("in time steps") {
 TEST_CASE("two contractive ends are stable together") {
     int pairs = 0;
     for (const double G : {0.3, 0.5, 0.9}) {
-        std::vector<ChainEnd> ends;
+        std::vector<LatticeEnd> ends;
         for (const unsigned order : {1U, 2U, 3U}) {
             ends.push_back(matching(1, order, 1, Rational(G)));
             if (!nmbcgen::modal_verdict(ends.back().half_space).contractive) {
                 ends.pop_back();
             }
         }
-        for (const ChainEnd& left : ends) {
-            for (const ChainEnd& right : ends) {
+        for (const LatticeEnd& left : ends) {
+            for (const LatticeEnd& right : ends) {
                 ++pairs;
                 CHECK(nmbcgen::round_trip_verdict(left, right).failure == ModalFailure::none);
                 CHECK(growth(left, right, {31, 60}) < no_growth);
@@ -191,8 +191,8 @@ TEST_CASE("two contractive ends are stable together") {
 
 /// Both ends in steps of this cfl.
 struct SteppedPair {
-    ChainEnd left;
-    ChainEnd right;
+    LatticeEnd left;
+    LatticeEnd right;
     double time_step;
 };
 
@@ -207,10 +207,11 @@ std::vector<SteppedPair> damped_pairs(unsigned horizon, unsigned order, const Ra
     const HalfSpace first = half_space(order, horizon);
     const double time_step = 2 * cfl / nmbcgen::maximum_frequency(first);
     const auto stepped = [&](const HalfSpace& h) { return nmbcgen::stepped(h, time_step); };
-    const ChainEnd own{EndKind::matching, stepped(first)};
+    const LatticeEnd own{LatticeEnd::Kind::matching, stepped(first)};
     std::vector<SteppedPair> pairs;
-    for (const ChainEnd& other : {own, ChainEnd{EndKind::matching, stepped(half_space(1, 1))},
-                                  fixed_end(stepped(first)), free_end(stepped(first))}) {
+    for (const LatticeEnd& other :
+         {own, LatticeEnd{LatticeEnd::Kind::matching, stepped(half_space(1, 1))},
+          fixed_end(stepped(first)), free_end(stepped(first))}) {
         pairs.push_back({own, other, time_step});
     }
     return pairs;
@@ -235,9 +236,8 @@ TEST_CASE("damped: what the verdict lets pass does not grow, in short chains eit
                     const auto verdict = nmbcgen::round_trip_verdict(pair.left, pair.right, nodes);
                     CHECK(nmbcgen::round_trip_verdict(pair.right, pair.left, nodes).failure ==
                           verdict.failure);
-                    const double rho =
-                        nmbcgen::spectral_radius(pair.left, pair.right, nodes, pair.time_step,
-                                                 nmbcgen::GhostLevel::midpoint);
+                    const double rho = nmbcgen::spectral_radius(
+                        pair.left, pair.right, nodes, pair.time_step, nmbc::GhostRule::midpoint);
                     const bool grows = rho > 1 + pair.time_step * no_growth;
                     CAPTURE(verdict.amplification);
                     CAPTURE(rho);
@@ -278,8 +278,8 @@ TEST_CASE("damped: longer chains are amplified less, and the mirror image makes 
 
 TEST_CASE("ends of a damped chain are of one lattice, in one time step, with a length") {
     const auto pairs = damped_pairs(1, 1, Rational(1, 50), Rational(1, 2), 0.5);
-    const ChainEnd& end = pairs[0].left;
-    const auto refused = [&end](const ChainEnd& other, std::size_t nodes, const char* text) {
+    const LatticeEnd& end = pairs[0].left;
+    const auto refused = [&end](const LatticeEnd& other, std::size_t nodes, const char* text) {
         CHECK_THROWS_WITH_AS(nmbcgen::round_trip_verdict(end, other, nodes),
                              doctest::Contains(text), std::invalid_argument);
     };
@@ -287,15 +287,15 @@ TEST_CASE("ends of a damped chain are of one lattice, in one time step, with a l
     refused(matching(1, 1, 1, Rational(1, 2)), 60, "different lattices");
     refused(damped_pairs(1, 1, Rational(1, 40), Rational(1, 2), 0.5)[0].left, 60,
             "different lattices");
-    refused({EndKind::matching, nmbcgen::stepped(end.half_space, 0.1)}, 60, "time steps");
-    const ChainEnd fast{EndKind::matching, nmbcgen::stepped(end.half_space, 1.5)};
+    refused({LatticeEnd::Kind::matching, nmbcgen::stepped(end.half_space, 0.1)}, 60, "time steps");
+    const LatticeEnd fast{LatticeEnd::Kind::matching, nmbcgen::stepped(end.half_space, 1.5)};
     CHECK_THROWS_WITH_AS(nmbcgen::round_trip_verdict(fast, fast, 60), doctest::Contains("interior"),
                          std::invalid_argument);
 }
 
 TEST_CASE("an end that grows by itself is named") {
-    const ChainEnd good = matching(2, 1, 1, 1);
-    const ChainEnd bad = matching(2, 2, 1, 1);  // the paper's scalar criterion holds there
+    const LatticeEnd good = matching(2, 1, 1, 1);
+    const LatticeEnd bad = matching(2, 2, 1, 1);  // the paper's scalar criterion holds there
     for (const bool left : {true, false}) {
         const auto verdict =
             left ? nmbcgen::round_trip_verdict(bad, good) : nmbcgen::round_trip_verdict(good, bad);
@@ -303,7 +303,8 @@ TEST_CASE("an end that grows by itself is named") {
         CHECK(verdict.left == left);
         CHECK(verdict.growth.real() > 0.1);
     }
-    const ChainEnd radiating = matching(1, 2, 1, 2);  // an outgoing wave that needs no incident one
+    const LatticeEnd radiating =
+        matching(1, 2, 1, 2);  // an outgoing wave that needs no incident one
     CHECK(nmbcgen::round_trip_verdict(free_end(radiating.half_space), radiating).failure ==
           ModalFailure::resonance);
     CHECK_THROWS_AS(nmbcgen::round_trip_verdict(good, radiating), std::invalid_argument);

@@ -216,9 +216,9 @@ TEST_CASE("every window, its edges and what fails beyond them") {
 
 /// c_j are those of NMBC1 at n = 1, b_j those times the factor: s (1 + k) = 2 factor (k - 1), where
 /// every |k| < 1 has Re s < 0 and, the band being monotone above G = 1/4, |R| <= 1.
-Table scaled_nmbc1(const nmbcgen::RationalFunction& factor) {
+Table scaled_nmbc1(const nmbcgen::ExactFunction& factor) {
     Table table = nmbcgen::derive({"nopd1d", 1, 1, 1, std::nullopt});
-    for (nmbcgen::RationalFunction& b : table.b) {
+    for (nmbcgen::ExactFunction& b : table.b) {
         b = nmbcgen::reduce(over_rationals(b.numerator) * over_rationals(factor.numerator),
                             over_rationals(b.denominator) * over_rationals(factor.denominator));
     }

@@ -53,13 +53,12 @@ std::vector<Integer> split(std::string_view text) {
     return integers;
 }
 
-RationalFunction make_function(const std::vector<Integer>& top,
-                               const std::vector<Integer>& bottom) {
+ExactFunction make_function(const std::vector<Integer>& top, const std::vector<Integer>& bottom) {
     for (const auto* list : {&top, &bottom}) {
         require(!list->empty() && (list->size() == 1 || list->back() != 0),
                 "the leading coefficient is not zero");
     }
-    RationalFunction function{IntegerPolynomial(top), IntegerPolynomial(bottom)};
+    ExactFunction function{IntegerPolynomial(top), IntegerPolynomial(bottom)};
     require(!function.denominator.is_zero(), "a denominator");
     require(reduce(over_rationals(function.numerator), over_rationals(function.denominator)) ==
                 function,
@@ -67,17 +66,17 @@ RationalFunction make_function(const std::vector<Integer>& top,
     return function;
 }
 
-Polynomial to_polynomial(const RationalFunction& function) {
+Polynomial to_polynomial(const ExactFunction& function) {
     require(function.denominator.size() == 1, "a polynomial");
     return over_rationals(function.numerator) * constant(1 / Rational(function.denominator[0]));
 }
 
-RationalFunction read_function(const nmbc::RationalFunction& function) {
+ExactFunction read_function(const nmbc::RationalFunction& function) {
     return make_function(split(function.numerator), split(function.denominator));
 }
 
 /// {"num": [..], "den": [..]}, or "p/q" in a table at a fixed G.
-RationalFunction read_function(const Json& json) {
+ExactFunction read_function(const Json& json) {
     if (json.is_string()) {
         return to_rational_function(constant(read_rational(json.get<std::string>())));
     }
@@ -93,8 +92,8 @@ RationalFunction read_function(const Json& json) {
 }
 
 template <class List>
-std::vector<RationalFunction> read_functions(const List& list) {
-    std::vector<RationalFunction> result;
+std::vector<ExactFunction> read_functions(const List& list) {
+    std::vector<ExactFunction> result;
     for (const auto& item : list) {
         result.push_back(read_function(item));
     }
@@ -120,7 +119,7 @@ std::vector<Rational> read_numbers(const List& list) {
     return result;
 }
 
-EnergySquare read_square(const nmbc::EnergySquare& square) {
+ExactSquare read_square(const nmbc::EnergySquare& square) {
     const Integer divisor = read_integer(std::string(square.divisor));
     require(divisor > 0, "a positive divisor");
     Integer content = divisor;
@@ -130,12 +129,10 @@ EnergySquare read_square(const nmbc::EnergySquare& square) {
         stencil.emplace_back(entry, divisor);
     }
     require(content == 1, "stencil and divisor without common factor");
-    return {
-        square.part == nmbc::EnergyPart::strain ? EnergyPart::strain : EnergyPart::stabilisation,
-        to_polynomial(read_function(square.weight)), std::move(stencil)};
+    return {square.part, to_polynomial(read_function(square.weight)), std::move(stencil)};
 }
 
-EnergySquare read_square(const Json& json) {
+ExactSquare read_square(const Json& json) {
     require(json.size() == 3, "part, weight and stencil");
     std::vector<Rational> stencil;
     for (const Json& entry : json.at("stencil")) {
@@ -149,8 +146,8 @@ EnergySquare read_square(const Json& json) {
 }
 
 template <class List>
-std::vector<EnergySquare> read_energy(const List& list) {
-    std::vector<EnergySquare> result;
+std::vector<ExactSquare> read_energy(const List& list) {
+    std::vector<ExactSquare> result;
     for (const auto& item : list) {
         result.push_back(read_square(item));
     }

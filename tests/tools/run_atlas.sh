@@ -5,7 +5,7 @@
 # Usage: run_atlas.sh STABILITY_ATLAS SOURCE_FOLDER (absolute)
 source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
 stability_atlas=$program
-program=$2/tools/atlas
+program=$2/tools/scripts/atlas
 
 try "$stability_atlas" --horizon 2 --points 31 --out out
 expect_exit 0

@@ -9,7 +9,7 @@ document=$source/docs/evidence/paper-1d.md
 nmbcrun=$program
 
 # Arguments first: they are told apart from a program that failed.
-program=$source/tools/paper-1d
+program=$source/tools/scripts/paper-1d
 # refuses CODE TEXT ARGUMENT..
 refuses() {
     local expected=$1 text=$2
@@ -45,7 +45,7 @@ for name in bash dirname sed awk cat cut paste tee wc mkdir; do
     ln -s "$(type -P "$name")" "$scratch/bin/$name"
 done
 program=$(command -v env)
-bare=("PATH=$scratch/bin" "$source/tools/paper-1d" --nmbcrun "$nmbcrun" --out results)
+bare=("PATH=$scratch/bin" "$source/tools/scripts/paper-1d" --nmbcrun "$nmbcrun" --out results)
 refuses 2 "gnuplot is missing: install it (tools/scripts/setup), or take --tables" "${bare[@]}" fig7
 ln -s "$(type -P true)" "$scratch/bin/gnuplot"
 refuses 2 "h5dump is missing" "${bare[@]}" fig7 spacetime
@@ -64,7 +64,7 @@ expect "no pictures" test -z "$(find results -name '*.svg' -o -name '*.png')"
 rm -r results
 
 # A folder that cannot be made, a program that fails, a folder of any name.
-program=$source/tools/paper-1d
+program=$source/tools/scripts/paper-1d
 touch file
 try fig7 --nmbcrun "$nmbcrun" --out file/results
 expect_exit 5

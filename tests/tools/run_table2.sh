@@ -8,12 +8,12 @@ set -euo pipefail
 for bad in --bad /nowhere/nmbcrun "$1 again"; do
     code=0
     # shellcheck disable=SC2086  # the last one is two arguments
-    "$2/tools/table2" $bad 2>/dev/null || code=$?
+    "$2/tools/scripts/table2" $bad 2>/dev/null || code=$?
     [ "$code" -eq 2 ] || { echo "table2 $bad: exit code $code, not 2"; exit 1; }
 done
-"$2/tools/table2" --help | grep -q '^Usage: tools/scripts/table2'
+"$2/tools/scripts/table2" --help | grep -q '^Usage: tools/scripts/table2'
 
-table=$("$2/tools/table2" "$1")
+table=$("$2/tools/scripts/table2" "$1")
 echo "$table"
 # 10 %: the earlier figures have one or two digits.
 awk -F'|' '

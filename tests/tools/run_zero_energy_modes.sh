@@ -30,7 +30,7 @@ expect_exit 2
 expect_stderr "is not a field of nmbcrun"
 rm waves.csv spectrum.csv
 
-program=$2/tools/zero_energy_modes
+program=$2/tools/scripts/zero_energy_modes
 for bad in "" --bad "out /nowhere/nmbcrun" "out $nmbcrun again"; do
     # shellcheck disable=SC2086  # several arguments, or none
     try $bad

@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <chrono>
 #include <cstddef>
 #include <ctime>
@@ -17,6 +18,8 @@
 #include <vector>
 
 namespace {
+
+using boost::math::statistics::median;
 
 constexpr double G = 0.9;
 constexpr std::size_t memory_nodes = 10'000'000;
@@ -55,12 +58,6 @@ double seconds(const Clock& clock, const Work& work) {
     const double start = clock();
     work();
     return clock() - start;
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
 }
 
 /// Times one work and another turn by turn; the medians of the first one's times and of the

@@ -5,10 +5,12 @@
 #include <iostream>
 #include <new>
 #include <nmbc/coefficients.hpp>
+#include <optional>
 #include <system_error>
 
 #include "tools/nmbcrun/advise/advise.hpp"
 #include "tools/nmbcrun/chart/chart.hpp"
+#include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/run.hpp"
 #include "tools/nmbcrun/scene/printable.hpp"
@@ -34,8 +36,9 @@ struct Arguments {
     std::string folder = "results";
     bool quiet = false;
     double tolerance = 0;
-    std::size_t endurance = 1'000'000;
+    std::optional<std::size_t> long_run;
     bool resume = false;
+    bool plot = false;
 };
 
 /// Read while a signal still ends the program: a pipe that nobody writes into is waited for.
@@ -135,6 +138,9 @@ int main(int argc, char** argv) {
         ->check(not_empty);
     auto* const resume = run->add_flag("--resume", arguments.resume,
                                        "go on from the checkpoint of a run that was stopped");
+    run->add_flag("--plot", arguments.plot,
+                  "draw the energies, and the spectrum of the fields and the displacements over "
+                  "space and time where the scene writes them");
     run->add_option("--tolerance", arguments.tolerance,
                     "take the cheapest ends and time step that advise finds for it, instead of the "
                     "scene's ends")
@@ -152,8 +158,9 @@ int main(int argc, char** argv) {
     chart->add_option("--out", arguments.folder, "folder for the results (default results)")
         ->check(not_empty);
     chart
-        ->add_option("--endurance", arguments.endurance,
-                     "steps of the run that each boundary is followed through (default 1000000)")
+        ->add_option("--long-run", arguments.long_run,
+                     "steps that each boundary that could add energy is followed through, for its "
+                     "long-time stability (default 1000000, fewer above 500 nodes)")
         ->check(CLI::Range(std::size_t{4000}, std::size_t{1'000'000'000}));
     auto* const advise =
         add_command("advise", "the smallest model that meets a tolerance (docs/advise.md)");
@@ -177,6 +184,9 @@ int main(int argc, char** argv) {
                 scene = nmbcrun::as_advised(scene, arguments.tolerance, stop_where_interrupted);
             }
             nmbcrun::run(scene, {arguments.folder, arguments.quiet, arguments.resume});
+            if (arguments.plot) {
+                nmbcrun::draw_run(scene, arguments.folder);
+            }
             return done;
         });
     }
@@ -189,8 +199,8 @@ int main(int argc, char** argv) {
     }
     if (chart->parsed()) {
         return exit_code_of([&] {
-            nmbcrun::chart(scene_of(arguments), arguments.folder, arguments.endurance,
-                           arguments.quiet);
+            nmbcrun::chart(scene_of(arguments),
+                           {arguments.folder, arguments.long_run, arguments.quiet});
             return done;
         });
     }

@@ -76,7 +76,7 @@ class Run {
   public:
     Run(const Scene& scene, const RunOptions& options)
         : simulation_(scene),
-          ledger_(simulation_.chain()),
+          ledger_(simulation_.make_ledger()),
           quiet_(options.quiet),
           checkpoint_(options.folder / (scene.name + ".checkpoint")) {
         require_replaceable(checkpoint_);
@@ -103,8 +103,8 @@ class Run {
 
   private:
     const nmbc::Chain& chain() const { return simulation_.chain(); }
+    std::size_t next_stop() const;
     void step();
-    void record();
     void look_at(const Sample& sample);
     void keep_for_report(const Sample& sample);
     void advance();
@@ -133,14 +133,16 @@ Unstable Run::unstable(const std::string& what) const {
 }
 
 /// After its sources nothing feeds the chain any more: an energy that grows tenfold from there is
-/// as unstable as one that is not finite.
+/// as unstable as one that is not finite. Those overflow long before the fields do.
 void Run::look_at(const Sample& sample) {
     const double total = sample.energies.total();
+    if (!std::isfinite(total) || (simulation_.is_done() && !chain().is_finite())) {
+        throw unstable(chain().is_finite()
+                           ? fmt::format("the energy of {} is not finite", fastest_node(chain()))
+                           : name_of(chain().first_not_finite(), chain()) + " is not finite");
+    }
     highlights_.peak = std::max(highlights_.peak, total);
     highlights_.drift = std::max(highlights_.drift, std::abs(sample.balance.drift));
-    if (!std::isfinite(total)) {
-        throw unstable(fmt::format("the energy of {} is not finite", fastest_node(chain())));
-    }
     double& driven_peak = highlights_.driven_peak;
     if (simulation_.is_driven(chain().time())) {
         driven_peak = std::max(driven_peak, total);
@@ -162,26 +164,33 @@ void Run::keep_for_report(const Sample& sample) {
     }
 }
 
-void Run::record() {
-    const bool is_row = chain().steps() % simulation_.scene().every == 0 || simulation_.is_done();
-    if (!is_row && chain().steps() % look_every != 0) {
-        return;
+/// The next step at which anything is written or looked at.
+std::size_t Run::next_stop() const {
+    const Scene& scene = simulation_.scene();
+    std::size_t stop = simulation_.plan().steps;
+    for (const std::size_t every : {look_every, scene.every, scene.snapshots}) {
+        if (every > 0) {
+            stop = std::min(stop, (chain().steps() / every + 1) * every);
+        }
     }
-    const Sample sample{chain().time() - simulation_.plan().time_step / 2, simulation_.energies(),
-                        ledger_.balance(chain())};
-    if (is_row) {
-        keep_for_report(sample);
-        recorder_->record(sample, chain());
-    }
-    look_at(sample);
+    return stop;
 }
 
+/// On to the next stop. Many steps at once are faster than one by one, and the same bit for bit.
 void Run::step() {
-    simulation_.step(ledger_);
-    if (!chain().is_finite()) {
-        throw unstable(name_of(chain().first_not_finite(), chain()) + " is not finite");
+    simulation_.advance(next_stop() - chain().steps(), ledger_);
+    const std::size_t steps = chain().steps();
+    const bool is_row = steps % simulation_.scene().every == 0 || simulation_.is_done();
+    if (is_row || steps % look_every == 0) {
+        const auto energies = simulation_.energies();
+        const Sample sample{chain().time() - simulation_.plan().time_step / 2, energies,
+                            ledger_.balance(chain(), energies)};
+        if (is_row && std::isfinite(energies.total())) {
+            keep_for_report(sample);
+            recorder_->record(sample, chain());
+        }
+        look_at(sample);
     }
-    record();
     recorder_->look(chain());
 }
 

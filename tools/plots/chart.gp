@@ -1,108 +1,178 @@
 # SPDX-License-Identifier: MIT
 # What boundaries cost and how good they are, of nmbcrun chart's CSV:
-#     gnuplot -c tools/plots/chart.gp results/bar1d_chart.csv results/bar1d_chart
-# writes OUT.svg and OUT.png. Left: at cfl 0.4, what both ends add to a step against the error they
-# make; numbers are orders, with the stride of an nmbc, and widths of layers; open squares are what a
-# pml would cost if its nodes were no dearer than others. Right: whole runs at every cfl, against a
-# run without ends in fine steps. A line joins those that no other one beats in both respects;
-# crosses fail in a long run. What is off the scale is at its edge.
+#     gnuplot -c share/nmbc/plots/chart.gp results/bar1d_chart.csv results/bar1d_chart
+# writes OUT.svg and OUT.png. Left: in steps of one cfl, what both ends add to a step against the error
+# they make. Numbers are orders of Higdon's conditions and widths of layers, which thin lines join.
+# Right: whole runs at every cfl, against a run without ends in fine steps; its labels have the cfl. A
+# dotted line joins what nothing steady beats in both respects.
 if (ARGC != 2) {
     printerr "usage: gnuplot -c chart.gp CHART.csv OUT (writes OUT.svg and OUT.png)"
     exit status 2
 }
 set datafile separator comma
 set datafile columnheaders
-set datafile missing "none"
 
-kinds = "nmbc mbc higdon sponge pml exact extended fixed free"
-colours = "#0072b2 #56b4e9 #e69f00 #009e73 #d55e00 #000000 #888888 #bbbbbb #bbbbbb"
-shapes = "7 6 13 9 5 11 10 12 8"
+# The conditions there are, in the order of the file, and the cfl of the left panel.
+nmbc = ""
+steps = 0
+with(list, name) = strstrt(list, "," . name . ",") ? list : (list eq "" ? "," : list) . name . ","
+stats ARG1 using (nmbc = strcol("kind") eq "nmbc" ? with(nmbc, strcol("boundary")) : nmbc, \
+                  steps = column("cfl") > steps && column("cfl") < 0.401 ? column("cfl") : steps, 1) nooutput
+conditions = strlen(nmbc) - strlen(system("echo '" . nmbc . "' | tr -d ,")) - 1
+name_of(i) = system(sprintf("echo '%s' | cut -d, -f%d", nmbc, i + 1))
+array series[conditions]
+do for [i = 1:conditions] { series[i] = name_of(i) }
+others = "mbc higdon sponge pml extended exact free fixed"
+
+# Okabe and Ito's palette; blues for the orders of NMBC.
+blue(name) = word("#56b4e9 #0072b2 #00497a #332288", int(name[5:5]))
+shape(name) = name[8:8] eq "1" ? 7 : 15
+colours = "#cc79a7 #e69f00 #009e73 #d55e00 #666666 #000000 #bbbbbb #bbbbbb"
+shapes = "6 13 9 5 10 11 8 12"
 highest = 10.0
 lowest = 1e-10
 clip(error) = error > highest || error != error ? highest : error < lowest ? lowest : error
-failed(fate, error) = fate ne "steady" || !(error <= highest)
-least_cost = 0.1   # per cent: below it, a step with ends takes no longer than one without
+failed(outcome, error) = outcome ne "steady" || !(error <= highest)
+least_cost = 1.0   # per cent
 overhead(cost) = 100 * (cost - 1) > least_cost ? 100 * (cost - 1) : least_cost
-# "NMBC2 s1" is 2, "NMBC2 s4" 2 s4, "pml 20" 20; those of which there is one need no number.
-# "higdon 1" is NMBC1.
-label(kind, name) = kind eq "nmbc" ? (name[7:] eq "s1" ? name[5:5] : name[5:]) : \
-                    kind eq "sponge" || kind eq "pml" || (kind eq "higdon" && name ne "higdon 1") ? \
-                    word(name, 2) : ""
+is_shown(cfl) = abs(cfl - steps) < 1e-9
+number(kind, name) = kind eq "sponge" || kind eq "pml" || kind eq "higdon" || \
+                     (kind eq "extended" && words(name) == 2) ? word(name, 2) : ""
 
 set logscale xy
-set format "10^{%T}"
 set grid xtics ytics linetype 1 linecolor "#dddddd" linewidth 0.5
 set border 3
 set tics nomirror
-set key outside right top noenhanced samplen 1
+set key noenhanced samplen 1 Left reverse
 
+# Labels that would overlap one before them are left out. Distances in decades.
+add(x, y, text) = (xs = xs . sprintf(" %.4f", log10(x)), ys = ys . sprintf(" %.4f", log10(y)), captions = captions . text . ";", 1)
 do for [kind in "svg png"] {
     if (kind eq "svg") {
-        set terminal svg size 1200,560 font "sans,15" background "white"
+        set terminal svg size 1300,600 font "sans,15" background "white"
         small = ",11"
         set pointsize 0.6
     } else {
-        set terminal pngcairo size 2400,1120 fontscale 2 linewidth 2 font "sans,10"
+        set terminal pngcairo size 2600,1200 fontscale 2 linewidth 2 font "sans,10"
         small = ",7"
         set pointsize 0.9
     }
     set output sprintf("%s.%s", ARG2, kind)
-    set multiplot layout 1, 2
+    set multiplot
     do for [panel = 1:2] {
+        unset label
+        set xrange [*:*]
+        set yrange [*:*]
+        xs = ""
+        ys = ""
+        captions = ""
         if (panel == 1) {
-            set title "cost and error of the ends, cfl 0.4"
+            set title sprintf("cost and error of the ends, cfl %g", steps)
             set xlabel "added to a step by both ends [%]"
             set ylabel "error of the ends / max |u|"
+            set lmargin at screen 0.075
+            set rmargin at screen 0.44
             set key off
-            set yrange [lowest / 3:highest * 3]
+            stats ARG1 using (is_shown(column("cfl")) ? column("total_cost") / column("steps") : NaN) nooutput
+            from = least_cost / 1.5
+            to = 2 * overhead(STATS_max)
+            bottom = lowest / 3
             set format x "%g"
-            x(steps, total, cfl) = abs(cfl - 0.4) < 1e-9 ? overhead(total / steps) : NaN
-            error_column = "boundary_error"
-            front_column = "on_step_front"
+            set format y "10^{%T}"
+            set xtics add (sprintf("≤ %g", least_cost) least_cost)
+            set ytics add ("≥ 10" highest, "≤ 10^{-10}" lowest)
+            x(cost) = is_shown(column("cfl")) ? overhead(cost / column("steps")) : NaN
+            error = "boundary_error"
+            front = "on_step_front"
+            is_of_panel(cfl) = is_shown(cfl)
+            do for [labelled in "pml extended higdon sponge"] {
+                stats ARG1 using (strcol("kind") eq labelled && is_shown(column("cfl")) && column(error) < highest && \
+                    number(strcol("kind"), strcol("boundary")) ne "" ? \
+                    add(x(column("total_cost")), clip(column(error)), number(strcol("kind"), strcol("boundary"))) : 1) nooutput
+            }
+            apart_x = 0.2
+            apart_y = 0.45
         } else {
             set title "whole runs: ends and time steps"
             set xlabel "cost of the run [steps of the bare interior]"
             set ylabel "error / max |u|"
-            set key on
-            set yrange [*:highest * 3]
+            set lmargin at screen 0.545
+            set rmargin at screen 0.835
+            set key at screen 0.99, screen 0.93 right top
+            set ytics autofreq
+            set xtics autofreq
             set format x "10^{%T}"
-            x(steps, total, cfl) = total
-            error_column = "total_error"
-            front_column = "on_front"
+            set ytics add ("≥ 10" highest)
+            x(cost) = cost
+            error = "total_error"
+            front = "on_front"
+            is_of_panel(cfl) = 1
+            stats ARG1 using (column(front) == 1 && column(error) < 0.1 ? add(x(column("total_cost")), clip(column(error)), \
+                sprintf("%s, %g", strcol("boundary"), column("cfl"))) : 1) nooutput
+            stats ARG1 using (column("total_cost")):(column("total_error")) nooutput
+            from = STATS_min_x / 12
+            to = 2 * STATS_max_x
+            bottom = clip(STATS_min_y) / 3
+            apart_x = 9
+            apart_y = 0.2
         }
-        set xrange [*:*]
+        placed_x = ""
+        placed_y = ""
+        do for [i = 1:words(xs)] {
+            at_x = real(word(xs, i))
+            at_y = real(word(ys, i))
+            taken = 0
+            do for [j = 1:words(placed_x)] {
+                near_x = abs(at_x - real(word(placed_x, j))) < apart_x
+                near_y = abs(at_y - real(word(placed_y, j))) < apart_y
+                if (near_x && near_y) { taken = 1 }
+            }
+            if (!taken) {
+                placed_x = placed_x . sprintf(" %.4f", at_x)
+                placed_y = placed_y . sprintf(" %.4f", at_y)
+                caption = system(sprintf("echo '%s' | cut -d';' -f%d", captions, i))
+                if (panel == 1) {
+                    set label caption at 10 ** at_x, 10 ** at_y left offset character 0.6, 0.4 font small noenhanced front
+                } else {
+                    set label caption at 10 ** at_x, 10 ** at_y right offset character -0.7, -0.3 font small noenhanced front
+                }
+            }
+        }
         # By itself, as a line would end at each point that is not of it.
         set print $front
         print "cost,error"
         set print
         set table $front append separator comma
-        plot ARG1 using (x(column("steps"), column("total_cost"), column("cfl"))): \
-                        (clip(column(error_column))) with table \
-                  if (column(front_column) == 1 && (panel == 2 || abs(column("cfl") - 0.4) < 1e-9))
+        plot ARG1 using (x(column("total_cost"))):(clip(column(error))) with table if (column(front) == 1 && is_of_panel(column("cfl")))
         unset table
-        plot for [i = 1:words(kinds)] ARG1 \
-                 using (strcol("kind") eq word(kinds, i) && \
-                        !failed(strcol("fate"), column(error_column)) ? \
-                        x(column("steps"), column("total_cost"), column("cfl")) : NaN): \
-                       (clip(column(error_column))) \
+        set xrange [from:to]
+        set yrange [bottom:highest * 3]
+        here(name) = strcol("boundary") eq name && !failed(strcol("long_run"), column(error))
+        of_kind(name) = strcol("kind") eq name && !failed(strcol("long_run"), column(error))
+        plot for [name in "sponge pml extended"] ARG1 \
+                 using (panel == 1 && strcol("kind") eq name && words(strcol("boundary")) == 2 ? x(column("total_cost")) : NaN): \
+                       (clip(column(error))) \
+                 with lines linewidth 0.7 \
+                 linecolor rgb word(colours, name eq "sponge" ? 3 : name eq "pml" ? 4 : 5) notitle, \
+             for [i = 1:conditions] ARG1 using (here(series[i]) ? x(column("total_cost")) : NaN):(clip(column(error))) \
+                 with points pointtype shape(series[i]) linecolor rgb blue(series[i]) title series[i], \
+             for [i = 1:words(others)] ARG1 \
+                 using (of_kind(word(others, i)) ? x(column("total_cost")) : NaN):(clip(column(error))) \
                  with points pointtype int(word(shapes, i)) linecolor rgb word(colours, i) \
-                 title word(kinds, i), \
-             for [i = 1:words(kinds)] ARG1 \
-                 using (strcol("kind") eq word(kinds, i) && \
-                        failed(strcol("fate"), column(error_column)) ? \
-                        x(column("steps"), column("total_cost"), column("cfl")) : NaN): \
-                       (clip(column(error_column))) \
-                 with points pointtype 2 pointsize 0.9 linewidth 1.5 linecolor rgb word(colours, i) notitle, \
-             ARG1 using (panel == 1 && abs(column("cfl") - 0.4) < 1e-9 && strcol("kind") eq "pml" ? \
-                         100 * column("layer_share") : NaN):(clip(column(error_column))) \
-                 with points pointtype 4 pointsize 0.5 linecolor rgb word(colours, 5) notitle, \
-             ARG1 using (panel == 1 && column(error_column) < highest ? \
-                         x(column("steps"), column("total_cost"), column("cfl")) : NaN): \
-                       (clip(column(error_column))):(label(strcol("kind"), strcol("boundary"))) \
-                 with labels left offset character 0.7, 0.35 font small noenhanced notitle, \
-             $front using 1:2 \
-                 smooth unique with lines linecolor "#444444" dashtype 3 \
-                 title (panel == 2 ? "none better" : "")
+                 title word(others, i), \
+             ARG1 using (panel == 1 && is_shown(column("cfl")) && strcol("kind") eq "pml" ? \
+                         100 * column("layer_share") : NaN):(clip(column(error))) \
+                 with points pointtype 4 linecolor rgb word(colours, 4) title "nodes of a pml alone", \
+             for [i = 1:conditions] ARG1 \
+                 using (strcol("boundary") eq series[i] && !here(series[i]) ? x(column("total_cost")) : NaN): \
+                       (clip(column(error))) \
+                 with points pointtype 2 linewidth 1.5 linecolor rgb blue(series[i]) notitle, \
+             for [i = 1:words(others)] ARG1 \
+                 using (strcol("kind") eq word(others, i) && !of_kind(word(others, i)) ? x(column("total_cost")) : NaN): \
+                       (clip(column(error))) \
+                 with points pointtype 2 linewidth 1.5 linecolor rgb word(colours, i) notitle, \
+             keyentry with points pointtype 2 linewidth 1.5 linecolor "#444444" title "grows in a long run", \
+             $front using 1:2 smooth unique with lines linecolor "#444444" dashtype 3 title "none better"
     }
     unset multiplot
     set output

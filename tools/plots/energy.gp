@@ -1,25 +1,26 @@
 # SPDX-License-Identifier: MIT
 # The energy left in the chain against time, each curve over its own peak:
-#     gnuplot -c tools/plots/energy.gp results/bar1d results/bar1d.csv [CSV..]
+#     gnuplot -c share/nmbc/plots/energy.gp results/bar1d results/bar1d.csv NMBC1 [CSV TITLE ..]
 # writes results/bar1d.svg and results/bar1d.png. The CSV files are nmbcrun's.
-if (ARGC < 2) {
-    printerr "usage: gnuplot -c energy.gp OUT CSV.. (writes OUT.svg and OUT.png)"
+if (ARGC < 3 || ARGC % 2 == 0) {
+    printerr "usage: gnuplot -c energy.gp OUT CSV TITLE [CSV TITLE ..] (writes OUT.svg and OUT.png)"
     exit status 2
 }
 
 set datafile separator comma
 set datafile columnheaders
 
-# The scene's name: the file name without folder and suffix.
-name(path) = strstrt(path, "/") ? name(path[strstrt(path, "/") + 1:]) : \
-             path[strlen(path) - 3:] eq ".csv" ? path[:strlen(path) - 4] : path
-
-files = ARGC - 1
+files = (ARGC - 1) / 2
 array peak[files]
 do for [i = 1:files] {
-    stats ARGV[i + 1] using (column("total")) nooutput
+    file = ARGV[2 * i]
+    if (system(sprintf("test -r '%s' && echo yes || true", file)) ne "yes") {
+        printerr sprintf("energy.gp: cannot read %s", file)
+        exit status 2
+    }
+    stats file using (column("total")) nooutput
     if (STATS_max <= 0) {
-        printerr sprintf("energy.gp: no energy in %s", ARGV[i + 1])
+        printerr sprintf("energy.gp: no energy in %s", file)
         exit status 2
     }
     peak[i] = STATS_max
@@ -28,6 +29,8 @@ do for [i = 1:files] {
 set xlabel "time (unit of the scene)"
 set ylabel "energy / peak energy"
 set logscale y
+set format x "%g"
+set rmargin 4
 set format y "10^{%T}"
 set yrange [:2]
 set grid xtics ytics linetype 1 linecolor "#cccccc" linewidth 0.5
@@ -49,7 +52,7 @@ do for [kind in "svg png"] {
         set terminal pngcairo size 1600,1000 fontscale 2 linewidth 2 font "sans,12"
     }
     set output sprintf("%s.%s", ARG1, kind)
-    plot for [i = 1:files] ARGV[i + 1] using (column("time")):(column("total") / peak[i]) \
-         with lines title name(ARGV[i + 1])
+    plot for [i = 1:files] ARGV[2 * i] using (column("time")):(column("total") / peak[i]) \
+         with lines title ARGV[2 * i + 1]
     set output
 }

@@ -37,7 +37,7 @@ if (ARG1 eq "energy") {
 }
 if (ARG1 eq "spectrum") {
     x_name = "wave number ξ [1/dX]"
-    y_name = "power / largest power"
+    y_name = "power of u / largest power"
     set logscale y
     set format y "10^{%T}"
     set xrange [0:pi]

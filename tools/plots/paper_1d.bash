@@ -83,6 +83,19 @@ power() {
             }'
 }
 
+# envelope: the rows of power, each with the largest within 0.05/dX: curves that can be told apart.
+envelope() {
+    awk '{ xi[NR] = $1; power[NR] = $2 }
+        END {
+            for (i = 1; i <= NR; i++) {
+                largest = 0
+                for (j = 1; j <= NR; j++)
+                    if ((xi[j] - xi[i]) ^ 2 <= 0.0025 && power[j] > largest) largest = power[j]
+                print xi[i], largest
+            }
+        }'
+}
+
 # peaks: of the rows of power, those at xi >= 0.5/dX that are the largest within 0.3/dX on both sides,
 # 1e-6 or more.
 peaks() {

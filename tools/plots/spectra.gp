@@ -23,7 +23,7 @@ set border 3
 set tics nomirror
 set ytics 100
 set mytics 1
-set xtics 0.5
+set xtics ("0" 0, "π/4" pi / 4, "π/2" pi / 2, "3π/4" 3 * pi / 4, "π" pi)
 set grid ytics linetype 1 linecolor "#cccccc" linewidth 0.5
 # Told apart without colour vision too: Okabe and Ito's palette.
 set linetype 1 linecolor "#888888" linewidth 1
@@ -40,10 +40,10 @@ do for [n = 1:4] {
                 nohead dashtype 3 linecolor "#444444"
         }
     }
-    set xlabel n == 4 ? "xi in 1/dX" : ""
+    set xlabel n == 4 ? "wave number ξ [1/dX]" : ""
     do for [field in "u v"] {
         set yrange [1e-9:1e-2]
-        set ylabel sprintf("%s, n = %d", field, n)
+        set ylabel sprintf("amplitude of %s, n = %d", field eq "u" ? "u [dX]" : "v [dX / time unit]", n)
         name(stage) = sprintf("%s/n%d_%s_spectrum.csv", folder, n, stage)
         plot name("nmbc1_before") using 1:(column(field)) with lines linetype 1 \
                  title (n == 1 && field eq "u" ? "end of the drive" : ""), \

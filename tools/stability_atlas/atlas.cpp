@@ -2,18 +2,16 @@
 #include "tools/stability_atlas/atlas.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <future>
 #include <mutex>
 #include <set>
 #include <stdexcept>
-#include <thread>
 
 #include "generator/exact/algebraic_number.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/scalar.hpp"
+#include "generator/support/on_all_cores.hpp"
 
 namespace stability_atlas {
 
@@ -72,7 +70,7 @@ void predict(const HalfSpace& half_space, Point& point) {
     }
 }
 
-bool contains(const nmbcgen::Window& window, double G) {
+bool contains(const nmbcgen::ExactWindow& window, double G) {
     const Rational value(G);
     return compare(window.low, value) <= 0 && (!window.high || compare(*window.high, value) >= 0);
 }
@@ -109,11 +107,11 @@ double growth(const HalfSpace& half_space) {
     constexpr double cfl = 0.05;
     constexpr double least = 1e-7;
     const double time_step = 2 * cfl / maximum_frequency(half_space);
-    const nmbcgen::ChainEnd end{.half_space = half_space};
+    const nmbcgen::LatticeEnd end{.half_space = half_space};
     double rate = 0;
     for (const std::size_t nodes : {40U, 61U}) {
         const double radius =
-            spectral_radius(end, end, nodes, time_step, nmbcgen::GhostLevel::midpoint);
+            spectral_radius(end, end, nodes, time_step, nmbc::GhostRule::midpoint);
         rate = std::max(rate, std::log(radius) / time_step);
     }
     return rate < least ? 0 : rate;
@@ -130,30 +128,19 @@ std::vector<Method> atlas(const std::vector<unsigned>& horizons, unsigned points
         tables.push_back(nmbcgen::derive(specification));
     }
     std::vector<Method> methods(tables.size());
-    std::atomic<std::size_t> started = 0;
     std::mutex counting;
     std::size_t finished = 0;
-    const auto work = [&] {
-        // The last ones take longest.
-        for (std::size_t i = started++; i < tables.size(); i = started++) {
-            const std::size_t index = tables.size() - 1 - i;
-            const Table& table = tables[index];
-            Method& method = methods[index];
-            method = {table.specification, scalar_windows(table), modal_windows(table), {}};
-            for (unsigned step = 0; step < points; ++step) {
-                method.points.push_back(point_at(table, method, highest_G * step / (points - 1)));
-                const std::lock_guard lock(counting);
-                done(++finished);
-            }
+    nmbcgen::on_all_cores(tables.size(), [&](std::size_t i) {
+        const std::size_t index = tables.size() - 1 - i;  // the last ones take longest
+        const Table& table = tables[index];
+        Method& method = methods[index];
+        method = {table.specification, scalar_windows(table), modal_windows(table), {}};
+        for (unsigned step = 0; step < points; ++step) {
+            method.points.push_back(point_at(table, method, highest_G * step / (points - 1)));
+            const std::lock_guard lock(counting);
+            done(++finished);
         }
-    };
-    std::vector<std::future<void>> workers;
-    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) {
-        workers.push_back(std::async(std::launch::async, work));
-    }
-    for (std::future<void>& worker : workers) {
-        worker.get();  // throws what the worker threw
-    }
+    });
     return methods;
 }
 

@@ -27,7 +27,7 @@ struct Point {
 
 struct Method {
     nmbcgen::Specification specification;
-    std::vector<nmbcgen::Window> scalar;  ///< the paper's criterion
+    std::vector<nmbcgen::ExactWindow> scalar;  ///< the paper's criterion
     nmbcgen::ModalWindows windows;
     std::vector<Point> points;
 };

@@ -66,7 +66,7 @@ std::string points_csv(const std::vector<Method>& methods) {
 std::string windows_csv(const std::vector<Method>& methods) {
     std::string csv = "horizon,order,stride,kind,low,high\n";
     for (const Method& method : methods) {
-        for (const nmbcgen::Window& window : method.scalar) {
+        for (const nmbcgen::ExactWindow& window : method.scalar) {
             csv += window_row(
                 method.specification, "scalar", nearest_double(window.low),
                 window.high ? std::optional(nearest_double(*window.high)) : std::nullopt);

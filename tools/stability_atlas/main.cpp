@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// stability_atlas: where which boundary condition is stable, which tools/scripts/atlas draws, and
-/// what a higher order is worth.
-#include <CLI/CLI.hpp>
-#include <iostream>
+/// stability_atlas: where which boundary condition is stable, which tools/scripts/atlas draws.
+#include <unistd.h>
 
-#include "generator/pipeline.hpp"
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <filesystem>
+#include <iostream>
+#include <system_error>
+
 #include "generator/support/files.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
 #include "tools/number_between.hpp"
 #include "tools/stability_atlas/atlas.hpp"
 #include "tools/stability_atlas/choices.hpp"
 #include "tools/stability_atlas/csv.hpp"
-#include "tools/stability_atlas/orders.hpp"
-#include "tools/stability_atlas/orders_command.hpp"
 
 namespace {
 
 // The project's exit codes; the others are not for this program.
-enum ExitCode { done = 0, bad_input = 2, no_boundary = 3, file_failed = 5 };
+enum ExitCode { done = 0, bad_input = 2, file_failed = 5 };
 
 struct Arguments {
     std::vector<unsigned> horizons{1, 2, 3, 4};
@@ -25,16 +26,29 @@ struct Arguments {
     std::string folder = "results/atlas";
     std::vector<unsigned> choice_horizons{1, 2, 3, 4, 5};
     std::vector<double> values{0, 0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4, 6};
-    stability_atlas::OrdersQuestion orders;
 };
 
+/// Before the work, not after it.
+void require_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!error && ::access(folder.c_str(), W_OK) != 0) {
+        error.assign(errno, std::generic_category());
+    }
+    if (error) {
+        throw nmbcgen::FileError("cannot write to the folder " + folder.string() + ": " +
+                                 error.message());
+    }
+}
+
 void write_atlas(const Arguments& arguments) {
+    const std::filesystem::path folder = arguments.folder;
+    require_folder(folder);
     nmbcrun::Progress progress(stability_atlas::total_points(arguments.horizons, arguments.points),
                                false);
     const auto methods =
         stability_atlas::atlas(arguments.horizons, arguments.points,
                                [&progress](std::size_t count) { progress.update(count); });
-    const std::filesystem::path folder = arguments.folder;
     nmbcgen::write_files({{folder / "points.csv", stability_atlas::points_csv(methods)},
                           {folder / "windows.csv", stability_atlas::windows_csv(methods)}});
 }
@@ -65,10 +79,7 @@ int main(int argc, char** argv) {
     choices->add_option("--G", arguments.values, "values of G, decimal numbers (default 0 to 6)")
         ->check(tools::number_between(0, 1e6))
         ->delimiter(',');
-    auto* const orders = stability_atlas::add_orders(app, arguments.orders);
-    app.footer(
-        "Exit codes: 0 done; 2 wrong arguments; 3 leapfrog is unstable in such steps; 5 a file "
-        "could not be written.");
+    app.footer("Exit codes: 0 done; 2 wrong arguments; 5 a file could not be written.");
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
@@ -80,14 +91,9 @@ int main(int argc, char** argv) {
     try {
         if (atlas->parsed()) {
             write_atlas(arguments);
-        } else if (orders->parsed()) {
-            nmbcgen::print(stability_atlas::orders(arguments.orders));
         } else {
             nmbcgen::print(stability_atlas::choices(arguments.choice_horizons, arguments.values));
         }
-    } catch (const nmbcgen::NoSuchBoundary& reason) {
-        std::cerr << "stability_atlas: " << reason.what() << "\n";
-        return no_boundary;
     } catch (const nmbcgen::FileError& error) {
         std::cerr << "stability_atlas: " << error.what() << "\n";
         return file_failed;

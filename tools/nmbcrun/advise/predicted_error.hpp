@@ -4,7 +4,7 @@
 
 #include <map>
 #include <memory>
-#include <nmbc/inwards.hpp>
+#include <nmbc/node_line.hpp>
 #include <vector>
 
 #include "generator/stability/half_space.hpp"

@@ -18,10 +18,10 @@
 namespace nmbcrun {
 namespace {
 
-nmbcgen::ChainEnd end_of(const Boundary& boundary, const nmbc::MatchingTable& table, double G,
-                         double time_step) {
+nmbcgen::LatticeEnd end_of(const Boundary& boundary, const nmbc::MatchingTable& table, double G,
+                           double time_step) {
     // A fixed or free end is the same in any steps, but in a damped lattice the waves are not.
-    const auto half_space = in_steps(half_space_of(table, G), boundary.ghosts, time_step);
+    const auto half_space = stepped(half_space_of(table, G), time_step, boundary.ghosts);
     switch (boundary.kind) {
         case BoundaryKind::fixed:
         case BoundaryKind::extended:
@@ -31,12 +31,12 @@ nmbcgen::ChainEnd end_of(const Boundary& boundary, const nmbc::MatchingTable& ta
         default:  // nmbc; decided_without_waves() knows the others
             break;
     }
-    return {nmbcgen::EndKind::matching, half_space};
+    return {nmbcgen::LatticeEnd::Kind::matching, half_space};
 }
 
 struct Ends {
-    nmbcgen::ChainEnd left;
-    nmbcgen::ChainEnd right;
+    nmbcgen::LatticeEnd left;
+    nmbcgen::LatticeEnd right;
 };
 
 Ends ends_of(const Scene& scene, const nmbc::MatchingTable& left, const nmbc::MatchingTable& right,
@@ -78,10 +78,8 @@ double short_chain_growth(const Scene& scene, const Ends& ends, double time_step
     if (nodes > longest || matching == 0 || !one_rule || is_damped(scene)) {
         return 0;  // of a damped lattice round trips tell all
     }
-    const double radius = nmbcgen::spectral_radius(ends.left, ends.right, nodes, time_step,
-                                                   ruling.ghosts == nmbc::GhostRule::midpoint
-                                                       ? nmbcgen::GhostLevel::midpoint
-                                                       : nmbcgen::GhostLevel::old);
+    const double radius =
+        nmbcgen::spectral_radius(ends.left, ends.right, nodes, time_step, ruling.ghosts);
     constexpr double roundings = 1e-7;  // a double eigenvalue 1 splits by their square root
     return radius > 1 + roundings ? std::log(radius) / time_step : 0;
 }

@@ -19,8 +19,8 @@ nmbcgen::IntegerPolynomial exact(std::string_view list) {
     return nmbcgen::IntegerPolynomial(std::move(coefficients));
 }
 
-std::vector<nmbcgen::RationalFunction> exact(std::span<const nmbc::RationalFunction> functions) {
-    std::vector<nmbcgen::RationalFunction> result;
+std::vector<nmbcgen::ExactFunction> exact(std::span<const nmbc::RationalFunction> functions) {
+    std::vector<nmbcgen::ExactFunction> result;
     for (const nmbc::RationalFunction& function : functions) {
         result.push_back({exact(function.numerator), exact(function.denominator)});
     }
@@ -38,11 +38,11 @@ nmbcgen::Table exact_table(const nmbc::MatchingTable& table) {
                             .stabilisation = {},
                             .damping = nmbcgen::parse_rational(table.tau),
                             .time_step = nmbcgen::parse_rational(table.time_step)};
-    for (const nmbcgen::RationalFunction& function : exact(table.symbol)) {
+    for (const nmbcgen::ExactFunction& function : exact(table.symbol)) {
         const nmbcgen::Rational divisor(function.denominator[0]);  // of a polynomial: a number
         result.model.symbol.push_back(nmbcgen::over_rationals(function.numerator) / divisor);
     }
-    for (const nmbcgen::RationalFunction& number : exact(table.damping)) {
+    for (const nmbcgen::ExactFunction& number : exact(table.damping)) {
         result.model.damping.push_back(nmbcgen::evaluate(number, 0));
     }
     result.c = exact(table.c);
@@ -54,13 +54,6 @@ nmbcgen::Table exact_table(const nmbc::MatchingTable& table) {
 
 nmbcgen::HalfSpace half_space_of(const nmbc::MatchingTable& table, double G) {
     return make_half_space(exact_table(table), nmbcgen::Rational(G));
-}
-
-nmbcgen::HalfSpace in_steps(nmbcgen::HalfSpace half_space, nmbc::GhostRule ghosts,
-                            double time_step) {
-    return stepped(std::move(half_space), time_step,
-                   ghosts == nmbc::GhostRule::midpoint ? nmbcgen::GhostLevel::midpoint
-                                                       : nmbcgen::GhostLevel::old);
 }
 
 }  // namespace nmbcrun

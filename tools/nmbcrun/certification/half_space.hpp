@@ -11,8 +11,4 @@ namespace nmbcrun {
 /// A table's end at G, in continuous time. Throws std::domain_error at a pole of the coefficients.
 nmbcgen::HalfSpace half_space_of(const nmbc::MatchingTable& table, double G);
 
-/// Such an end in steps of time_step [dX/c], with these ghosts.
-nmbcgen::HalfSpace in_steps(nmbcgen::HalfSpace half_space, nmbc::GhostRule ghosts,
-                            double time_step);
-
 }  // namespace nmbcrun

@@ -5,21 +5,35 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <chrono>
+#include <iterator>
+#include <map>
+#include <mutex>
+#include <nmbc/chain.hpp>
+#include <nmbc/ends.hpp>
 #include <nmbc/lattice.hpp>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
+#include "generator/support/on_all_cores.hpp"
+#include "tools/nmbcrun/certification/time_step.hpp"
+#include "tools/nmbcrun/chart/boundaries.hpp"
+#include "tools/nmbcrun/chart/chains.hpp"
 #include "tools/nmbcrun/chart/cost.hpp"
-#include "tools/nmbcrun/chart/endurance.hpp"
-#include "tools/nmbcrun/chart/ladder.hpp"
+#include "tools/nmbcrun/chart/long_run.hpp"
+#include "tools/nmbcrun/chart/points.hpp"
 #include "tools/nmbcrun/chart/trial.hpp"
+#include "tools/nmbcrun/chart/tuning.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/csv.hpp"
+#include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
-#include "tools/nmbcrun/simulation/simulation.hpp"
+#include "tools/nmbcrun/sides/silent_layer.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
@@ -27,207 +41,316 @@ namespace {
 
 /// Of the lattice without damping.
 constexpr std::array cfls{0.1, 0.2, 0.4, 0.8};
-constexpr double printed_cfl = 0.4;
+constexpr double shown_cfl = 0.4;
 constexpr double fine_cfl = 0.0125;  // an eighth of the smallest: an error 1/64 of its
 
-struct Point {
-    const Rung* rung = nullptr;
-    double cfl = 0;  ///< of `cfls`; the trial's own is a little less
-    RelativeCost cost{};
-    Trial trial{};
-    Endurance endurance{};
-    bool on_front = false;       ///< of total cost against total error
-    bool on_step_front = false;  ///< of step cost against boundary error, at this cfl
-
-    double total_cost() const { return cost.of_run(trial.steps); }
-    /// Over a step of the bare interior, the ends' construction shared out among the steps.
-    double step_cost() const { return total_cost() / double(trial.steps); }
-    bool holds() const {
-        return endurance.fate == Fate::steady && std::isfinite(trial.total_error);
+/// Work in steps of a plain node, about.
+double node_steps(const Scene& scene) {
+    const double step = scene.step.value();
+    const double unit = unit_of_time(scene);
+    double nodes = double(scene.nodes);
+    switch (scene.left.kind) {
+        case BoundaryKind::extended:
+            nodes += 2 * double(scene.left.layer > 0 ? scene.left.layer
+                                                     : silent_layer(lattice_of(scene), step / unit,
+                                                                    scene.end / unit));
+            break;
+        case BoundaryKind::sponge:
+            nodes += 2 * double(scene.left.layer);
+            break;
+        case BoundaryKind::pml:
+            nodes += 60 * double(scene.left.layer);  // 23 to 36 times a plain node each
+            break;
+        case BoundaryKind::exact:
+            nodes += 6e4;
+            break;
+        default:
+            break;
     }
-};
+    return nodes * double(steps_until(scene.end, step));
+}
 
-/// Counts units of work, and lets the user stop between two.
+/// All that is to be done, known at the start; lets the user stop in between.
 class Work {
   public:
-    Work(std::size_t units, bool quiet) : progress_(units, quiet) {}
+    /// total: node_steps of one core.
+    Work(double total, bool quiet) : total_(total), progress_(parts, quiet) {}
 
-    void done() {
-        progress_.update(++done_);
+    /// Counts so many node_steps.
+    Advance of(double work) {
+        return [this, work](double part) { add(work * part); };
+    }
+    void add(double work) {
+        const std::lock_guard lock(adding_);
+        done_ += work;
+        progress_.update(std::size_t(double(parts) * std::min(1.0, done_ / total_)));
         if (interrupted()) {
             throw Interrupted("stopped; no chart was written");
         }
     }
 
   private:
+    static constexpr std::size_t parts = 100'000;
+    double total_;
+    double done_ = 0;
+    std::mutex adding_;
     Progress progress_;
-    std::size_t done_ = 0;
 };
 
-/// Marks those that no other one that holds beats in both respects.
-template <class Cost, class Error>
-void mark_front(std::vector<Point*> points, Cost cost, Error error, bool Point::*mark) {
-    std::erase_if(points, [](const Point* point) { return !point->holds(); });
-    for (Point* point : points) {
-        point->*mark = std::ranges::none_of(points, [&](const Point* other) {
-            return cost(*other) <= cost(*point) && error(*other) <= error(*point) &&
-                   (cost(*other) < cost(*point) || error(*other) < error(*point));
+double cores() {
+    return double(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+class Measurement {
+  public:
+    Measurement(const Scene& scene, std::vector<double> steps, std::size_t long_run)
+        : scene_(scene), long_run_(long_run), steps_(std::move(steps)) {
+        shown_ = *std::ranges::find_if(steps_.rbegin(), steps_.rend(),
+                                       [](double cfl) { return cfl <= shown_cfl; });
+        for (const double cfl : steps_) {
+            for (const NamedBoundary& what : boundaries_of(scene)) {
+                points_.push_back({.what = what, .cfl = cfl});
+            }
+        }
+    }
+
+    double shown() const { return shown_; }
+    double seconds() const { return total_work() * seconds_per_node_step(); }
+
+    std::vector<Point> run(bool quiet) {
+        Work work(total_work(), quiet);
+        run_references(work);
+        tune_layers(work);
+        run_trials(work);
+        leave_out_refused();
+        measure_costs(work);
+        mark_fronts(points_, steps_);
+        return std::move(points_);
+    }
+
+  private:
+    Scene in_steps(double cfl) const { return in_steps_of(scene_, cfl); }
+    Scene ended(const Point& point) const {
+        return with_ends(in_steps(point.cfl), point.what.boundary);
+    }
+    Scene endless(double cfl) const {
+        return with_ends(in_steps(cfl), {.kind = BoundaryKind::extended});
+    }
+    static bool is_tuned(const Boundary& boundary) {
+        return boundary.kind == BoundaryKind::sponge || boundary.kind == BoundaryKind::pml ||
+               (boundary.kind == BoundaryKind::extended && boundary.layer == 0);
+    }
+
+    /// A step takes the same time whatever its length, but that of an exact end, which remembers
+    /// all of them.
+    bool is_timed(const Point& point) const {
+        return point.cfl == shown_ || point.what.boundary.kind == BoundaryKind::exact;
+    }
+
+    double tuning_work(const Point& point) const {
+        const bool is_layer = point.what.boundary.kind != BoundaryKind::extended;
+        return node_steps(ended(point)) * (is_layer ? double(tuning_runs) * 0.7 : 10) / cores();
+    }
+    double trial_work(const Point& point) const { return 2 * node_steps(ended(point)) / cores(); }
+    double long_work(const Point& point) const {
+        return adds_no_energy(point.what.boundary.kind)
+                   ? 0
+                   : double(scene_.nodes) * double(long_run_) / cores();
+    }
+    /// Bursts of the boundary beside twice as many of the bare interior, until it has taken long
+    /// enough.
+    double timing_work(const Point& point) const {
+        const double bare = double(scene_.nodes) *
+                            double(steps_until(scene_.end, in_steps(point.cfl).step.value()));
+        const double burst = std::max(timing_burst, 10.0 * double(scene_.nodes));
+        const double own = node_steps(ended(point)) *
+                           (point.what.boundary.kind == BoundaryKind::exact ? 1 : burst / bare);
+        constexpr double enough = 2.5e8;
+        return std::min(double(cost_rounds), 1 + enough / own) * (2 * burst + own);
+    }
+    double reference_work(double cfl) const { return node_steps(endless(cfl)) / cores(); }
+
+    double total_work() const;
+    double seconds_per_node_step() const;
+    void run_references(Work& work);
+    void tune_layers(Work& work);
+    void run_trials(Work& work);
+    void leave_out_refused();
+    void measure_costs(Work& work);
+
+    /// Calls job(), and notes why the scene refuses the boundary where it does.
+    template <class Job>
+    static void try_boundary(Point& point, Job job) {
+        try {
+            job();
+        } catch (const SceneError& error) {
+            point.refused = error.what();
+        } catch (const std::invalid_argument& error) {
+            point.refused = error.what();
+        }
+    }
+
+    Scene scene_;
+    std::size_t long_run_;
+    std::vector<double> steps_;
+    double shown_ = 0;
+    Samples fine_;
+    std::map<double, Samples> same_steps_;
+    std::vector<Point> points_;
+};
+
+double Measurement::total_work() const {
+    double total = reference_work(fine_cfl);
+    for (const double cfl : steps_) {
+        total += reference_work(cfl);
+    }
+    for (const Point& point : points_) {
+        total += trial_work(point) + long_work(point);
+        if (point.cfl == shown_) {
+            total += is_tuned(point.what.boundary) ? tuning_work(point) : 0;
+        }
+        if (is_timed(point)) {
+            total += timing_work(point);
+        }
+    }
+    return total;
+}
+
+double Measurement::seconds_per_node_step() const {
+    using Clock = std::chrono::steady_clock;
+    nmbc::Chain bare = chain_between(in_steps(shown_), nmbc::IdleEnd{}, nmbc::IdleEnd{});
+    const auto start = Clock::now();
+    const std::size_t steps = 1 + 2'000'000 / scene_.nodes;
+    bare.advance(steps);
+    return std::chrono::duration<double>(Clock::now() - start).count() /
+           (double(steps) * double(scene_.nodes));
+}
+
+void Measurement::run_references(Work& work) {
+    for (const double cfl : steps_) {
+        same_steps_[cfl];
+    }
+    nmbcgen::on_all_cores(steps_.size() + 1, [&](std::size_t i) {
+        const double cfl = i == 0 ? fine_cfl : steps_[i - 1];
+        (i == 0 ? fine_ : same_steps_.at(cfl)) =
+            samples_without_ends(in_steps(cfl), work.of(reference_work(cfl)));
+    });
+}
+
+/// At the cfl that is shown; what is best there is taken at all.
+void Measurement::tune_layers(Work& work) {
+    std::vector<Point*> layers;
+    for (Point& point : points_) {
+        if (point.cfl == shown_ && is_tuned(point.what.boundary)) {
+            layers.insert(layers.begin(), &point);  // the widest of each kind take longest
+        }
+    }
+    nmbcgen::on_all_cores(layers.size(), [&](std::size_t i) {
+        Point& point = *layers[i];
+        Boundary& boundary = point.what.boundary;
+        const Advance advance = work.of(tuning_work(point));
+        try_boundary(point, [&] {
+            boundary = boundary.kind == BoundaryKind::extended
+                           ? narrowest_silent(in_steps(shown_), same_steps_.at(shown_), advance)
+                           : tuned(in_steps(shown_), boundary, same_steps_.at(shown_), advance);
         });
-    }
-}
-
-void mark_fronts(std::vector<Point>& points) {
-    std::vector<Point*> all;
-    all.reserve(points.size());
-    for (Point& point : points) {
-        all.push_back(&point);
-    }
-    mark_front(
-        all, [](const Point& point) { return point.total_cost(); },
-        [](const Point& point) { return point.trial.total_error; }, &Point::on_front);
-    for (const double cfl : cfls) {
-        std::vector<Point*> same;
-        std::ranges::copy_if(all, std::back_inserter(same),
-                             [cfl](const Point* point) { return point->cfl == cfl; });
-        mark_front(
-            same, [](const Point& point) { return point.step_cost(); },
-            [](const Point& point) { return point.trial.boundary_error; }, &Point::on_step_front);
-    }
-}
-
-std::vector<Point> measure(const Scene& scene, const std::vector<Rung>& rungs,
-                           const std::vector<double>& steps, std::size_t endurance, bool quiet) {
-    std::vector<Point> points;
-    std::vector<Scene> ended;
-    for (const double cfl : steps) {
-        for (const Rung& rung : rungs) {
-            points.push_back({.rung = &rung, .cfl = cfl});
-            ended.push_back(with_ends(in_steps_of(scene, cfl), rung.boundary));
+    });
+    for (const Point* layer : layers) {
+        for (Point& point : points_) {
+            if (point.what.name == layer->what.name) {
+                point.what.boundary = layer->what.boundary;
+                point.refused = layer->refused;
+            }
         }
     }
-    Work work(cost_rounds + 1 + steps.size() + 2 * points.size(), quiet);
-    const std::vector<RelativeCost> costs = relative_costs(ended, [&work] { work.done(); });
-    const Samples fine = samples_without_ends(in_steps_of(scene, fine_cfl));
-    work.done();
-    Samples same_steps;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (i % rungs.size() == 0) {
-            same_steps = samples_without_ends(in_steps_of(scene, points[i].cfl));
-            work.done();
+}
+
+void Measurement::run_trials(Work& work) {
+    nmbcgen::on_all_cores(points_.size(), [&](std::size_t i) {
+        Point& point = points_[i];
+        if (!point.refused.empty()) {
+            return;
         }
-        points[i].cost = costs[i];
-        points[i].trial = run_trial(ended[i], same_steps, fine);
-        work.done();
-    }
-    const std::vector<Endurance> fates = endure(ended, endurance, [&work] { work.done(); });
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        points[i].endurance = fates[i];
-    }
-    mark_fronts(points);
-    return points;
+        try_boundary(point, [&] {
+            point.trial = run_trial(ended(point), same_steps_.at(point.cfl), fine_,
+                                    work.of(trial_work(point)));
+            if (!adds_no_energy(point.what.boundary.kind)) {
+                point.long_run =
+                    long_time_stability(ended(point), long_run_, work.of(long_work(point)));
+            }
+        });
+    });
 }
 
-constexpr const char* header =
-    "boundary,kind,cfl,steps,certified,fate,rate,step_cost,construction,total_cost,boundary_error,"
-    "total_error,energy_left,on_step_front,on_front,layer_share";
-
-/// nodes: of the interior.
-void write(const std::vector<Point>& points, std::size_t nodes, CsvFile& csv) {
-    for (const Point& point : points) {
-        const Trial& trial = point.trial;
-        csv.append(fmt::format(
-            "{},{},{},{},{:d},{},{:.4g},{:.5g},{:.5g},{:.6g},{:.4g},{:.4g},{:.4g},"
-            "{:d},{:d},{:.4g}",
-            point.rung->name, name_of(point.rung->boundary.kind), point.cfl, trial.steps,
-            trial.certified(), name_of(point.endurance.fate), point.endurance.rate, point.cost.step,
-            point.cost.construction, point.total_cost(), trial.boundary_error, trial.total_error,
-            trial.energy_left, point.on_step_front, point.on_front,
-            2 * double(point.rung->boundary.layer) / double(nodes)));
-    }
-    csv.publish();
-}
-
-/// Those that do not hold in a long run, in all steps, and what their certificate says of it.
-void print_failures(const std::vector<Point>& points) {
-    fmt::print(
-        "\ndrifts: as t^rate; unstable, grows: as exp(rate t)\n  {:<16}  {:>3}  {:>8}  {:>9}  {}\n",
-        "boundary", "cfl", "fate", "rate", "certificate");
-    for (const Point& point : points) {
-        if (point.endurance.fate != Fate::steady) {
-            fmt::print("  {:<16}  {:>3}  {:>8}  {:9.3g}  {}\n", point.rung->name, point.cfl,
-                       name_of(point.endurance.fate), point.endurance.rate,
-                       point.trial.certified() ? "stable" : point.trial.objection);
+void Measurement::leave_out_refused() {
+    std::set<std::string> told;
+    for (const Point& point : points_) {
+        if (!point.refused.empty() && told.insert(point.what.name).second) {
+            fmt::print(stderr, "nmbcrun: left out: {}: {}\n", point.what.name, point.refused);
         }
     }
-    fmt::print("\n");
+    std::erase_if(points_, [](const Point& point) { return !point.refused.empty(); });
 }
 
-/// The points of one step, best first; `*` on the front.
-void print(const std::vector<Point>& points, std::size_t endurance) {
-    std::vector<const Point*> shown;
-    for (const Point& point : points) {
-        if (point.cfl == printed_cfl) {
-            shown.push_back(&point);
+void Measurement::measure_costs(Work& work) {
+    std::vector<Point*> timed;
+    std::vector<Scene> scenes;
+    double total = 0;
+    for (Point& point : points_) {
+        if (is_timed(point)) {
+            timed.push_back(&point);
+            scenes.push_back(ended(point));
+            total += timing_work(point);
         }
     }
-    std::ranges::sort(shown, {}, [](const Point* point) { return point->trial.boundary_error; });
-    fmt::print(
-        "at cfl {}; fate: of {} steps from random data; *: none is both cheaper and better\n",
-        printed_cfl, endurance);
-    fmt::print("  {:<16}  {:>10}  {:>14}  {:>12}  {:>9}  {}\n", "boundary", "cost", "error",
-               "energy left", "certified", "fate");
-    for (const Point* point : shown) {
-        const Trial& trial = point->trial;
-        fmt::print("{} {:<16}  {:>8.1f} %  {:14.3e}  {:12.3e}  {:>9}  {}\n",
-                   point->on_step_front ? "*" : " ", point->rung->name,
-                   100 * (point->step_cost() - 1), trial.boundary_error, trial.energy_left,
-                   trial.certified() ? "yes" : "no", name_of(point->endurance.fate));
+    const std::vector<RelativeCost> costs = relative_costs(
+        scenes, [&] { work.add(total / double(cost_rounds)); }, [&] { work.add(0); });
+    for (std::size_t i = 0; i < timed.size(); ++i) {
+        timed[i]->cost = costs[i];
+    }
+    for (Point& point : points_) {
+        const auto same = std::ranges::find_if(timed, [&](const Point* one) {
+            return one->what.name == point.what.name && is_timed(*one);
+        });
+        if (!is_timed(point)) {
+            point.cost = (*same)->cost;
+        }
     }
 }
 
-/// Why an exact end cannot take part: it needs a scene at rest next to it, and memory of all steps.
-std::string objection_to_exact(const Scene& exact) {
-    if (exact.nodes <= 4 * lattice_of(exact).reach()) {
-        return "the chain is too short to time it";
-    }
-    try {
-        const Simulation simulation(exact);
-        return "";
-    } catch (const SceneError& error) {
-        return error.what();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
+/// Some of those that could add energy take a second or so each.
+std::size_t default_long_run(const Scene& scene) {
+    constexpr double most_node_steps = 5e8;
+    return std::size_t(std::clamp(most_node_steps / double(scene.nodes), 4000.0, 1e6));
 }
 
 }  // namespace
 
-void chart(const Scene& scene, const std::filesystem::path& folder, std::size_t endurance,
-           bool quiet) {
-    const auto lattice = lattice_of(scene);
+void chart(const Scene& scene, const ChartOptions& options) {
+    const double limit = nmbc::interior_cfl(lattice_of(scene));
     std::vector<double> steps;
     std::ranges::copy_if(cfls, std::back_inserter(steps),
-                         [&](double cfl) { return cfl <= nmbc::interior_cfl(lattice); });
-    CsvFile csv(folder / (scene.name + "_chart.csv"), header);  // which may not be possible
-    std::vector<Rung> rungs = ladder(scene);
-    std::erase_if(rungs, [&](const Rung& rung) {
-        if (rung.boundary.kind != BoundaryKind::exact) {
-            return false;
-        }
-        const std::string objection =
-            objection_to_exact(with_ends(in_steps_of(scene, steps.front()), rung.boundary));
-        if (!objection.empty()) {
-            fmt::print(stderr, "nmbcrun: left out: {}: {}\n", rung.name, objection);
-        }
-        return !objection.empty();
-    });
-    const std::vector<Point> points = measure(scene, rungs, steps, endurance, quiet);
+                         [limit](double cfl) { return cfl <= limit; });
+    if (steps.empty()) {
+        throw SceneError(fmt::format("a chart begins at cfl {}, and the interior's limit is {:.4g}",
+                                     cfls.front(), limit));
+    }
+    CsvFile csv(options.folder / (scene.name + "_chart.csv"), points_header);
+    const std::size_t long_run = options.long_run.value_or(default_long_run(scene));
+    Measurement measurement(scene, std::move(steps), long_run);
+    if (!options.quiet) {
+        fmt::print("takes        about {:.2g} s on {:.0f} cores that do nothing else\n\n",
+                   measurement.seconds(), cores());
+        std::fflush(stdout);
+    }
+    const std::vector<Point> points = measurement.run(options.quiet);
     write(points, scene.nodes, csv);
-    if (!quiet) {
-        print(points, endurance);
-        print_failures(points);
+    if (!options.quiet) {
+        print(points, measurement.shown(), long_run);
     }
     fmt::print("chart        {}\n", csv.path().string());
+    const std::string picture = (options.folder / (scene.name + "_chart")).string();
+    draw("chart.gp", {csv.path().string(), picture}, {picture + ".svg", picture + ".png"});
 }
 
 }  // namespace nmbcrun

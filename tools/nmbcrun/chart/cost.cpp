@@ -2,6 +2,7 @@
 #include "tools/nmbcrun/chart/cost.hpp"
 
 #include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <ctime>
 #include <nmbc/chain.hpp>
@@ -15,15 +16,15 @@
 namespace nmbcrun {
 namespace {
 
+using boost::math::statistics::median;
+
 /// A field that is nowhere near the smallest doubles, which are slow, and 0 where an exact end
 /// wants it to be.
 void fill(nmbc::Chain& chain) {
     std::vector<double> u(chain.nodes());
     const std::size_t at_rest = 2 * chain.ghosts();
-    const std::size_t first = chain.first_interior() + at_rest;
-    const std::size_t last = chain.first_interior() + chain.parameters().nodes - at_rest;
-    for (std::size_t node = first; node < last; ++node) {
-        u[node] = 2 + std::sin(0.1 * double(node));
+    for (std::size_t i = at_rest; i + at_rest < chain.parameters().nodes; ++i) {
+        u[chain.first_interior() + i] = 2 + std::sin(0.1 * double(i));
     }
     chain.start(u, std::vector<double>(u.size()));
 }
@@ -47,12 +48,6 @@ double seconds_per_step(nmbc::Chain& chain, std::size_t steps, const std::functi
         }
     }
     return (seconds_of_this_thread() - start) / double(steps);
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
 }
 
 nmbc::Chain chain_of(const Scene& scene) {
@@ -87,11 +82,8 @@ std::pair<nmbc::Chain, double> made(const Scene& scene, nmbc::Chain& bare, std::
 std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
                                          const std::function<void()>& after_round,
                                          const std::function<void()>& pause) {
-    // A twentieth of a millisecond or so: mostly undisturbed where other programs run, too. Too few
-    // for the field to fade, or to grow beyond all doubles.
-    constexpr double node_steps = 5e4;
     const auto burst =
-        std::size_t(std::max(10.0, std::ceil(node_steps / double(scenes.front().nodes))));
+        std::size_t(std::max(10.0, std::ceil(timing_burst / double(scenes.front().nodes))));
     nmbc::Chain bare = chain_between(scenes.front(), nmbc::IdleEnd{}, nmbc::IdleEnd{});
     std::vector<RelativeCost> costs;
     std::vector<nmbc::Chain> chains;

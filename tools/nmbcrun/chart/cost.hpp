@@ -26,6 +26,11 @@ std::vector<RelativeCost> relative_costs(
     const std::vector<Scene>& scenes, const std::function<void()>& after_round,
     const std::function<void()>& pause = [] {});
 
-inline constexpr std::size_t cost_rounds = 201;
+inline constexpr std::size_t cost_rounds = 101;
+
+/// Nodes times steps, of the bare interior, between two looks at the clock: a twentieth of a
+/// millisecond or so, mostly undisturbed where other programs run, too. Too few for the field to
+/// fade, or to grow beyond all doubles.
+inline constexpr double timing_burst = 5e4;
 
 }  // namespace nmbcrun

@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Calls look(simulation) after every step and collects the samples.
 template <class Look>
-Samples run_sampled(Simulation& simulation, Look look) {
+Samples run_sampled(Simulation& simulation, const Advance& advance, Look look) {
     const std::size_t every = simulation.plan().steps / sample_count;
     Samples samples;
     samples.reserve(sample_count + 1);
@@ -31,6 +31,7 @@ Samples run_sampled(Simulation& simulation, Look look) {
         look(simulation);
         if (simulation.chain().steps() % every == 0) {
             sample();
+            advance(1 / double(sample_count));
         }
     }
     return samples;
@@ -47,9 +48,13 @@ Scene in_steps_of(Scene scene, double cfl) {
     return scene;
 }
 
-Samples samples_without_ends(const Scene& scene) {
-    Simulation simulation(endless(scene, scene.step.value()));
-    return run_sampled(simulation, [](const Simulation&) {});
+Samples samples_of(const Scene& scene, const Advance& advance) {
+    Simulation simulation(scene);
+    return run_sampled(simulation, advance, [](const Simulation&) {});
+}
+
+Samples samples_without_ends(const Scene& scene, const Advance& advance) {
+    return samples_of(endless(scene, scene.step.value()), advance);
 }
 
 double relative_difference(const Samples& u, const Samples& v) {
@@ -68,10 +73,11 @@ double relative_difference(const Samples& u, const Samples& v) {
     return difference == 0 ? 0 : difference / largest;
 }
 
-Trial run_trial(const Scene& scene, const Samples& same_steps, const Samples& fine_steps) {
+Trial run_trial(const Scene& scene, const Samples& same_steps, const Samples& fine_steps,
+                const Advance& advance) {
     Simulation simulation(scene);
     double peak = 0;
-    const Samples samples = run_sampled(simulation, [&](const Simulation& running) {
+    const Samples samples = run_sampled(simulation, advance, [&](const Simulation& running) {
         constexpr std::size_t look_every = 10;  // as nmbcrun run has it
         if (running.chain().steps() % look_every == 0) {
             peak = std::max(peak, running.energies().total());

@@ -2,6 +2,7 @@
 /// A scene run with one boundary in one time step, and how far off it is.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,17 @@ inline constexpr std::size_t sample_count = 100;
 /// The scene in the longest such steps up to this cfl.
 Scene in_steps_of(Scene scene, double cfl);
 
+/// Called now and then while something lasts, with the part of it that is done since it was called
+/// before. It may throw.
+using Advance = std::function<void(double)>;
+
+/// What a scene that has its step shows. Throws as Simulation does.
+Samples samples_of(
+    const Scene& scene, const Advance& advance = [](double) {});
+
 /// What comes without ends: in the scene's own step. Throws as Simulation does.
-Samples samples_without_ends(const Scene& scene);
+Samples samples_without_ends(
+    const Scene& scene, const Advance& advance = [](double) {});
 
 /// max |u - v| / max |v| over nodes and sampling times; infinite where u is not finite.
 double relative_difference(const Samples& u, const Samples& v);
@@ -38,6 +48,7 @@ struct Trial {
 
 /// Runs a scene that has its step. Both references are of samples_without_ends(). A run that stops
 /// being finite has infinite errors and energy.
-Trial run_trial(const Scene& scene, const Samples& same_steps, const Samples& fine_steps);
+Trial run_trial(const Scene& scene, const Samples& same_steps, const Samples& fine_steps,
+                const Advance& advance);
 
 }  // namespace nmbcrun

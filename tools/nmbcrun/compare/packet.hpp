@@ -2,7 +2,7 @@
 /// What an end sends back of a narrow band of waves, measured.
 #pragma once
 
-#include <nmbc/end_condition.hpp>
+#include <nmbc/boundary_condition.hpp>
 #include <nmbc/lattice.hpp>
 #include <vector>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <filesystem>
-#include <nmbc/inwards.hpp>
+#include <nmbc/node_line.hpp>
 
 namespace nmbcrun {
 

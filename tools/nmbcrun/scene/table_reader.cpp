@@ -95,8 +95,8 @@ class TableReader {
     std::span<const nmbc::RationalFunction> damping(std::size_t size);
     void require_damping_of_stabilisation(std::size_t size) const;
     std::span<const nmbc::EnergySquare> energy();
-    nmbcgen::EnergySquare square(const JsonValue& json, std::size_t reach) const;
-    nmbc::EnergySquare view(const JsonValue& json, const nmbcgen::EnergySquare& square);
+    nmbcgen::ExactSquare square(const JsonValue& json, std::size_t reach) const;
+    nmbc::EnergySquare view(const JsonValue& json, const nmbcgen::ExactSquare& square);
     std::span<const nmbc::Window> windows(const char* key);
     std::span<const nmbc::StableStep> steps(const char* key);
 
@@ -119,14 +119,14 @@ std::span<const nmbc::RationalFunction> TableReader::functions(const char* key, 
     return list;
 }
 
-nmbcgen::EnergySquare TableReader::square(const JsonValue& json, std::size_t reach) const {
+nmbcgen::ExactSquare TableReader::square(const JsonValue& json, std::size_t reach) const {
     const std::string part = json.at("part").text();
     const bool is_strain = part == name_of(nmbcgen::EnergyPart::strain);
     if (!is_strain && part != name_of(nmbcgen::EnergyPart::stabilisation)) {
         json.at("part").must_be(R"("strain" or "stabilisation")");
     }
     const JsonValue weight = json.at("weight");
-    nmbcgen::EnergySquare result{
+    nmbcgen::ExactSquare result{
         .part = is_strain ? nmbcgen::EnergyPart::strain : nmbcgen::EnergyPart::stabilisation,
         .weight = polynomial_of(weight, exact(weight)),
         .stencil = {}};
@@ -144,7 +144,7 @@ nmbcgen::EnergySquare TableReader::square(const JsonValue& json, std::size_t rea
     return result;
 }
 
-nmbc::EnergySquare TableReader::view(const JsonValue& json, const nmbcgen::EnergySquare& square) {
+nmbc::EnergySquare TableReader::view(const JsonValue& json, const nmbcgen::ExactSquare& square) {
     nmbcgen::Integer divisor = 1;
     for (const nmbcgen::Rational& entry : square.stencil) {
         divisor = lcm(divisor, denominator(entry));
@@ -153,9 +153,8 @@ nmbc::EnergySquare TableReader::view(const JsonValue& json, const nmbcgen::Energ
     for (const nmbcgen::Rational& entry : square.stencil) {
         stencil += (stencil.empty() ? "" : " ") + nmbcgen::to_string(entry * divisor);
     }
-    return {square.part == nmbcgen::EnergyPart::strain ? nmbc::EnergyPart::strain
-                                                       : nmbc::EnergyPart::stabilisation,
-            view(exact(json.at("weight"))), keep(std::move(stencil)), keep(divisor.str())};
+    return {square.part, view(exact(json.at("weight"))), keep(std::move(stencil)),
+            keep(divisor.str())};
 }
 
 std::span<const nmbc::RationalFunction> TableReader::symbol() {
@@ -182,11 +181,11 @@ std::span<const nmbc::RationalFunction> TableReader::damping(std::size_t size) {
 /// tau times the symbol of the stabilisation at G = 1, to which its weights are proportional.
 void TableReader::require_damping_of_stabilisation(std::size_t size) const {
     const nmbcgen::Rational G = what_.stabilisation.value_or(1);
-    std::vector<nmbcgen::EnergySquare> squares;
+    std::vector<nmbcgen::ExactSquare> squares;
     for (const JsonValue& each : json_.at("energy").elements()) {
         squares.push_back(square(each, size - 1));
     }
-    std::erase_if(squares, [](const nmbcgen::EnergySquare& each) {
+    std::erase_if(squares, [](const nmbcgen::ExactSquare& each) {
         return each.part != nmbcgen::EnergyPart::stabilisation;
     });
     std::vector<nmbcgen::Polynomial> sigma(size);
@@ -210,7 +209,7 @@ std::span<const nmbc::EnergySquare> TableReader::energy() {
     for (const JsonValue& entry : symbol.elements()) {
         stated.push_back(polynomial_of(entry, exact(entry)));
     }
-    std::vector<nmbcgen::EnergySquare> exact_squares;
+    std::vector<nmbcgen::ExactSquare> exact_squares;
     auto& squares = storage_.squares.emplace_back();
     for (const JsonValue& each : json_.at("energy").elements()) {
         exact_squares.push_back(square(each, stated.size() - 1));

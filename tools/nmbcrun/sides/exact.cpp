@@ -15,9 +15,9 @@
 namespace nmbcrun {
 namespace {
 
-using nmbc::Inwards;
+using nmbc::NodeLine;
 
-class ExactCondition final : public nmbc::EndCondition<double> {
+class ExactCondition final : public nmbc::BoundaryCondition<double> {
   public:
     ExactCondition(OnlineConvolution convolution, const nmbc::ChainParameters& p)
         : convolution_(std::move(convolution)),
@@ -29,7 +29,7 @@ class ExactCondition final : public nmbc::EndCondition<double> {
 
     std::size_t least_interior_nodes() const override { return convolution_.reach(); }
 
-    void start(Inwards<double> u, Inwards<double> v) override {
+    void start(NodeLine<double> u, NodeLine<double> v) override {
         require_rest(u, v);
         for (std::size_t ghost = 0; ghost < convolution_.reach(); ++ghost) {
             u[ghost] = 0;
@@ -38,7 +38,7 @@ class ExactCondition final : public nmbc::EndCondition<double> {
         convolution_.clear();
     }
 
-    void after_kick(Inwards<const double> u, Inwards<double> v, std::size_t /*step*/) override {
+    void after_kick(NodeLine<const double> u, NodeLine<double> v, std::size_t /*step*/) override {
         if (convolution_.levels() == convolution_.steps()) {
             throw std::length_error("the exact end was made for " +
                                     std::to_string(convolution_.steps()) + " steps, and no more");
@@ -56,7 +56,7 @@ class ExactCondition final : public nmbc::EndCondition<double> {
     void remember(std::span<const double> memory) override { convolution_.remember(memory); }
 
   private:
-    void require_rest(Inwards<double> u, Inwards<double> v) const {
+    void require_rest(NodeLine<double> u, NodeLine<double> v) const {
         const auto size_at = [&](std::size_t node) {
             return std::max(std::abs(u[node]), std::abs(v[node]) * unit_of_time_);
         };
@@ -87,7 +87,7 @@ class ExactCondition final : public nmbc::EndCondition<double> {
 
 }  // namespace
 
-std::unique_ptr<nmbc::EndCondition<double>> ExactEnd::make(
+std::unique_ptr<nmbc::BoundaryCondition<double>> ExactEnd::make(
     const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
     std::type_identity<double> /*precision*/) const {
     if (steps < 1 || steps > most_steps) {

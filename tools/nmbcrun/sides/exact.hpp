@@ -5,7 +5,7 @@
 
 #include <cstddef>
 #include <memory>
-#include <nmbc/end_condition.hpp>
+#include <nmbc/boundary_condition.hpp>
 #include <type_traits>
 
 namespace nmbcrun {
@@ -25,9 +25,9 @@ struct ExactEnd {
 
     /// Throws std::invalid_argument where there are no steps or more than most_steps, and as
     /// transparent_kernel() does.
-    std::unique_ptr<nmbc::EndCondition<double>> make(const nmbc::Lattice& lattice,
-                                                     const nmbc::ChainParameters& parameters,
-                                                     std::type_identity<double> precision) const;
+    std::unique_ptr<nmbc::BoundaryCondition<double>> make(
+        const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
+        std::type_identity<double> precision) const;
 };
 
 }  // namespace nmbcrun

@@ -12,8 +12,8 @@
 namespace nmbcrun {
 namespace {
 
-using Field = nmbc::Inwards<double>;
-using Fixed = nmbc::Inwards<const double>;
+using Field = nmbc::NodeLine<double>;
+using Fixed = nmbc::NodeLine<const double>;
 using Matrix = std::vector<std::vector<double>>;
 
 /// Entry (j, m) of K^j Z^-m in (1 + r K - r Z^-1 - K Z^-1)^order, r = (1 - courant)/(1 + courant):
@@ -35,7 +35,7 @@ Matrix product(std::size_t order, double courant) {
     return result;
 }
 
-class HigdonCondition final : public nmbc::EndCondition<double> {
+class HigdonCondition final : public nmbc::BoundaryCondition<double> {
   public:
     HigdonCondition(std::size_t ghosts, std::size_t order, const nmbc::ChainParameters& p)
         : ghosts_(ghosts),
@@ -99,7 +99,7 @@ class HigdonCondition final : public nmbc::EndCondition<double> {
 
 }  // namespace
 
-std::unique_ptr<nmbc::EndCondition<double>> HigdonEnd::make(
+std::unique_ptr<nmbc::BoundaryCondition<double>> HigdonEnd::make(
     const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
     std::type_identity<double> /*precision*/) const {
     if (order < 1 || order > highest_order) {

@@ -9,12 +9,12 @@
 namespace nmbcrun {
 namespace {
 
-using Fields = nmbc::Inwards<double>;
-using ConstFields = nmbc::Inwards<const double>;
+using Fields = nmbc::NodeLine<double>;
+using ConstFields = nmbc::NodeLine<const double>;
 
-class BackgroundCondition final : public nmbc::EndCondition<double> {
+class BackgroundCondition final : public nmbc::BoundaryCondition<double> {
   public:
-    BackgroundCondition(std::unique_ptr<nmbc::EndCondition<double>> inner, nmbc::End end,
+    BackgroundCondition(std::unique_ptr<nmbc::BoundaryCondition<double>> inner, nmbc::End end,
                         std::shared_ptr<const Background> background, const nmbc::Lattice& lattice,
                         const nmbc::ChainParameters& p)
         : inner_(std::move(inner)),
@@ -118,7 +118,7 @@ class BackgroundCondition final : public nmbc::EndCondition<double> {
         }
     }
 
-    std::unique_ptr<nmbc::EndCondition<double>> inner_;
+    std::unique_ptr<nmbc::BoundaryCondition<double>> inner_;
     nmbc::End end_;
     std::shared_ptr<const Background> background_;
     double time_step_;
@@ -133,7 +133,7 @@ class BackgroundCondition final : public nmbc::EndCondition<double> {
 
 }  // namespace
 
-std::unique_ptr<nmbc::EndCondition<double>> BackgroundEnd::make(
+std::unique_ptr<nmbc::BoundaryCondition<double>> BackgroundEnd::make(
     const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
     std::type_identity<double> /*precision*/) const {
     return std::make_unique<BackgroundCondition>(inner.make(lattice, parameters), end, background,

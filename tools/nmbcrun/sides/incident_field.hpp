@@ -3,8 +3,8 @@
 #pragma once
 
 #include <memory>
-#include <nmbc/end_condition.hpp>
-#include <nmbc/inwards.hpp>
+#include <nmbc/boundary_condition.hpp>
+#include <nmbc/node_line.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -32,9 +32,9 @@ struct BackgroundEnd {
     nmbc::End end;
     std::shared_ptr<const Background> background;
 
-    std::unique_ptr<nmbc::EndCondition<double>> make(const nmbc::Lattice& lattice,
-                                                     const nmbc::ChainParameters& parameters,
-                                                     std::type_identity<double> precision) const;
+    std::unique_ptr<nmbc::BoundaryCondition<double>> make(
+        const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
+        std::type_identity<double> precision) const;
 };
 
 }  // namespace nmbcrun

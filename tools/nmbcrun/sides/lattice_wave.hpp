@@ -5,9 +5,9 @@
 #include <complex>
 #include <cstddef>
 #include <functional>
-#include <nmbc/end_condition.hpp>
-#include <nmbc/inwards.hpp>
+#include <nmbc/boundary_condition.hpp>
 #include <nmbc/lattice.hpp>
+#include <nmbc/node_line.hpp>
 #include <span>
 #include <vector>
 

@@ -11,8 +11,8 @@
 namespace nmbcrun {
 namespace {
 
-using Field = nmbc::Inwards<double>;
-using Fixed = nmbc::Inwards<const double>;
+using Field = nmbc::NodeLine<double>;
+using Fixed = nmbc::NodeLine<const double>;
 using Square = nmbc::Lattice::Square;
 
 /// A square's entries on offsets -n .. n from its node.
@@ -75,7 +75,7 @@ double stabilisation_of(const nmbc::Lattice& lattice, int n) {
     return G;
 }
 
-class MbcCondition final : public nmbc::EndCondition<double> {
+class MbcCondition final : public nmbc::BoundaryCondition<double> {
   public:
     MbcCondition(const nmbc::BoundaryCoefficients& coefficients, nmbc::GhostRule rule,
                  const nmbc::Lattice& lattice, const nmbc::ChainParameters& p)
@@ -136,7 +136,7 @@ class MbcCondition final : public nmbc::EndCondition<double> {
 
 }  // namespace
 
-std::unique_ptr<nmbc::EndCondition<double>> MbcEnd::make(
+std::unique_ptr<nmbc::BoundaryCondition<double>> MbcEnd::make(
     const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
     std::type_identity<double> /*precision*/) const {
     return std::make_unique<MbcCondition>(coefficients, ghost_rule, lattice, parameters);

@@ -4,7 +4,7 @@
 
 #include <memory>
 #include <nmbc/boundary.hpp>
-#include <nmbc/end_condition.hpp>
+#include <nmbc/boundary_condition.hpp>
 #include <nmbc/lattice.hpp>
 #include <type_traits>
 
@@ -25,9 +25,9 @@ struct MbcEnd {
 
     /// Throws std::invalid_argument for other lattices than nopd1d of constant influence, for
     /// damped ones, and as MatchingBoundary does.
-    std::unique_ptr<nmbc::EndCondition<double>> make(const nmbc::Lattice& lattice,
-                                                     const nmbc::ChainParameters& parameters,
-                                                     std::type_identity<double> precision) const;
+    std::unique_ptr<nmbc::BoundaryCondition<double>> make(
+        const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
+        std::type_identity<double> precision) const;
 };
 
 }  // namespace nmbcrun

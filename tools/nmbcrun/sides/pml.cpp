@@ -11,8 +11,8 @@
 namespace nmbcrun {
 namespace {
 
-using Field = nmbc::Inwards<double>;
-using Fixed = nmbc::Inwards<const double>;
+using Field = nmbc::NodeLine<double>;
+using Fixed = nmbc::NodeLine<const double>;
 using Square = nmbc::Lattice::Square;
 
 Square mirrored(Square square) {
@@ -48,7 +48,7 @@ std::vector<Square> mirror_images(const std::vector<Square>& squares) {
     return result;
 }
 
-class PmlCondition final : public nmbc::EndCondition<double> {
+class PmlCondition final : public nmbc::BoundaryCondition<double> {
   public:
     /// losses: sigma dt/2, from the interior outwards, and the largest. step: dt c/dX.
     PmlCondition(const nmbc::Lattice& lattice, std::span<const double> losses, double rate,
@@ -159,7 +159,7 @@ class PmlCondition final : public nmbc::EndCondition<double> {
 
 }  // namespace
 
-std::unique_ptr<nmbc::EndCondition<double>> PmlEnd::make(
+std::unique_ptr<nmbc::BoundaryCondition<double>> PmlEnd::make(
     const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
     std::type_identity<double> /*precision*/) const {
     if (lattice.energy.empty() ||

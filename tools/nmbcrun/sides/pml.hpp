@@ -3,7 +3,7 @@
 #pragma once
 
 #include <memory>
-#include <nmbc/end_condition.hpp>
+#include <nmbc/boundary_condition.hpp>
 #include <nmbc/lattice.hpp>
 #include <type_traits>
 
@@ -41,9 +41,9 @@ struct PmlEnd {
     /// as half_step_losses does.
     /// What the end remembers: v of the layer's nodes at t - dt/2, then p at t of every square, by
     /// q and from the outermost centre inwards.
-    std::unique_ptr<nmbc::EndCondition<double>> make(const nmbc::Lattice& lattice,
-                                                     const nmbc::ChainParameters& parameters,
-                                                     std::type_identity<double> precision) const;
+    std::unique_ptr<nmbc::BoundaryCondition<double>> make(
+        const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
+        std::type_identity<double> precision) const;
 };
 
 }  // namespace nmbcrun

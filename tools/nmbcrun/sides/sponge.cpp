@@ -9,9 +9,9 @@
 namespace nmbcrun {
 namespace {
 
-using Field = nmbc::Inwards<double>;
+using Field = nmbc::NodeLine<double>;
 
-class SpongeCondition final : public nmbc::EndCondition<double> {
+class SpongeCondition final : public nmbc::BoundaryCondition<double> {
   public:
     /// losses: gamma dt/2, from the interior outwards.
     SpongeCondition(std::size_t ghosts, std::vector<double> losses)
@@ -31,7 +31,7 @@ class SpongeCondition final : public nmbc::EndCondition<double> {
         }
     }
 
-    void after_kick(nmbc::Inwards<const double> /*u*/, Field v, std::size_t /*step*/) override {
+    void after_kick(nmbc::NodeLine<const double> /*u*/, Field v, std::size_t /*step*/) override {
         for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
             v[ghost] = 0;
         }
@@ -55,7 +55,7 @@ class SpongeCondition final : public nmbc::EndCondition<double> {
 
 }  // namespace
 
-std::unique_ptr<nmbc::EndCondition<double>> SpongeEnd::make(
+std::unique_ptr<nmbc::BoundaryCondition<double>> SpongeEnd::make(
     const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
     std::type_identity<double> /*precision*/) const {
     std::vector<double> losses = half_step_losses(layer, 1, parameters);

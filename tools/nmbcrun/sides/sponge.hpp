@@ -3,7 +3,7 @@
 #pragma once
 
 #include <memory>
-#include <nmbc/end_condition.hpp>
+#include <nmbc/boundary_condition.hpp>
 #include <nmbc/lattice.hpp>
 #include <type_traits>
 
@@ -22,9 +22,9 @@ namespace nmbcrun {
 struct SpongeEnd {
     LossLayer layer;
 
-    std::unique_ptr<nmbc::EndCondition<double>> make(const nmbc::Lattice& lattice,
-                                                     const nmbc::ChainParameters& parameters,
-                                                     std::type_identity<double> precision) const;
+    std::unique_ptr<nmbc::BoundaryCondition<double>> make(
+        const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
+        std::type_identity<double> precision) const;
 };
 
 }  // namespace nmbcrun

@@ -29,9 +29,9 @@ namespace {
 struct ExactEndOfRun {
     double end = 0;  ///< [time]
 
-    std::unique_ptr<nmbc::EndCondition<double>> make(const nmbc::Lattice& lattice,
-                                                     const nmbc::ChainParameters& parameters,
-                                                     std::type_identity<double> precision) const {
+    std::unique_ptr<nmbc::BoundaryCondition<double>> make(
+        const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
+        std::type_identity<double> precision) const {
         const std::size_t steps = steps_until(end, parameters.time_step);
         if (steps > ExactEnd::most_steps) {
             throw SceneError(
@@ -48,9 +48,9 @@ struct ExactEndOfRun {
 struct ExtendedEndOfRun {
     double end = 0;  ///< [time]
 
-    std::unique_ptr<nmbc::EndCondition<double>> make(const nmbc::Lattice& lattice,
-                                                     const nmbc::ChainParameters& parameters,
-                                                     std::type_identity<double> precision) const {
+    std::unique_ptr<nmbc::BoundaryCondition<double>> make(
+        const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
+        std::type_identity<double> precision) const {
         const double unit = parameters.spacing / parameters.wave_speed();
         const std::size_t layer = silent_layer(lattice, parameters.time_step / unit, end / unit);
         if (layer > most_layer) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstddef>
-#include <nmbc/end_condition.hpp>
+#include <nmbc/boundary_condition.hpp>
 
 #include "tools/nmbcrun/scene/scene.hpp"
 

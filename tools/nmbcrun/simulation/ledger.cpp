@@ -2,122 +2,150 @@
 #include "tools/nmbcrun/simulation/ledger.hpp"
 
 #include <algorithm>
-#include <nmbc/energy.hpp>
+#include <set>
 
 namespace nmbcrun {
-namespace {
 
-/// Without the zeros at both ends, of which squares that are not their own mirror image have some:
-/// so none reaches beyond the ghosts.
-void trim(std::vector<double>& stencil) {
-    const auto is_there = [](double entry) { return entry != 0; };
-    stencil.erase(std::find_if(stencil.rbegin(), stencil.rend(), is_there).base(), stencil.end());
-    stencil.erase(stencil.begin(), std::ranges::find_if(stencil, is_there));
-}
-
-}  // namespace
-
-Ledger::Ledger(const nmbc::Chain& chain)
-    : squares_(chain.lattice().energy),
-      begin_(chain.first_interior()),
+Ledger::Ledger(const nmbc::Chain& chain, std::span<const std::size_t> driven)
+    : begin_(chain.first_interior()),
       end_(begin_ + chain.parameters().nodes),
       mass_(chain.parameters().density * chain.parameters().spacing),
-      time_step_(chain.parameters().time_step),
-      old_(chain.velocity().begin(), chain.velocity().end()),
-      kicked_(old_) {
-    for (nmbc::Lattice::Square& square : squares_) {
-        square.weight *= chain.parameters().youngs_modulus / chain.parameters().spacing;
-        trim(square.stencil);
+      time_step_(chain.parameters().time_step) {
+    const auto is_there = [](double entry) { return entry != 0; };
+    for (const auto& [part, weight, stencil] : chain.lattice().energy) {
+        const auto first = std::ranges::find_if(stencil, is_there);
+        const auto last = std::find_if(stencil.rbegin(), stencil.rend(), is_there).base();
+        const auto middle = stencil.begin() + std::ptrdiff_t(stencil.size() / 2);
+        const double unit = chain.parameters().youngs_modulus / chain.parameters().spacing;
+        squares_.push_back({weight * unit, {first, last}, std::size_t(middle - first)});
     }
-    totals_.start = energy(chain.displacement(), chain.velocity());
+    watch(chain, driven);
+    left_ = edge_at(begin_, true);
+    right_ = edge_at(end_, false);
+    keep_old(chain.velocity());
+    totals_.start = energy(chain, nmbc::energies(chain));
+}
+
+void Ledger::watch(const nmbc::Chain& chain, std::span<const std::size_t> driven) {
+    std::set<std::size_t> nodes;
+    for (const std::size_t node : driven) {
+        nodes.insert(begin_ + node);
+    }
+    for (std::size_t i = 0; i < chain.nodes_changed_by(nmbc::End::left); ++i) {
+        nodes.insert(begin_ + i);
+    }
+    for (std::size_t i = 0; i < chain.nodes_changed_by(nmbc::End::right); ++i) {
+        nodes.insert(end_ - 1 - i);
+    }
+    for (const std::size_t node : nodes) {
+        watched_.push_back({.node = node, .old = 0});
+    }
+}
+
+Ledger::Edge Ledger::edge_at(std::size_t edge, bool is_left) const {
+    std::size_t reach = 0;
+    for (const Square& square : squares_) {
+        reach = std::max(reach, square.stencil.size() - 1);
+    }
+    Edge result{.outside = is_left ? edge - reach : edge,
+                .first = edge - reach,
+                .old = std::vector<double>(reach),
+                .stiffness = std::vector<double>(reach * 2 * reach)};
+    for (const auto& [weight, stencil, before] : squares_) {
+        for (std::size_t from = edge + 1 - stencil.size(); from < edge; ++from) {
+            for (std::size_t i = 0; i < stencil.size(); ++i) {
+                if ((from + i < edge) != is_left) {
+                    continue;
+                }
+                const std::size_t row = from + i - result.outside;
+                for (std::size_t j = 0; j < stencil.size(); ++j) {
+                    result.stiffness[row * 2 * reach + from + j - result.first] +=
+                        weight * stencil[i] * stencil[j];
+                }
+            }
+        }
+    }
+    return result;
 }
 
 void Ledger::resume(const nmbc::Chain& chain, const Totals& totals) {
-    std::ranges::copy(chain.velocity(), old_.begin());
+    keep_old(chain.velocity());
     totals_ = totals;
 }
 
-Balance Ledger::balance(const nmbc::Chain& chain) const {
-    const auto [start, work, left, right] = totals_;
-    double damped = 0;
-    if (!chain.damped().empty()) {
-        for (const double at_node : chain.damped().subspan(begin_, end_ - begin_)) {
-            damped += at_node;
-        }
+void Ledger::keep_old(std::span<const double> v) {
+    for (Watched& watched : watched_) {
+        watched.old = v[watched.node];
     }
-    const double now = energy(chain.displacement(), chain.velocity());
-    return {now, work, left, right, now - (start + work - left - right - damped)};
+    for (Edge* const edge : {&left_, &right_}) {
+        std::ranges::copy(v.subspan(edge->outside, edge->old.size()), edge->old.begin());
+    }
+}
+
+Balance Ledger::balance(const nmbc::Chain& chain, const nmbc::Energies& energies) const {
+    const auto [start, work, left, right] = totals_;
+    const double now = energy(chain, energies);
+    return {now, work, left, right, now - (start + work - left - right - energies.damped)};
 }
 
 void Ledger::keep_kicked(std::span<const double> v) {
-    std::copy(&v[begin_], &v[begin_] + (end_ - begin_), &kicked_[begin_]);
+    for (Watched& watched : watched_) {
+        watched.kicked = v[watched.node];
+    }
 }
 
 void Ledger::find_driven(std::span<const double> v) {
-    driven_.clear();
-    for (std::size_t node = begin_; node < end_; ++node) {
-        if (v[node] != kicked_[node]) {
-            driven_.push_back({node, v[node] - kicked_[node]});
-            kicked_[node] = v[node];
-        }
+    for (Watched& watched : watched_) {
+        watched.driven = v[watched.node] - watched.kicked;
+        watched.kicked = v[watched.node];
     }
 }
 
 void Ledger::enter(std::span<const double> u, std::span<const double> v) {
-    const auto gained = [&](std::size_t node, double change) {
-        return mass_ * (v[node] + old_[node]) / 2 * change;
-    };
     double work = 0;
-    for (const auto& [node, change] : driven_) {
-        work += gained(node, change);
+    double left = time_step_ / 2 * power(left_, u, v);
+    double right = time_step_ / 2 * power(right_, u, v);
+    for (const auto& [node, old, kicked, driven] : watched_) {
+        const double path = mass_ * (v[node] + old) / 2;
+        work += path * driven;
+        // What an end has corrected:
+        (node - begin_ < end_ - 1 - node ? left : right) += path * (v[node] - kicked);
     }
     totals_.work += work;
-
-    const double half = time_step_ / 2;
-    double left = half * power(u, v, begin_, 0, begin_);
-    double right = half * power(u, v, end_, end_, v.size());
-    for (std::size_t node = begin_; node < end_; ++node) {
-        if (v[node] != kicked_[node]) {  // an end has corrected it
-            (node - begin_ < end_ - 1 - node ? left : right) +=
-                gained(node, v[node] - kicked_[node]);
-        }
-    }
     totals_.left -= left;
     totals_.right -= right;
-    std::ranges::copy(v, old_.begin());
+    keep_old(v);
 }
 
-double Ledger::power(std::span<const double> u, std::span<const double> v, std::size_t edge,
-                     std::size_t first, std::size_t last) const {
+double Ledger::power(const Edge& edge, std::span<const double> u, std::span<const double> v) {
+    const std::size_t reach = edge.old.size();
+    const double* entry = edge.stiffness.data();
     double sum = 0;
-    for (const auto& [part, weight, stencil] : squares_) {
-        for (std::size_t from = edge + 1 - stencil.size(); from < edge; ++from) {
-            const std::size_t to = from + stencil.size();
-            double outside = 0;
-            for (std::size_t i = std::max(from, first); i < std::min(to, last); ++i) {
-                outside += stencil[i - from] * (v[i] + old_[i]);
-            }
-            sum +=
-                weight * outside * nmbc::detail::apply(std::span<const double>(stencil), &u[from]);
+    for (std::size_t row = 0; row < reach; ++row) {
+        double force = 0;
+        for (std::size_t j = 0; j < 2 * reach; ++j) {
+            force += *entry++ * u[edge.first + j];
         }
+        sum += force * (v[edge.outside + row] + edge.old[row]);
     }
     return sum;
 }
 
-double Ledger::energy(std::span<const double> u, std::span<const double> v) const {
-    double kinetic = 0;
-    for (std::size_t node = begin_; node < end_; ++node) {
-        kinetic += mass_ * v[node] * v[node] / 2;
+double Ledger::energy(const nmbc::Chain& chain, const nmbc::Energies& energies) const {
+    double outside = 0;
+    for (const auto& [weight, stencil, before] : squares_) {
+        const auto add = [&](std::size_t from, std::size_t to) {
+            for (; from < to; ++from) {
+                const std::span<const double> entries(stencil);
+                const double now = nmbc::detail::apply(entries, &chain.displacement()[from]);
+                const double rate = nmbc::detail::apply(entries, &chain.velocity()[from]);
+                outside += weight / 2 * now * (now - time_step_ * rate);
+            }
+        };
+        add(begin_ + 1 - stencil.size(), begin_ - before);
+        add(end_ - before, end_);
     }
-    double potential = 0;
-    for (const auto& [part, weight, stencil] : squares_) {
-        for (std::size_t from = begin_ + 1 - stencil.size(); from < end_; ++from) {
-            const double now = nmbc::detail::apply(std::span<const double>(stencil), &u[from]);
-            const double rate = nmbc::detail::apply(std::span<const double>(stencil), &v[from]);
-            potential += weight / 2 * now * (now - time_step_ * rate);
-        }
-    }
-    return kinetic + potential;
+    return energies.staggered + outside;
 }
 
 }  // namespace nmbcrun

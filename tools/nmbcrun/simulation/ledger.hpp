@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <nmbc/chain.hpp>
+#include <nmbc/energy.hpp>
 #include <span>
 #include <vector>
 
@@ -24,8 +25,8 @@ struct Balance {
     double drift = 0;   ///< energy - (that at the start + work - left - right - damped)
 };
 
-/// Keeps the balance of a chain by looking at its velocities before the sources, after them and
-/// after the ends: three passes over the interior in a step, and some work at the ends.
+/// Keeps the balance of a chain by looking at the velocities of the nodes that somebody may change,
+/// before the sources, after them and after the ends: work at the ends and the sources only.
 class Ledger {
   public:
     /// What a ledger goes on from, and beside it the chain's own state.
@@ -36,13 +37,14 @@ class Ledger {
         double right = 0;
     };
 
-    /// Starts with the chain as it is.
-    explicit Ledger(const nmbc::Chain& chain);
+    /// Starts with the chain as it is. driven: the interior nodes that sources may act on, from 0.
+    Ledger(const nmbc::Chain& chain, std::span<const std::size_t> driven);
 
-    /// One step of the chain with its sources, which may change v of interior nodes.
+    /// Steps of the chain with its sources, which may change v of the driven nodes.
     template <class Prescribe>
-    void step(nmbc::Chain& chain, Prescribe&& prescribe) {
-        chain.step(
+    void advance(nmbc::Chain& chain, std::size_t steps, Prescribe&& prescribe) {
+        chain.advance(
+            steps,
             [&](std::span<const double> u, std::span<double> v, double time) {
                 keep_kicked(v);
                 prescribe(u, v, time);
@@ -53,37 +55,55 @@ class Ledger {
             });
     }
 
-    /// Of the chain after its last step.
-    Balance balance(const nmbc::Chain& chain) const;
+    /// Of the chain after its last step, and of its energies there.
+    Balance balance(const nmbc::Chain& chain, const nmbc::Energies& energies) const;
 
     const Totals& totals() const { return totals_; }
     /// Goes on with the chain as it is, after these totals.
     void resume(const nmbc::Chain& chain, const Totals& totals);
 
   private:
-    struct Change {
+    /// One of the energy's at each node, in the user's units.
+    struct Square {
+        double weight;
+        std::vector<double> stencil;  // from the first entry that is not 0 to the last
+        std::size_t before;           // its node's place in that, from the first entry
+    };
+    /// An interior node whose velocity the sources or an end may change.
+    struct Watched {
         std::size_t node;
-        double velocity;  // that a source added
+        double old;         // v half a step ago
+        double kicked = 0;  // by the lattice, and then the sources
+        double driven = 0;  // what the sources added
+    };
+    /// An edge of the interior: the nodes outside that share squares with interior ones.
+    struct Edge {
+        std::size_t outside = 0;          // the first of them
+        std::size_t first = 0;            // the first node of those squares
+        std::vector<double> old{};        // v of the nodes outside half a step ago
+        std::vector<double> stiffness{};  // of those squares: a row for each node outside, twice
+                                          // as many entries as there are rows
     };
 
+    void watch(const nmbc::Chain& chain, std::span<const std::size_t> driven);
+    Edge edge_at(std::size_t edge, bool is_left) const;
+    void keep_old(std::span<const double> v);
     void keep_kicked(std::span<const double> v);
     void find_driven(std::span<const double> v);
     void enter(std::span<const double> u, std::span<const double> v);
-    double energy(std::span<const double> u, std::span<const double> v) const;
-    /// sum_i F_i (v_i + old v_i) over the nodes from `first` to `last`-1, all outside, of the
-    /// squares that have a node before `edge` and one from there on.
-    double power(std::span<const double> u, std::span<const double> v, std::size_t edge,
-                 std::size_t first, std::size_t last) const;
+    /// sum_i F_i (v_i + old v_i) over the nodes outside.
+    static double power(const Edge& edge, std::span<const double> u, std::span<const double> v);
+    /// E, which `energies` has but for the squares of nodes outside.
+    double energy(const nmbc::Chain& chain, const nmbc::Energies& energies) const;
 
-    /// Weights in the user's units; stencils from the first entry that is not 0 to the last.
-    std::vector<nmbc::Lattice::Square> squares_;
+    std::vector<Square> squares_;
     std::size_t begin_;  // of the interior
     std::size_t end_;
     double mass_;  // rho dX
     double time_step_;
-    std::vector<double> old_;     // v half a step ago, all nodes
-    std::vector<double> kicked_;  // by the lattice and then the sources
-    std::vector<Change> driven_;  // by the sources
+    std::vector<Watched> watched_;  // by node
+    Edge left_;
+    Edge right_;
     Totals totals_;
 };
 

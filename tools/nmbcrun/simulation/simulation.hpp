@@ -53,8 +53,9 @@ class Simulation {
         chain_.step(sources_, std::forward<Observe>(observe));
     }
     void step() { chain_.step(sources_); }
-    /// One step that is entered into the ledger of this chain.
-    void step(Ledger& ledger) { ledger.step(chain_, sources_); }
+    /// Steps that are entered into the ledger of this simulation.
+    void advance(std::size_t steps, Ledger& ledger) { ledger.advance(chain_, steps, sources_); }
+    Ledger make_ledger() const { return {chain_, sources_.nodes()}; }
 
     /// Goes on from the state of a simulation of the same scene.
     void resume(const nmbc::ChainState<double>& state) { chain_.resume(state); }

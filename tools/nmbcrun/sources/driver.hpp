@@ -24,6 +24,9 @@ class Driver {
     /// Whether the nodes are driven, or let go, in the step that ends at this time.
     bool drives(double time) const { return time <= (last_ + 1.5) * time_step_; }
 
+    /// From 0.
+    const std::vector<std::size_t>& nodes() const { return driven_; }
+
     /// Overwrites the velocities of the driven nodes in the step that ends at this time.
     /// u, v: all nodes, ghosts included, v as the forces have made it; first_interior: entry of the
     /// first interior node.

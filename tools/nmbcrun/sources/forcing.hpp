@@ -18,6 +18,9 @@ class Forcing {
     /// FileError where that cannot be read.
     Forcing(const Scene& scene, double time_step);
 
+    /// From 0.
+    const std::vector<std::size_t>& nodes() const { return nodes_; }
+
     /// Of the history: f at a time.
     double force_at(double time) const;
 

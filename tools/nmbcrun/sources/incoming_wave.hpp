@@ -2,7 +2,7 @@
 /// The wave of a scene's [incoming] as a sum of lattice waves.
 #pragma once
 
-#include <nmbc/end_condition.hpp>
+#include <nmbc/boundary_condition.hpp>
 #include <nmbc/lattice.hpp>
 
 #include "tools/nmbcrun/scene/scene.hpp"

@@ -160,6 +160,17 @@ void Sources::operator()(std::span<const double> u, std::span<double> v, double 
     }
 }
 
+std::vector<std::size_t> Sources::nodes() const {
+    std::vector<std::size_t> nodes;
+    if (driver_) {
+        nodes = driver_->nodes();
+    }
+    if (forcing_) {
+        nodes.insert(nodes.end(), forcing_->nodes().begin(), forcing_->nodes().end());
+    }
+    return nodes;
+}
+
 bool Sources::is_driven(double time) const {
     const auto comes_in = [&](const std::shared_ptr<const Background>& background) {
         return background && time <= background->last_wave * time_step_;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "tools/nmbcrun/scene/scene.hpp"
 #include "tools/nmbcrun/sides/incident_field.hpp"
@@ -35,6 +36,9 @@ class Sources {
     /// Forces and prescribed velocities in the step that ends at this time, as Chain::step takes
     /// them; start() was called.
     void operator()(std::span<const double> u, std::span<double> v, double time) const;
+
+    /// The interior nodes that it may act on, from 0.
+    std::vector<std::size_t> nodes() const;
 
     /// Whether a source still feeds the chain in the step that ends at this time.
     bool is_driven(double time) const;

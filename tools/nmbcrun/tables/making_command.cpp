@@ -32,7 +32,7 @@ bool is_known_lattice(const nmbcgen::Specification& what) {
             nmbcgen::make_model(what.family, what.horizon, what.damping, what.weights);
         return what.stabilisation == 0 ||
                std::ranges::find(model.energy, nmbcgen::EnergyPart::stabilisation,
-                                 &nmbcgen::EnergySquare::part) != model.energy.end();
+                                 &nmbcgen::ExactSquare::part) != model.energy.end();
     } catch (const nmbcgen::NoSuchModel&) {
         return false;
     }

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <nmbc/inwards.hpp>
 #include <nmbc/lattice.hpp>
+#include <nmbc/node_line.hpp>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -30,29 +30,29 @@ struct ChainParameters {
 /// ghost node: first the ghosts, as many as the lattice reaches, then the layer, then the
 /// interior.
 template <class Real>
-class EndCondition {
+class BoundaryCondition {
   public:
-    EndCondition() = default;
-    EndCondition(const EndCondition&) = delete;
-    EndCondition& operator=(const EndCondition&) = delete;
-    EndCondition(EndCondition&&) = delete;
-    EndCondition& operator=(EndCondition&&) = delete;
-    virtual ~EndCondition() = default;
+    BoundaryCondition() = default;
+    BoundaryCondition(const BoundaryCondition&) = delete;
+    BoundaryCondition& operator=(const BoundaryCondition&) = delete;
+    BoundaryCondition(BoundaryCondition&&) = delete;
+    BoundaryCondition& operator=(BoundaryCondition&&) = delete;
+    virtual ~BoundaryCondition() = default;
 
     /// Nodes this end puts between its ghosts and the interior. They move as the lattice does.
     virtual std::size_t layer_nodes() const { return 0; }
 
-    /// Interior nodes the chain needs for it.
+    /// Interior nodes the chain needs for it; it reads and writes no others.
     virtual std::size_t least_interior_nodes() const { return 1; }
 
     /// t = 0: called with v at 0, as the user gave it, and again with v at -dt/2. Ghost entries may
     /// be overwritten.
-    virtual void start(Inwards<Real> /*u*/, Inwards<Real> /*v*/) {}
+    virtual void start(NodeLine<Real> /*u*/, NodeLine<Real> /*v*/) {}
 
     /// In every step, when u is at t, t = step * dt, and the lattice's own forces have brought the
     /// layer's and the interior's v to t + dt/2. Writes the ghosts' v, and may change the v of
     /// nodes near the end. After that every u moves on by dt v, ghosts included.
-    virtual void after_kick(Inwards<const Real> u, Inwards<Real> v, std::size_t step) = 0;
+    virtual void after_kick(NodeLine<const Real> u, NodeLine<Real> v, std::size_t step) = 0;
 
     /// What it remembers from step to step, and to make it remember that again: always as many
     /// numbers. A run that is stored with them goes on bit for bit.
@@ -61,7 +61,7 @@ class EndCondition {
 };
 
 /// Which end a chain is to have: anything with
-///     std::unique_ptr<EndCondition<Real>> make(const Lattice&, const ChainParameters&,
+///     std::unique_ptr<BoundaryCondition<Real>> make(const Lattice&, const ChainParameters&,
 ///                                              std::type_identity<Real>) const
 /// of the chain's Real, such as MatchingEnd, FixedEnd and FreeEnd of ends.hpp.
 template <class Real>
@@ -78,13 +78,13 @@ class BasicChainEnd {
               return description.make(lattice, parameters, std::type_identity<Real>{});
           }) {}
 
-    std::unique_ptr<EndCondition<Real>> make(const Lattice& lattice,
-                                             const ChainParameters& parameters) const {
+    std::unique_ptr<BoundaryCondition<Real>> make(const Lattice& lattice,
+                                                  const ChainParameters& parameters) const {
         return make_(lattice, parameters);
     }
 
   private:
-    std::function<std::unique_ptr<EndCondition<Real>>(const Lattice&, const ChainParameters&)>
+    std::function<std::unique_ptr<BoundaryCondition<Real>>(const Lattice&, const ChainParameters&)>
         make_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// Fates of long runs, and why Higdon's conditions grow.
+/// Long-time stability, and why Higdon's conditions grow.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -12,17 +12,17 @@
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/reflection.hpp"
 #include "tools/nmbcrun/certification/half_space.hpp"
-#include "tools/nmbcrun/chart/endurance.hpp"
-#include "tools/nmbcrun/chart/ladder.hpp"
+#include "tools/nmbcrun/chart/boundaries.hpp"
+#include "tools/nmbcrun/chart/long_run.hpp"
 #include "tools/nmbcrun/chart/trial.hpp"
 
 namespace {
 
 using nmbcrun::BoundaryKind;
-using nmbcrun::Endurance;
-using nmbcrun::Fate;
-using nmbcrun::fate_of;
+using nmbcrun::LongRun;
+using nmbcrun::LongTimeStability;
 using nmbcrun::Scene;
+using nmbcrun::stability_shown_by;
 
 /// E = rho = dX = 1.
 Scene chain_of(int horizon, double G, std::size_t nodes, double cfl) {
@@ -34,8 +34,9 @@ Scene chain_of(int horizon, double G, std::size_t nodes, double cfl) {
     return in_steps_of(scene, cfl);
 }
 
-Endurance endured(const Scene& scene, const nmbcrun::Boundary& boundary, std::size_t steps) {
-    return nmbcrun::endure({with_ends(scene, boundary)}, steps, [] {}).front();
+LongTimeStability stability(const Scene& scene, const nmbcrun::Boundary& boundary,
+                            std::size_t steps) {
+    return long_time_stability(with_ends(scene, boundary), steps, [](double) {});
 }
 
 template <class Function>
@@ -82,22 +83,25 @@ TEST_CASE("powers and exponential functions of time are told apart, also from wh
     for (const double start : {0.0, 1.0}) {
         for (const int power : {1, 2, 3}) {
             CAPTURE(power);
-            const Endurance fate =
-                fate_of(sampled([=](double t) { return start + 1e4 * std::pow(t, power); }), 1);
-            CHECK(fate.fate == Fate::drifts);
+            const LongTimeStability shown = stability_shown_by(
+                sampled([=](double t) { return start + 1e4 * std::pow(t, power); }), 1);
+            CHECK(shown.outcome == LongRun::drifts);
             // The start is 8e-4 to 1e-4 of what has come by the half of the time.
-            CHECK(fate.rate == doctest::Approx(power).scale(0).epsilon(2e-3));
+            CHECK(shown.rate == doctest::Approx(power).scale(0).epsilon(2e-3));
         }
-        const Endurance fate =
-            fate_of(sampled([=](double t) { return start + 0.01 * std::exp(25 * t); }), 1);
-        CHECK(fate.fate == Fate::unstable);
+        const LongTimeStability shown = stability_shown_by(
+            sampled([=](double t) { return start + 0.01 * std::exp(25 * t); }), 1);
+        CHECK(shown.outcome == LongRun::unstable);
         // By the half of the time e^12.5/100 has come, 2700; in the half that is 3e-5 of the rate.
-        CHECK(fate.rate == doctest::Approx(25).scale(0).epsilon(1e-4));
+        CHECK(shown.rate == doctest::Approx(25).scale(0).epsilon(1e-4));
     }
-    CHECK(fate_of(sampled([](double t) { return 1 + 3 * t; }), 1).fate == Fate::grows);
-    CHECK(fate_of(sampled([](double t) { return 2 + std::sin(300 * t); }), 1).fate == Fate::steady);
-    CHECK(fate_of(sampled([](double t) { return std::exp(-t); }), 1).fate == Fate::steady);
-    CHECK(fate_of({1, 1}, 1).fate == Fate::steady);
+    CHECK(stability_shown_by(sampled([](double t) { return 1 + 3 * t; }), 1).outcome ==
+          LongRun::grows);
+    CHECK(stability_shown_by(sampled([](double t) { return 2 + std::sin(300 * t); }), 1).outcome ==
+          LongRun::steady);
+    CHECK(stability_shown_by(sampled([](double t) { return std::exp(-t); }), 1).outcome ==
+          LongRun::steady);
+    CHECK(stability_shown_by({1, 1}, 1).outcome == LongRun::steady);
 }
 
 TEST_CASE("a growing mode has the rate of the analysis") {
@@ -109,28 +113,29 @@ TEST_CASE("a growing mode has the rate of the analysis") {
     REQUIRE(verdict.failure == nmbcgen::ModalFailure::growing_mode);
     const std::complex<double> half = verdict.growth * scene.step.value() / 2.0;
     const double rate = std::log(std::abs((1.0 + half) / (1.0 - half))) / scene.step.value();
-    const Endurance fate = endured(scene, scene.left, 4000);
-    CHECK(fate.fate == Fate::unstable);
+    const LongTimeStability shown = stability(scene, scene.left, 4000);
+    CHECK(shown.outcome == LongRun::unstable);
     // It is seen for 100 steps, and its phase may differ at both ends of them.
-    CHECK(fate.rate == doctest::Approx(rate).scale(0).epsilon(0.02));
+    CHECK(shown.rate == doctest::Approx(rate).scale(0).epsilon(0.02));
 }
 
 TEST_CASE("NMBC of order 2 and perfectly matched layers are steady") {
     const Scene scene = chain_of(2, 1.5, 100, 0.4);
-    CHECK(endured(scene, {.order = 2, .stride = 2}, 100'000).fate == Fate::steady);
-    CHECK(endured(scene, {.kind = BoundaryKind::pml, .layer = 10}, 100'000).fate == Fate::steady);
+    CHECK(stability(scene, {.order = 2, .stride = 2}, 100'000).outcome == LongRun::steady);
+    CHECK(stability(scene, {.kind = BoundaryKind::pml, .layer = 10}, 100'000).outcome ==
+          LongRun::steady);
 }
 
 TEST_CASE("where there are backward waves, Higdon's conditions grow by reflecting them") {
     for (const int order : {3, 4}) {
         CAPTURE(order);
         const Scene scene = chain_of(2, 1.85, 500, 0.8);
-        const Endurance fate =
-            endured(scene, {.kind = BoundaryKind::higdon, .order = order}, 1'000'000);
-        CHECK(fate.fate == Fate::unstable);
+        const LongTimeStability shown =
+            stability(scene, {.kind = BoundaryKind::higdon, .order = order}, 1'000'000);
+        CHECK(shown.outcome == LongRun::unstable);
         // A little more, as the two waves of a frequency make each other, too.
-        CHECK(fate.rate > 0.99 * growth_of_one_wave(scene, order));
-        CHECK(fate.rate < 1.02 * growth_of_one_wave(scene, order));
+        CHECK(shown.rate > 0.99 * growth_of_one_wave(scene, order));
+        CHECK(shown.rate < 1.02 * growth_of_one_wave(scene, order));
     }
 }
 
@@ -140,13 +145,14 @@ TEST_CASE("without, they grow by roundings, at a rate for each step and any leng
     const double root = std::pow(std::numeric_limits<double>::epsilon() / 2, 1.0 / 4);
     for (const std::size_t nodes : {50U, 200U}) {
         const Scene scene = chain_of(1, 0.5, nodes, 0.4);
-        const Endurance fate = endured(scene, {.kind = BoundaryKind::higdon, .order = 4}, 500'000);
-        CHECK(fate.fate == Fate::unstable);
+        const LongTimeStability shown =
+            stability(scene, {.kind = BoundaryKind::higdon, .order = 4}, 500'000);
+        CHECK(shown.outcome == LongRun::unstable);
         // Their size is known but for a factor: its fourth root is within 0.5 and 1.
-        CHECK(fate.rate * scene.step.value() > 0.4 * root);
-        CHECK(fate.rate * scene.step.value() < root);
-        CHECK(endured(scene, {.kind = BoundaryKind::higdon, .order = 2}, 500'000).fate ==
-              Fate::steady);
+        CHECK(shown.rate * scene.step.value() > 0.4 * root);
+        CHECK(shown.rate * scene.step.value() < root);
+        CHECK(stability(scene, {.kind = BoundaryKind::higdon, .order = 2}, 500'000).outcome ==
+              LongRun::steady);
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a chain can end in. The nodes next to an end are counted inwards, j = 0 the outermost
+/// What a lattice can end in. The nodes next to an end are counted inwards, j = 0 the outermost
 /// interior one; its ghost layers, as many as the stencil reaches, are j = -1, -2, ..
 ///     matching   s C(k) = B(k) on every ghost layer, (60)
 ///     fixed      u_j = 0 on every ghost layer
@@ -13,16 +13,16 @@
 
 namespace nmbcgen {
 
-enum class EndKind { matching, fixed, free };
+struct LatticeEnd {
+    enum class Kind { matching, fixed, free };
 
-struct ChainEnd {
-    EndKind kind = EndKind::matching;
+    Kind kind = Kind::matching;
     HalfSpace half_space{};  ///< the lattice and its condition; fixed and free: C = 1, B = 0
 };
 
 /// A fixed or free end of the lattice that a half space is made of. C = 1, B = 0 is what a fixed
 /// end is, v = 0; a free one does not use it, but is to have no zeros of C and B either.
-ChainEnd fixed_end(const HalfSpace& lattice);
-ChainEnd free_end(const HalfSpace& lattice);
+LatticeEnd fixed_end(const HalfSpace& lattice);
+LatticeEnd free_end(const HalfSpace& lattice);
 
 }  // namespace nmbcgen

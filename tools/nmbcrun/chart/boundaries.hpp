@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The boundaries a chart compares, each with a ladder of its parameters.
+/// The boundaries that a chart compares.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@
 namespace nmbcrun {
 
 /// A boundary, to be put at both ends.
-struct Rung {
+struct NamedBoundary {
     std::string name;  ///< short and without commas, such as "NMBC2 s2" or "pml 20"
     Boundary boundary;
 };
 
-/// All that can end the scene's lattice: every table of it that exists at its G and is not matched
-/// in time steps, which would prescribe the step, and of the other kinds the widths and orders
-/// users take. The scene's own boundaries do not count.
-std::vector<Rung> ladder(const Scene& scene);
+/// All that can end the scene's lattice, those of one kind in ascending order or width: every table
+/// of it that exists at its G and is not matched in time steps, which would prescribe the step, and
+/// of the other kinds the widths and orders users take. The scene's own boundaries do not count.
+std::vector<NamedBoundary> boundaries_of(const Scene& scene);
 
 /// The scene with the same boundary at both ends, certified or not.
 Scene with_ends(Scene scene, const Boundary& boundary);

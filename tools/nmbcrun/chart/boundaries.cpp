@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/chart/ladder.hpp"
+#include "tools/nmbcrun/chart/boundaries.hpp"
 
 #include <fmt/format.h>
 
@@ -22,33 +22,34 @@ bool exists(const nmbc::MatchingTable& table, double G) {
 
 }  // namespace
 
-std::vector<Rung> ladder(const Scene& scene) {
-    std::vector<Rung> rungs{{"fixed", {.kind = BoundaryKind::fixed}},
-                            {"free", {.kind = BoundaryKind::free}}};
+std::vector<NamedBoundary> boundaries_of(const Scene& scene) {
+    std::vector<NamedBoundary> all{{"fixed", {.kind = BoundaryKind::fixed}},
+                                   {"free", {.kind = BoundaryKind::free}}};
     for (const nmbc::MatchingTable* table : tables_of(scene)) {
         if (table->time_step == "0" && exists(*table, scene.G)) {
-            rungs.push_back({fmt::format("NMBC{} s{}", table->order, table->stride),
-                             {.order = table->order, .stride = table->stride}});
-        }
-    }
-    for (const int order : {1, 2, 3, 4}) {
-        rungs.push_back(
-            {fmt::format("higdon {}", order), {.kind = BoundaryKind::higdon, .order = order}});
-    }
-    for (const BoundaryKind kind : {BoundaryKind::sponge, BoundaryKind::pml}) {
-        for (const std::size_t layer : {5U, 10U, 20U, 50U, 100U}) {
-            rungs.push_back(
-                {fmt::format("{} {}", name_of(kind), layer), {.kind = kind, .layer = layer}});
+            all.push_back({fmt::format("NMBC{} s{}", table->order, table->stride),
+                           {.order = table->order, .stride = table->stride}});
         }
     }
     if (scene.family == "nopd1d" && scene.weights.empty() && !is_damped(scene)) {
-        rungs.push_back({"mbc 1", {.kind = BoundaryKind::mbc, .order = 1}});
+        all.push_back({"mbc 1", {.kind = BoundaryKind::mbc, .order = 1}});
     }
-    rungs.push_back({"extended", {.kind = BoundaryKind::extended}});
+    for (const int order : {1, 2, 3, 4}) {
+        all.push_back(
+            {fmt::format("higdon {}", order), {.kind = BoundaryKind::higdon, .order = order}});
+    }
+    for (const BoundaryKind kind :
+         {BoundaryKind::sponge, BoundaryKind::pml, BoundaryKind::extended}) {
+        for (const std::size_t layer : {5U, 10U, 20U, 50U, 100U, 250U}) {
+            all.push_back(
+                {fmt::format("{} {}", name_of(kind), layer), {.kind = kind, .layer = layer}});
+        }
+    }
+    all.push_back({"extended", {.kind = BoundaryKind::extended}});
     if (!scene.incoming && !scene.preload) {
-        rungs.push_back({"exact", {.kind = BoundaryKind::exact}});
+        all.push_back({"exact", {.kind = BoundaryKind::exact}});
     }
-    return rungs;
+    return all;
 }
 
 Scene with_ends(Scene scene, const Boundary& boundary) {

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/output/gnuplot.hpp"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "tools/nmbcrun/errors.hpp"
+
+namespace nmbcrun {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// In the build tree as where it is installed.
+fs::path script_path(const std::string& script) {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    const fs::path path = program.parent_path().parent_path() / "share/nmbc/plots" / script;
+    if (error || !fs::exists(path, error)) {
+        throw FileError(fmt::format("there is no {} to draw with", path.string()));
+    }
+    return path;
+}
+
+/// As a shell wants it.
+std::string quoted(const std::string& text) {
+    const bool is_plain = !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
+        return std::isalnum(c) != 0 || std::strchr("_./=+-,:", c) != nullptr;
+    });
+    if (is_plain) {
+        return text;
+    }
+    std::string result = "'";
+    for (const char c : text) {
+        result += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
+    }
+    return result + "'";
+}
+
+std::string as_command(const std::vector<std::string>& words) {
+    std::string command;
+    for (const std::string& word : words) {
+        command += (command.empty() ? "" : " ") + quoted(word);
+    }
+    return command;
+}
+
+/// Whether the program is installed. Throws FileError where it fails.
+bool run_program(std::vector<std::string> words) {
+    std::vector<char*> arguments;
+    for (std::string& word : words) {
+        arguments.push_back(word.data());
+    }
+    arguments.push_back(nullptr);
+    pid_t process = 0;
+    const int error =
+        ::posix_spawnp(&process, arguments.front(), nullptr, nullptr, arguments.data(), environ);
+    if (error == ENOENT) {
+        return false;
+    }
+    int status = 0;
+    pid_t ended = 0;
+    while (error == 0 && (ended = ::waitpid(process, &status, 0)) < 0 && errno == EINTR) {
+    }
+    if (error != 0 || ended != process || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+        throw FileError("this could not draw: " + as_command(words));
+    }
+    return true;
+}
+
+}  // namespace
+
+void draw(const std::string& script, const std::vector<std::string>& arguments,
+          const std::vector<fs::path>& made) {
+    std::vector<std::string> words{"gnuplot", "-c", script_path(script).string()};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::fflush(stdout);
+    if (run_program(words)) {
+        for (const fs::path& picture : made) {
+            fmt::print("picture      {}\n", picture.string());
+        }
+    } else {
+        fmt::print("to draw it   {}\n", as_command(words));
+    }
+}
+
+void draw_run(const Scene& scene, const fs::path& folder) {
+    const auto file = [&](const std::string& ending) {
+        return (folder / (scene.name + ending)).string();
+    };
+    const std::string title = scene.title.empty() ? scene.name : scene.title;
+    draw("energy.gp", {file("_energy"), file(".csv"), title},
+         {file("_energy.svg"), file("_energy.png")});
+    if (scene.field) {
+        draw("spectrum.gp", {file("_spectrum"), file("_field.csv"), title},
+             {file("_spectrum.svg"), file("_spectrum.png")});
+    }
+    if (scene.snapshots > 0) {
+        draw("spacetime.gp", {"u", file("_spacetime"), file(".h5"), title},
+             {file("_spacetime.png")});
+    }
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+/// Pictures, drawn by gnuplot with the scripts of tools/plots.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tools/nmbcrun/scene/scene.hpp"
+
+namespace nmbcrun {
+
+/// Runs `gnuplot -c SCRIPT ARGUMENT..`, SCRIPT from the folder share/nmbc/plots beside the
+/// program's bin, and prints the files it made. Prints the command instead where gnuplot is not
+/// installed. Throws FileError where there is no such script or gnuplot fails.
+void draw(const std::string& script, const std::vector<std::string>& arguments,
+          const std::vector<std::filesystem::path>& made);
+
+/// The pictures of what a run of the scene has left in the folder: its energies, the spectrum of
+/// its fields (output.field) and displacements over space and time (output.snapshots). Throws as
+/// draw().
+void draw_run(const Scene& scene, const std::filesystem::path& folder);
+
+}  // namespace nmbcrun
