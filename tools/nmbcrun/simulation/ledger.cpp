@@ -122,9 +122,12 @@ double Ledger::power(const Edge& edge, std::span<const double> u, std::span<cons
     const double* entry = edge.stiffness.data();
     double sum = 0;
     for (std::size_t row = 0; row < reach; ++row) {
+        // Of differences, or the roundings would be those of how far the whole has moved: the
+        // entries of a row add up to 0, as a lattice that is moved as a whole has no forces.
+        const double own = u[edge.outside + row];
         double force = 0;
         for (std::size_t j = 0; j < 2 * reach; ++j) {
-            force += *entry++ * u[edge.first + j];
+            force += *entry++ * (u[edge.first + j] - own);
         }
         sum += force * (v[edge.outside + row] + edge.old[row]);
     }
