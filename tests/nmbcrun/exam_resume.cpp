@@ -2,9 +2,9 @@
 /// A run that is stored and taken up again goes on bit for bit.
 #include "tests/nmbcrun/chains.hpp"
 #include "tools/nmbcrun/sides/higdon.hpp"
-#include "tools/nmbcrun/sides/truncated.hpp"
 #include "tools/nmbcrun/sides/pml.hpp"
 #include "tools/nmbcrun/sides/sponge.hpp"
+#include "tools/nmbcrun/sides/truncated.hpp"
 
 namespace {
 

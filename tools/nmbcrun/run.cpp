@@ -51,12 +51,12 @@ class Run {
           options_(options),
           checkpoint_(options.folder / (scene.name + ".checkpoint")) {
         if (!prospect_.objection.empty() && !scene.allow_amplifying && !scene.allow_unstable) {
-            throw Unstable(fmt::format(
-                "{}. {}. To run it all the same: boundary.allow_amplifying = true",
-                prospect_.objection,
-                prospect_.warnings.empty()
-                    ? "Another model.G, order or stride may absorb it: nmbcrun advise"
-                    : fmt::format("{}", fmt::join(prospect_.warnings, ". "))));
+            throw Unstable(
+                fmt::format("{}. {}. To run it all the same: boundary.allow_amplifying = true",
+                            prospect_.objection,
+                            prospect_.warnings.empty()
+                                ? "Another model.G, order or stride may absorb it: nmbcrun advise"
+                                : fmt::format("{}", fmt::join(prospect_.warnings, ". "))));
         }
         note_interrupts();  // up to here nothing was written
         nmbcgen::require_replaceable(checkpoint_);

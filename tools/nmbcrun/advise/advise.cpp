@@ -216,7 +216,9 @@ double seconds_of_run(const Scene& scene) {
     using Clock = std::chrono::steady_clock;
     constexpr double enough = 0.02;
     const auto start = Clock::now();
-    const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    const auto seconds = [&] {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
     Simulation simulation(scene);
     while (!simulation.is_done() && seconds() < enough) {
         simulation.step();
@@ -275,7 +277,8 @@ void advise(const Scene& scene, double tolerance, bool quiet, const Pause& pause
     const double run = seconds_of_run(advised(scene, best));
     if (constexpr double patience = 10; !quiet && watch.seconds() > patience * run) {
         fmt::print(
-            "took       {:.2g} s, as {:.0f} runs of what is advised: {} boundaries were predicted in "
+            "took       {:.2g} s, as {:.0f} runs of what is advised: {} boundaries were predicted "
+            "in "
             "time steps from the longest down, and those that meet the tolerance timed\n",
             watch.seconds(), watch.seconds() / run, advice.ranked.size() + advice.left_out.size());
     }

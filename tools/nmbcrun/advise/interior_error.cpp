@@ -41,9 +41,9 @@ InteriorError::InteriorError(const Scene& scene, EndlessScene& endless, const Ou
     : endless_(endless),
       pause_(pause),
       mirrors_(scene),
-      gone_after_(mirrors_.count() == 2 ? std::numeric_limits<double>::infinity()
-                                        : double(scene.nodes) * (1 + mirrors_.count()) +
-                                              outgoing.duration),
+      gone_after_(mirrors_.count() == 2
+                      ? std::numeric_limits<double>::infinity()
+                      : double(scene.nodes) * (1 + mirrors_.count()) + outgoing.duration),
       duration_(outgoing.duration),
       largest_(outgoing.largest),
       grid_(outgoing.nodes) {

@@ -45,7 +45,7 @@ class InteriorError {
     const Pause& pause_;
     Mirrors mirrors_;
     double gone_after_;  // dX: a wave that has gone twice as far has left the interior
-    double duration_;  // after which the reference is
+    double duration_;    // after which the reference is
     double largest_;
     WaveGrid grid_;
     std::vector<Wave> reference_;

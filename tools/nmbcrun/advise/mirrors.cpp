@@ -17,7 +17,7 @@ std::vector<double> Mirrors::folded(std::span<const double> field) const {
         // A fixed end's own node is its own image, so that nothing of it is left.
         while ((node < 0 && at_left()) || (node >= nodes && at_right())) {
             const bool fixed = (node < 0 ? left_ : right_) == BoundaryKind::fixed;
-            const std::ptrdiff_t sum = (node < 0 ? -1 : 2 * nodes - 1) + (!fixed    ? 0
+            const std::ptrdiff_t sum = (node < 0 ? -1 : 2 * nodes - 1) + (!fixed     ? 0
                                                                           : node < 0 ? -1
                                                                                      : 1);
             value = fixed ? (2 * node == sum ? 0 : -value) : value;

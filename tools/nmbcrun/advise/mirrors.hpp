@@ -21,8 +21,8 @@ class Mirrors {
     bool at_right() const { return is_physical(right_); }
     int count() const { return int(at_left()) + int(at_right()); }
 
-    /// u of the interior nodes. field: of a WaveGrid, which has the interior from its first entry on
-    /// and goes on, upside down, in front of that with its last one.
+    /// u of the interior nodes. field: of a WaveGrid, which has the interior from its first entry
+    /// on and goes on, upside down, in front of that with its last one.
     std::vector<double> folded(std::span<const double> field) const;
 
   private:

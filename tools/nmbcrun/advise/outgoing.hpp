@@ -27,8 +27,8 @@ struct WaveBand {
     bool is_backward;                ///< energy goes against the phase
 };
 
-/// For so long after the sources [dX/c] waves are followed on their way to the ends, and out. Slower
-/// ones than a tenth of c may take longer.
+/// For so long after the sources [dX/c] waves are followed on their way to the ends, and out.
+/// Slower ones than a tenth of c may take longer.
 double time_to_follow(const Scene& scene);
 
 /// What is under way when the sources have ended, as if there were no ends.

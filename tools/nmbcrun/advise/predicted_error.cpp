@@ -22,8 +22,8 @@ Arrivals arrivals(const Scene& scene, const Outgoing& outgoing, nmbc::End end, b
     const auto nodes = double(scene.nodes);
     const bool left = end == nmbc::End::left;
     const bool to_left = left != mirrored;
-    const double way = double(to_left ? outgoing.from_left : outgoing.from_right) +
-                       (mirrored ? nodes : 0);
+    const double way =
+        double(to_left ? outgoing.from_left : outgoing.from_right) + (mirrored ? nodes : 0);
     const double fastest = fastest_speed(outgoing);
     const double round = nodes * (1 + Mirrors(scene).count());
     const auto more_trips = int(std::max(0.0, (fastest * outgoing.remaining - way) / round));

@@ -32,9 +32,9 @@ struct Arrivals {
 /// max |u - u_ref| / max |u_ref| by what the ends send back: the outgoing waves, each times what
 /// the end makes of it, added up in phase at some nodes near the end, at times up to the end of the
 /// run. The larger of the two ends, or their sum where there is time for the two to meet; and a
-/// bound of what comes back again, the sum of |amplitude| times a product of reflections. A physical
-/// end sends everything back: to the artificial one opposite, where it counts like what comes
-/// directly, and what that makes an error of, which is twice as large there.
+/// bound of what comes back again, the sum of |amplitude| times a product of reflections. A
+/// physical end sends everything back: to the artificial one opposite, where it counts like what
+/// comes directly, and what that makes an error of, which is twice as large there.
 class ReflectionError {
   public:
     /// All three live as long as this. What adds up to less than `negligible` of max |u| is left
@@ -57,7 +57,8 @@ class ReflectionError {
     const Outgoing& outgoing_;
     const Pause& pause_;
     Mirrors mirrors_;
-    std::vector<Arrivals> left_;  // none at a physical end; directly, and from a physical end opposite
+    std::vector<Arrivals>
+        left_;  // none at a physical end; directly, and from a physical end opposite
     std::vector<Arrivals> right_;
     std::map<const nmbc::MatchingTable*, nmbcgen::HalfSpace> half_spaces_;
     std::unique_ptr<nmbcgen::KnownModes> modes_;  // of an undamped lattice, which all ends share

@@ -27,8 +27,8 @@ constexpr double margin = 1.1;
 /// Of the tolerance: waves that add up to less are not followed.
 constexpr double negligible = 1e-3;
 
-/// Whether what a boundary sends back can meet a tolerance in shorter steps yet. Beside what it sends
-/// back in continuous time the error is of second order in the steps or higher.
+/// Whether what a boundary sends back can meet a tolerance in shorter steps yet. Beside what it
+/// sends back in continuous time the error is of second order in the steps or higher.
 class InShorterSteps {
   public:
     explicit InShorterSteps(double tolerance) : tolerance_(tolerance) {}
@@ -197,8 +197,7 @@ void Search::add_table(const nmbc::MatchingTable& table) {
         fmt::format("NMBC{}, stride {}{}", table.order, table.stride,
                     table.time_step == "0" ? std::string()
                                            : fmt::format(", in steps of {} dX/c", table.time_step));
-    const double highest =
-        largest_certified_cfl(with_artificial_ends(scene_, boundary), lattice_);
+    const double highest = largest_certified_cfl(with_artificial_ends(scene_, boundary), lattice_);
     if (highest == 0) {
         leave_out(name, uncertified_file(scene_, table) != nullptr
                             ? "its table was written with --uncertified"

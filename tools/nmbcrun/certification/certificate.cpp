@@ -89,10 +89,10 @@ std::string name_of(const Boundary& boundary) {
         const char* article = name_of(boundary.kind).starts_with('e') ? "an " : "a ";
         return article + std::string(name_of(boundary.kind)) + " end";
     }
-    return fmt::format("{}{}{}{}", boundary.kind == BoundaryKind::truncated ? "truncated MBC" : "NMBC",
-                       boundary.order,
-                       boundary.stride > 1 ? fmt::format(" of stride {}", boundary.stride) : "",
-                       boundary.ghosts == nmbc::GhostRule::midpoint ? "" : " with explicit ghosts");
+    return fmt::format(
+        "{}{}{}{}", boundary.kind == BoundaryKind::truncated ? "truncated MBC" : "NMBC",
+        boundary.order, boundary.stride > 1 ? fmt::format(" of stride {}", boundary.stride) : "",
+        boundary.ghosts == nmbc::GhostRule::midpoint ? "" : " with explicit ghosts");
 }
 
 /// " at n = .., G = ..: "
@@ -126,8 +126,9 @@ std::optional<std::string> decided_without_waves(const Scene& scene,
                                                  const nmbc::MatchingTable& right, double cfl) {
     for (const Boundary& boundary : {scene.left, scene.right}) {
         if (!has_certificate(boundary.kind)) {
-            return fmt::format("there is no certificate for a chain with {} end",
-                               boundary.kind == BoundaryKind::truncated ? "a truncated" : "a higdon");
+            return fmt::format(
+                "there is no certificate for a chain with {} end",
+                boundary.kind == BoundaryKind::truncated ? "a truncated" : "a higdon");
         }
     }
     if (adds_no_energy(scene.left.kind) && adds_no_energy(scene.right.kind)) {

@@ -77,7 +77,8 @@ bool has_pole_next_to(const nmbc::MatchingTable& table, double G) {
         }
     }
     return std::ranges::any_of(denominators, [&](std::string_view denominator) {
-        return nmbcgen::count_real_roots(nmbcgen::over_rationals(exact(denominator)), low, high) > 0;
+        return nmbcgen::count_real_roots(nmbcgen::over_rationals(exact(denominator)), low, high) >
+               0;
     });
 }
 

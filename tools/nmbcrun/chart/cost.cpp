@@ -81,8 +81,7 @@ std::pair<nmbc::Chain, double> made(const Scene& scene, nmbc::Chain& bare, std::
 
 std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
                                          const std::function<void()>& after_round,
-                                         const std::function<void()>& pause,
-                                         std::size_t rounds) {
+                                         const std::function<void()>& pause, std::size_t rounds) {
     const auto burst =
         std::size_t(std::max(10.0, std::ceil(timing_burst / double(scenes.front().nodes))));
     nmbc::Chain bare = chain_between(scenes.front(), nmbc::IdleEnd{}, nmbc::IdleEnd{});

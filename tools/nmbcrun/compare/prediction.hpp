@@ -10,8 +10,8 @@
 
 namespace nmbcrun {
 
-/// The part of the energy of an incident wave that the end sends back in waves of any wave number, as
-/// a function of its own [1/dX]. Nothing where nothing is known, as below. time_step [dX/c].
+/// The part of the energy of an incident wave that the end sends back in waves of any wave number,
+/// as a function of its own [1/dX]. Nothing where nothing is known, as below. time_step [dX/c].
 std::optional<std::function<double(double xi)>> reflected_energy_of(const Scene& scene,
                                                                     const Boundary& boundary,
                                                                     double time_step);

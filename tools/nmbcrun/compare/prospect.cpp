@@ -42,8 +42,7 @@ Energies arriving_at(nmbc::End side, const Simulation& simulation,
         }
         for (std::size_t part = 0; part < source.spectrum.parts(); ++part) {
             const double xi = source.spectrum.wave_number(part);
-            const double speed =
-                std::abs(group_velocity(simulation.chain().lattice(), xi, step));
+            const double speed = std::abs(group_velocity(simulation.chain().lattice(), xi, step));
             if (speed * scene.end / unit >= way) {
                 energies[xi] += source.spectrum.energy() * source.spectrum.share(part);
             }
@@ -91,10 +90,10 @@ class Returned {
         const double share = arrived_ > 0 ? sum_of(amplified_) / arrived_ : 0;
         return share <= negligible
                    ? ""
-                   : fmt::format("sends back up to {:.2g} times the energy that comes, at xi dX = "
-                                 "{:.2g} to {:.2g}, where {:.1g} of the energy is that gets there",
-                                 most_, amplified_.begin()->first, amplified_.rbegin()->first,
-                                 share);
+                   : fmt::format(
+                         "sends back up to {:.2g} times the energy that comes, at xi dX = "
+                         "{:.2g} to {:.2g}, where {:.1g} of the energy is that gets there",
+                         most_, amplified_.begin()->first, amplified_.rbegin()->first, share);
     }
 
   private:
@@ -135,15 +134,16 @@ Length length_of(Scene& scene, const std::string& source) {
     }
     const bool is_sine = scene.force->history == History::sine;
     return {is_sine ? "force.frequency" : "force.duration",
-            is_sine                                    ? &scene.force->frequency
+            is_sine                                 ? &scene.force->frequency
             : scene.force->history == History::file ? nullptr
-                                                       : &scene.force->duration,
+                                                    : &scene.force->duration,
             is_sine};
 }
 
 constexpr double most_not_carried = 0.1;
 
-/// "; KEY = VALUE would do", or nothing.
+/// "; KEY = VALUE would do" or that none would: zero-energy modes answer to a single node at any
+/// pace.
 std::string what_would_do(const Simulation& simulation, const std::string& source, double step) {
     Scene scene = simulation.scene();
     const auto [key, value, is_inverse] = length_of(scene, source);
@@ -162,7 +162,7 @@ std::string what_would_do(const Simulation& simulation, const std::string& sourc
             }
         }
     }
-    return "";
+    return value == nullptr ? "" : fmt::format("; no {} alone would do", key);
 }
 
 }  // namespace
@@ -211,9 +211,8 @@ Prospect prospect_of(const Simulation& simulation) {
         returned.add(arriving, known_or_found);
         const std::string amplified = alone.amplified_in_words();
         if (!amplified.empty() && prospect.objection.empty()) {
-            prospect.objection =
-                fmt::format("{} on the {} {}", heading_of(end),
-                            side == nmbc::End::left ? "left" : "right", amplified);
+            prospect.objection = fmt::format("{} on the {} {}", heading_of(end),
+                                             side == nmbc::End::left ? "left" : "right", amplified);
         }
     }
     if (has_artificial) {

@@ -21,8 +21,8 @@ struct Prospect {
 
 /// Of the waves that the sources send out (source_spectra()) those that get to an end before
 /// time.end, each times what the end makes of it in these time steps by its modal analysis. Waves
-/// with less than a thousandth of the energy together make no objection, and a source with less than
-/// a tenth of its energy in waves slower than 0.75 c, or faster than 1.25 c, no warning.
+/// with less than a thousandth of the energy together make no objection, and a source with less
+/// than a tenth of its energy in waves slower than 0.75 c, or faster than 1.25 c, no warning.
 Prospect prospect_of(const Simulation& simulation);
 
 }  // namespace nmbcrun

@@ -9,8 +9,8 @@
 
 namespace nmbcrun {
 
-/// The scene in steps of time_step [time], with its artificial ends so far away that nothing returns
-/// from them. Physical ends stay.
+/// The scene in steps of time_step [time], with its artificial ends so far away that nothing
+/// returns from them. Physical ends stay.
 Scene endless(Scene scene, double time_step);
 
 /// Interior displacements of a chain.

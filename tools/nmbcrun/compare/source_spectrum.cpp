@@ -85,8 +85,7 @@ Spectrum spectrum_of(const Pulse& pulse, double spacing,
     const double half = transform.highest - pulse.wave_number;
     const double low = std::max(0.0, pulse.wave_number - half);
     constexpr double per_part = 4;
-    const double samples =
-        std::max(4000.0, per_part * (transform.highest - low) / width_of_part);
+    const double samples = std::max(4000.0, per_part * (transform.highest - low) / width_of_part);
     const double step = (transform.highest - low) / samples;
     std::vector<double> energies(parts);
     for (double i = 0.5; i < samples; ++i) {
@@ -98,8 +97,8 @@ Spectrum spectrum_of(const Pulse& pulse, double spacing,
     return Spectrum(std::move(energies));
 }
 
-/// What a step of a force gives the velocities of its nodes, by the angle by which a wave turns in a
-/// step.
+/// What a step of a force gives the velocities of its nodes, by the angle by which a wave turns in
+/// a step.
 Spectrum spectrum_of_force(const Scene& scene, const nmbc::Lattice& lattice, double time_step) {
     const Forcing forcing(scene, time_step);
     const double unit = unit_of_time(scene);
@@ -109,7 +108,8 @@ Spectrum spectrum_of_force(const Scene& scene, const nmbc::Lattice& lattice, dou
         last = std::min(last, scene.force->time + scene.force->cycles / scene.force->frequency);
         last = std::min(last, scene.force->time + most * time_step);
     }
-    const double first = scene.force->history == History::sine ? std::max(0.0, scene.force->time) : 0;
+    const double first =
+        scene.force->history == History::sine ? std::max(0.0, scene.force->time) : 0;
     const double between =  // others that are as long are slow
         std::max(time_step, time_step * std::ceil((last - first) / time_step / most));
     std::vector<double> changes;
@@ -117,7 +117,8 @@ Spectrum spectrum_of_force(const Scene& scene, const nmbc::Lattice& lattice, dou
         changes.push_back(between * forcing.force_at(time) / scene.density * unit);
     }
     const MeanPower power(changes);
-    const auto nodes = double(nodes_within(scene, scene.force->centre, scene.force->half_width).size());
+    const auto nodes =
+        double(nodes_within(scene, scene.force->centre, scene.force->half_width).size());
     const auto angle = [&](double xi) {
         const double sine = omega_of(lattice, xi) * time_step / unit / 2;
         return 2 * std::asin(std::min(sine, 1.0)) * between / time_step;
@@ -126,8 +127,9 @@ Spectrum spectrum_of_force(const Scene& scene, const nmbc::Lattice& lattice, dou
     for (std::size_t part = 0; part < parts; ++part) {
         const double xi = middle_of(part, parts);
         const double place = std::sin(nodes * xi / 2) / std::sin(xi / 2);
-        energies.push_back(width_of_part * place * place *
-                           power.between(angle(xi - width_of_part / 2), angle(xi + width_of_part / 2)));
+        energies.push_back(
+            width_of_part * place * place *
+            power.between(angle(xi - width_of_part / 2), angle(xi + width_of_part / 2)));
     }
     return Spectrum(std::move(energies));
 }
@@ -138,7 +140,10 @@ Spectrum spectrum_of_file(const Scene& scene, const nmbc::Lattice& lattice, doub
                                            .youngs_modulus = scene.youngs_modulus,
                                            .density = scene.density,
                                            .time_step = time_step};
-    const InitialFields fields = initial_fields(scene, lattice, parameters, scene.nodes, 0);
+    InitialFields fields = initial_fields(scene, lattice, parameters, scene.nodes, 0);
+    constexpr std::size_t most = 1 << 22;  // the left part of longer ones has to do
+    fields.u.resize(std::min(scene.nodes, most));
+    fields.v.resize(std::min(scene.nodes, most));
     const MeanPower of_u(fields.u);
     const MeanPower of_v(fields.v);
     std::vector<double> energies;
@@ -176,9 +181,10 @@ Spectrum spectrum_of_drive(const Scene& scene, const nmbc::Lattice& lattice, dou
     alone.end = 2 * duration;
     alone.cfl.reset();
     constexpr double short_step = 0.2;  // of the interior's limit
-    alone.step = std::min(
-        {std::max(time_step / unit_of_time(scene), short_step * 2 / nmbc::maximum_frequency(lattice)),
-         duration / 2, nmbc::interior_cfl(lattice) * 1.9 / nmbc::maximum_frequency(lattice)});
+    alone.step = std::min({std::max(time_step / unit_of_time(scene),
+                                    short_step * 2 / nmbc::maximum_frequency(lattice)),
+                           duration / 2,
+                           nmbc::interior_cfl(lattice) * 1.9 / nmbc::maximum_frequency(lattice)});
     Simulation simulation(alone);
     do {
         simulation.step();
@@ -209,8 +215,8 @@ std::vector<SourceSpectrum> source_spectra(const Scene& scene, const nmbc::Latti
     } else if (scene.initial) {
         const Initial& initial = *scene.initial;
         const double unit = unit_of_time(scene);
-        const bool one_way = initial.kind == InitialKind::to_the_right ||
-                             initial.kind == InitialKind::to_the_left;
+        const bool one_way =
+            initial.kind == InitialKind::to_the_right || initial.kind == InitialKind::to_the_left;
         const auto weight = [&](double xi) {
             return initial.kind == InitialKind::velocity ? unit * unit
                                                          : (one_way ? 2 : 1) * squared(xi);
@@ -234,10 +240,19 @@ std::vector<SourceSpectrum> source_spectra(const Scene& scene, const nmbc::Latti
             return 2 * squared(xi) * std::pow(share_of_incoming(speed), 2);
         };
         const double node = scene.incoming->end == nmbc::End::left ? 0 : last_node;
-        spectra.push_back(
-            {"incoming", spectrum_of(scene.incoming->pulse, dX, weight), node, node});
+        spectra.push_back({"incoming", spectrum_of(scene.incoming->pulse, dX, weight), node, node});
     }
     return spectra;
+}
+
+Spectrum spectrum_of_sources(const Scene& scene, const nmbc::Lattice& lattice, double time_step) {
+    std::vector<double> energies(parts);
+    for (const SourceSpectrum& source : source_spectra(scene, lattice, time_step)) {
+        for (std::size_t part = 0; part < parts; ++part) {
+            energies[part] += source.spectrum.energy() * source.spectrum.share(part);
+        }
+    }
+    return Spectrum(std::move(energies));
 }
 
 }  // namespace nmbcrun

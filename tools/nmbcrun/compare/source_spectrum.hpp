@@ -14,7 +14,7 @@ namespace nmbcrun {
 struct SourceSpectrum {
     std::string name;   ///< of its table in the scene
     Spectrum spectrum;  ///< of the energy of its waves, in the same units for all sources
-    double first = 0;   ///< the interior nodes that its waves start from, counted from 0 at the left
+    double first = 0;  ///< the interior nodes that its waves start from, counted from 0 at the left
     double last = 0;
 };
 
@@ -24,5 +24,8 @@ struct SourceSpectrum {
 /// one of that length. Throws as the sources do, where they are made.
 std::vector<SourceSpectrum> source_spectra(const Scene& scene, const nmbc::Lattice& lattice,
                                            double time_step);
+
+/// Of all of them together.
+Spectrum spectrum_of_sources(const Scene& scene, const nmbc::Lattice& lattice, double time_step);
 
 }  // namespace nmbcrun

@@ -241,8 +241,8 @@ void require_sources_in_run(const SceneReader& reader, const Scene& scene) {
         const Force& force = *scene.force;
         const bool has_middle = force.duration > 0;
         starts_late("force.time", force.time - (has_middle ? widths * force.duration : 0));
-        const double rest =
-            has_middle ? widths * force.duration : force.cycles / force.frequency;  // of a file: inf
+        const double rest = has_middle ? widths * force.duration
+                                       : force.cycles / force.frequency;  // of a file: inf
         if (force.time + rest < 0) {
             reader.fail("force.time", "lets it end before the run begins, at t = 0");
         }

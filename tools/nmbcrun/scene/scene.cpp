@@ -26,10 +26,14 @@ constexpr double sponge_target = 1e-2;
 constexpr double pml_target = 1e-4;
 
 const std::vector<std::pair<std::string_view, BoundaryKind>> boundary_kinds{
-    {"nmbc", BoundaryKind::nmbc},   {"fixed", BoundaryKind::fixed},
-    {"free", BoundaryKind::free},   {"extended", BoundaryKind::extended},
-    {"exact", BoundaryKind::exact}, {"sponge", BoundaryKind::sponge},
-    {"pml", BoundaryKind::pml},     {"higdon", BoundaryKind::higdon},
+    {"nmbc", BoundaryKind::nmbc},
+    {"fixed", BoundaryKind::fixed},
+    {"free", BoundaryKind::free},
+    {"extended", BoundaryKind::extended},
+    {"exact", BoundaryKind::exact},
+    {"sponge", BoundaryKind::sponge},
+    {"pml", BoundaryKind::pml},
+    {"higdon", BoundaryKind::higdon},
     {"truncated", BoundaryKind::truncated}};
 
 /// The keys that count for it, `kind` aside.
@@ -268,11 +272,12 @@ std::string heading_of(const Boundary& boundary) {
             break;
     }
     const bool midpoint = boundary.ghosts == nmbc::GhostRule::midpoint;
-    return fmt::format(
-        "{}{}, stride {}, {} ghosts{}",
-        boundary.kind == BoundaryKind::nmbc ? "NMBC" : "truncated MBC", boundary.order, boundary.stride, midpoint ? "midpoint" : "explicit",
-        boundary.matched_step == "0" ? std::string()
-                                     : ", matched in steps of " + boundary.matched_step + " dX/c");
+    return fmt::format("{}{}, stride {}, {} ghosts{}",
+                       boundary.kind == BoundaryKind::nmbc ? "NMBC" : "truncated MBC",
+                       boundary.order, boundary.stride, midpoint ? "midpoint" : "explicit",
+                       boundary.matched_step == "0"
+                           ? std::string()
+                           : ", matched in steps of " + boundary.matched_step + " dX/c");
 }
 
 Overrides split_settings(const std::vector<std::string>& settings) {

@@ -15,10 +15,10 @@
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/sides/exact.hpp"
 #include "tools/nmbcrun/sides/higdon.hpp"
-#include "tools/nmbcrun/sides/truncated.hpp"
 #include "tools/nmbcrun/sides/pml.hpp"
 #include "tools/nmbcrun/sides/silent_layer.hpp"
 #include "tools/nmbcrun/sides/sponge.hpp"
+#include "tools/nmbcrun/sides/truncated.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {

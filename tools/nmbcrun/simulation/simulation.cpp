@@ -48,15 +48,14 @@ Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
               .cfl = cfl,
               .limit = automatic.limit};
     require_memory(scene, lattice, time_step);
-    plan.objection =
-        PairOfEnds(scene, table_of(scene, scene.left), table_of(scene, scene.right))
-            .objection(time_step, cfl);
+    plan.objection = PairOfEnds(scene, table_of(scene, scene.left), table_of(scene, scene.right))
+                         .objection(time_step, cfl);
     if (!plan.objection.empty() && !scene.allow_unstable) {
         const bool has_choice =
             has_certificate(scene.left.kind) && has_certificate(scene.right.kind);
-        throw Unstable(fmt::format(
-            "{}{}{}. To run it all the same: boundary.allow_unstable = true", plan.objection,
-            has_choice ? ". " : "", has_choice ? what_is_certified(scene, lattice) : ""));
+        throw Unstable(fmt::format("{}{}{}. To run it all the same: boundary.allow_unstable = true",
+                                   plan.objection, has_choice ? ". " : "",
+                                   has_choice ? what_is_certified(scene, lattice) : ""));
     }
     return plan;
 }
