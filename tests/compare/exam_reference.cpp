@@ -54,6 +54,14 @@ TEST_CASE("nothing returns through a silent layer") {
     }
 }
 
+TEST_CASE("the reference keeps a physical end") {
+    nmbcrun::Scene scene;
+    scene.right = {.kind = nmbcrun::BoundaryKind::free};
+    const nmbcrun::Scene reference = nmbcrun::endless(scene, 0.1);
+    CHECK(reference.left.kind == nmbcrun::BoundaryKind::extended);
+    CHECK(reference.right.kind == nmbcrun::BoundaryKind::free);
+}
+
 TEST_CASE("the deviation of one run from another") {
     const auto lattice = nmbc::make_lattice(nmbc::generated::nopd1d_n1_order1, 0.5);
     nmbc::Chain one(lattice, nmbc::FixedEnd{}, {.nodes = 10, .time_step = 0.5});

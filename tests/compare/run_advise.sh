@@ -13,7 +13,7 @@ expect_exit 0
 expect_no_stderr
 for what in 'of the ends and of the time step together' 'left out' \
     'NMBC4, stride 1                       not certified at this G' \
-    'higdon, mbc                           not certified to be stable' \
+    'higdon, truncated                     not certified to be stable' \
     'stored fields                         nobody asked for them'; do
     expect "says: $what" grep -q -- "$what" "$scratch/stdout"
 done
@@ -37,6 +37,22 @@ expect "2744 steps in every row" awk '/^meets/ { table = 1; next } /^cost/ { tab
     table && !/ 0.091      2744 / { exit 1 }' "$scratch/stdout"
 
 expect "why the steps are no longer" grep -q 'longer steps *the scene gives them' "$scratch/stdout"
+
+# A physical end stays, and the other side's keys are its own.
+try advise "${bar[@]}" --tolerance 1e-3 --set boundary.right.kind=free
+expect_exit 0
+settings=$(sed -n 's/^settings   //p' "$scratch/stdout")
+expect "settings of the left end alone" grep -q '^--set boundary.left.kind=nmbc --set boundary.left.order=' \
+    <<<"$settings"
+read -ra words <<<"$settings"
+try verify "${bar[@]}" --set boundary.right.kind=free "${words[@]}" --tolerance 1e-3 --quiet
+expect_exit 0
+try run "${bar[@]}" --set boundary.right.kind=free --tolerance 1e-3
+expect_exit 0
+expect_stdout_line "right     free"
+try advise "${bar[@]}" --tolerance 1e-3 --set boundary.kind=fixed --quiet
+expect_exit 0
+expect "the step alone" grep -qE '^settings   --set time.cfl=0.[0-9]+$' "$scratch/stdout"
 
 # Nothing gets to the ends: no boundary.
 try advise "${bar[@]}" --tolerance 1e-2 --set time.end=20 --quiet
@@ -110,7 +126,7 @@ for command in advise run; do
     try "$command" "${bar[@]}" --tolerance 1e-15
     expect_exit 1
     expect_stderr "nothing meets the tolerance 1e-15"
-    expect "a line for each" grep -q '^  higdon, mbc: not certified' "$scratch/stderr"
+    expect "a line for each" grep -q '^  higdon, truncated: not certified' "$scratch/stderr"
 done
 
 # Stopped: at once, wherever it is. One that is not done by then would take minutes.

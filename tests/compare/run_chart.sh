@@ -15,7 +15,7 @@ error_of() { # BOUNDARY CFL: its boundary error
 }
 expect "a header line" grep -qx "boundary,kind,cfl,steps,certified,long_run,rate,step_cost,construction,$(:
     )total_cost,boundary_error,total_error,energy_left,on_step_front,on_front,layer_share,profile,target" $csv
-for kind in nmbc mbc higdon sponge pml extended exact fixed free; do
+for kind in nmbc truncated higdon sponge pml extended exact fixed free; do
     for cfl in 0.1 0.2 0.4 0.8; do
         expect "$kind at cfl $cfl" grep -q ",$kind,$cfl," $csv
     done
@@ -26,10 +26,10 @@ expect "a wider layer is better" below "$(error_of 'pml 50' 0.4)" "$(error_of 'p
 expect "NMBC2 beats NMBC1 in short steps" below "$(error_of 'NMBC2 s1' 0.1)" "$(error_of 'NMBC1 s1' 0.1)"
 expect "NMBC2 beats the perfectly matched layer of 20 nodes" below "$(error_of 'NMBC2 s1' 0.4)" \
     "$(error_of 'pml 20' 0.4)"
-expect "the edge effect" below "$(error_of 'NMBC1 s1' 0.4)" "$(error_of 'mbc 1' 0.4)"
+expect "the edge effect" below "$(error_of 'NMBC1 s1' 0.4)" "$(error_of 'truncated 1' 0.4)"
 expect "a fixed end sends all back" awk -F, '$1 == "fixed" && ($11 < 0.9 || $11 > 2.1) { exit 1 }' $csv
 expect "what has no certificate says so" awk -F, \
-    '($2 == "higdon" || $2 == "mbc") && $5 != 0 { exit 1 }' $csv
+    '($2 == "higdon" || $2 == "truncated") && $5 != 0 { exit 1 }' $csv
 expect "a front of runs" awk -F, '$15 == 1 { front++ } END { exit !(front >= 2) }' $csv
 # At cfl 0.4 it is the narrowest that lets nothing back: a node less does.
 expect "an extended end no wider than the run needs" awk -F, \

@@ -24,8 +24,18 @@ expect "above the tolerance" grep -q 'above the tolerance 1e-06$' "$scratch/stdo
 
 # Unlike ends; everything comes back from a free one.
 try verify "$scene" "${good[@]}" --set boundary.right.kind=free --tolerance 1
-expect_exit 1
+expect_exit 0
 expect "the free end reflects all" grep -Eq ' 1.000e\+00     1.000e\+00$' "$scratch/stdout"
+
+# A physical end is part of the reference, too: what is left is what the absorber lets back.
+try verify "$scene" "${good[@]}" \
+    --set boundary.right.kind=fixed --set time.end=100 --tolerance 1e-4
+expect_exit 0
+expect "the fixed end stays" grep -q '^reference  extended until nothing returns; fixed$' "$scratch/stdout"
+expect "half of the energy is in long waves" awk '$2 == "50.000" { exit !($1 < 0.1) }' "$scratch/stdout"
+try verify "$scene" --set boundary.kind=free --tolerance 1
+expect_exit 2
+expect_stderr "both ends are physical"
 
 # The reference itself.
 for kind in extended exact; do

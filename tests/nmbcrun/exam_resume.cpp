@@ -2,9 +2,9 @@
 /// A run that is stored and taken up again goes on bit for bit.
 #include "tests/nmbcrun/chains.hpp"
 #include "tools/nmbcrun/sides/higdon.hpp"
-#include "tools/nmbcrun/sides/mbc.hpp"
 #include "tools/nmbcrun/sides/pml.hpp"
 #include "tools/nmbcrun/sides/sponge.hpp"
+#include "tools/nmbcrun/sides/truncated.hpp"
 
 namespace {
 
@@ -15,7 +15,7 @@ TEST_CASE("runs with nmbcrun's ends are resumed bit for bit") {
                                            nmbcrun::HigdonEnd{1},
                                            nmbcrun::HigdonEnd{2},
                                            nmbcrun::HigdonEnd{4},
-                                           nmbcrun::MbcEnd{coefficients}};
+                                           nmbcrun::TruncatedEnd{coefficients}};
     for (const auto& left : ends) {
         for (const auto& right : ends) {
             const nmbc::ChainParameters parameters{.nodes = 20, .time_step = 0.2};

@@ -31,7 +31,7 @@ nmbcrun::Scene damped_scene(double G, std::size_t nodes) {
 std::string objection_at(const nmbcrun::Scene& scene, double cfl) {
     const double rate = std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
     const double omega_max = nmbc::maximum_frequency(nmbc::make_lattice(table, scene.G)) * rate;
-    return objection(scene, table, table, 2 * cfl / omega_max, cfl);
+    return nmbcrun::PairOfEnds(scene, table, table).objection(2 * cfl / omega_max, cfl);
 }
 
 TEST_CASE("damped ends are certified at the scene's own length") {

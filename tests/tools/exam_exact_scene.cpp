@@ -78,7 +78,8 @@ std::string objection_to(const nmbcrun::Scene& scene, double cfl) {
     };
     const double omega_max =
         nmbc::maximum_frequency(nmbc::make_lattice(table(scene.left), scene.G));
-    return objection(scene, table(scene.left), table(scene.right), 2 * cfl / omega_max, cfl);
+    return nmbcrun::PairOfEnds(scene, table(scene.left), table(scene.right))
+        .objection(2 * cfl / omega_max, cfl);
 }
 
 TEST_CASE("what is certified opposite an exact end") {

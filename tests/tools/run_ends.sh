@@ -23,6 +23,12 @@ unstable "a fixed end on the left and NMBC1 on the right are not stable together
 unstable "cfl = 0.8" --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=0.8
 unstable "cfl = 1" --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=1
 
+# What is certified in its place: for the pair another order and stride, or a shorter step.
+unstable "Certified in its place at this G: order 1, stride 2 up to cfl = 0.98; order 2, stride 2 up to" \
+    --set model.horizon=1 --set model.G=0.01 --set boundary.right.kind=fixed
+unstable "Certified for these ends is cfl = 0.69, time.step = 0.09128" \
+    --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=0.8
+
 # Certified, and yet unstable in a chain of 9 nodes; 40 are enough.
 short_chain=(--set model.horizon=3 --set boundary.order=3 --set boundary.stride=3 --set model.G=2
     --set drive.centre=5 --set drive.half_width=0.5 --set time.step=0.05)
@@ -65,6 +71,48 @@ try run "$scene" --quiet --set boundary.kind=free --set model.G=1
 expect "free ends keep the energy" awk '/^energy left/ { exit !($3 > 0.99) }' "$scratch/stdout"
 rm -r results
 
+# What comes back is said before a run, and an end that sends back more than comes is refused.
+try run "$2/tools/scenes/broadband.toml" --set output.name=said
+expect_exit 0
+expect "what comes back" grep -q '^ends      about 4e-06 of the energy that reaches them comes back, most at xi dX = 0.9' \
+    "$scratch/stdout"
+expect "and came back" grep -q '^energy left  3.669e-06 of the peak' "$scratch/stdout"
+rm -r results
+cat >"$scratch/steel.toml" <<'END'
+[model]
+horizon = 3
+G = 0
+[material]
+density = 7850
+youngs_modulus = 2.1e11
+[domain]
+nodes = 400
+spacing = 0.0025
+[force]
+history = "ricker"
+amplitude = 1e9
+centre = 0.5
+time = 1e-5
+duration = 2e-6
+[time]
+end = 4e-4
+END
+refuses 4 "NMBC1, stride 1, midpoint ghosts on the left sends back up to 6.2 times the energy that comes" \
+    "$scratch/steel.toml"
+refuses 4 "of what force sends out is in waves so short that the lattice disperses them or turns them back; no force.duration alone would do" \
+    "$scratch/steel.toml"
+refuses 4 "lattice disperses them or turns them back; force.duration = 3.1e-06 would do" \
+    "$scratch/steel.toml" --set model.G=27/7
+try run "$scratch/steel.toml" --set boundary.allow_amplifying=true
+expect_exit 0
+expect_stderr "nmbcrun: warning:"
+expect "more than comes" grep -q '^ends      about [1-9].* of the energy that reaches them comes back' "$scratch/stdout"
+rm -r results
+try run "$scratch/steel.toml" --set model.G=27/7 --set force.duration=6e-6 --set force.time=4e-5
+expect_exit 0
+expect_no_stderr
+rm -r results
+
 # Layers: with any end that adds no energy, at 0.99 of the interior's limit, and with an nmbc where
 # that is certified for any such end.
 layer=(--set boundary.layer=20)
@@ -87,7 +135,7 @@ for kind in sponge pml; do
     rm -r results
 done
 # Ends without a certificate run where they are allowed to, at a step that is given.
-for kind in higdon mbc; do
+for kind in higdon truncated; do
     unstable "there is no certificate for a chain with a" --set boundary.right.kind=$kind
     refuses 4 "there is no certificate for this kind" "$automatic" \
         --set boundary.kind=$kind --set boundary.allow_unstable=true
@@ -97,12 +145,12 @@ for kind in higdon mbc; do
     rm -r results
 done
 # The edge effect: a long wave comes back with 1/9 of its energy, and what NMBC1 leaves on top.
-try run "$scene" --quiet --set model.horizon=1 --set boundary.kind=mbc \
+try run "$scene" --quiet --set model.horizon=1 --set boundary.kind=truncated \
     --set boundary.allow_unstable=true
 expect "a ninth of the energy" awk '/^energy left/ { exit !($3 > 1 / 9 && $3 < 1 / 9 + 6e-4) }' \
     "$scratch/stdout"
 rm -r results
-refuses 2 "without damping" "$scene" --set boundary.kind=mbc --set boundary.allow_unstable=true \
+refuses 2 "without damping" "$scene" --set boundary.kind=truncated --set boundary.allow_unstable=true \
     --set model.damping=1/100 --set boundary.order=2 --set boundary.stride=2
 
 finish

@@ -116,14 +116,10 @@ try run "$2/tools/scenes/broadband.toml" --set boundary.order=2 --set boundary.s
 expect_exit 4
 expect_stderr "times its peak before its sources ended"
 # No energy, and why.
-try run "$sourceless" "${short[@]}" --set initial.shape=gaussian --set initial.amplitude=1 \
-    --set initial.width=1 --set initial.centre=-1000
+try run "$sourceless" "${short[@]}" --set initial.shape=gaussian --set initial.amplitude=1e-300 \
+    --set initial.width=9 --set initial.centre=250
 expect_exit 4
 expect_stderr "there was no energy at any time, so nothing to compare with: initial lies outside of the bar or between two nodes, or"
-try run "$sourceless" "${short[@]}" --set force.history=gaussian --set force.amplitude=1 \
-    --set force.centre=250 --set force.time=1000 --set force.duration=1
-expect_exit 4
-expect_stderr "a force or an incoming wave acts at no time of the run"
 
 # Files of a scene are relative to its folder: a force, and the field that a run has left.
 mkdir -p "$scratch/scenes"

@@ -97,6 +97,15 @@ for same in model.G=0 model.horizon=1; do
     expect_exit 0
 done
 
+# G: no default, exact, and refused where an exact one is a pole, however it is written.
+sed '/^G /d' "$scene" >"$scratch/unstabilised.toml"
+refuses 2 'model.G is missing: 0 is standard NOPD, whose zero-energy modes no end absorbs; "32/15" makes' \
+    "$scratch/unstabilised.toml"
+for G in '"128/85"' 1.5058823529411764; do
+    refuses 3 "has a pole of a coefficient at G = 1.5058823529411764" "$scene" --set boundary.order=2 \
+        --set model.G="$G" --set boundary.allow_unstable=true
+done
+
 # Sources: none, unfinished ones, keys that say nothing.
 refuses 2 "sourceless.toml: nothing starts or drives the scene: it needs at least one of the tables drive, initial," "$sourceless"
 # source_of CODE TEXT KEY=VALUE..: the scene with these alone.
@@ -129,7 +138,7 @@ source_of 5 "Is a directory" initial.shape=csv initial.file=.
 printf '\xef\xbb\xbftime,force\r\n0,0\r\n1,2\r\n' >"$scratch/marked.csv"
 csv=(force.history=csv force.centre=250)
 try run "$sourceless" "${short[@]}" --set force.history=csv --set force.file=marked.csv \
-    --set force.centre=250
+    --set force.centre=250 --set force.half_width=99
 expect_exit 0
 expect_no_stderr
 rm -r results
@@ -155,6 +164,17 @@ source_of 2 "domain.nodes is 1, but NMBC2, stride 1, midpoint ghosts needs at le
     boundary.order=2 model.G=1/2 model.horizon=1 domain.nodes=1
 source_of 2 "the chain needs at least 4 interior nodes for these ends" "${pulse[@]}" \
     boundary.kind=free domain.nodes=3
+
+# .. and those that act on no node, or at no time of the run.
+source_of 2 "initial.centre puts it outside of the bar, whose nodes are at 1 to 500" "${pulse[@]}" initial.centre=-99
+source_of 2 "initial.centre puts it outside of the bar" "${pulse[@]}" initial.centre=600
+for late in "gaussian force.duration=1" "ricker force.duration=2" "sine force.frequency=1"; do
+    read -ra late <<<"$late"
+    source_of 2 "force.time lets it begin at t =" "${force[@]}" force.history="${late[0]}" "${late[1]}" force.time=99
+done
+source_of 2 "force.time lets it end before the run begins" "${force[@]}" force.history=gaussian \
+    force.duration=1 force.time=-7
+source_of 2 "incoming.arrival lets it begin at t = 91" "${wave[@]}" incoming.arrival=99
 
 setting 3 "pole of a coefficient at G = 0" boundary.order=4
 refuses 3 "C(1) = 0" "$scene" --set model.horizon=1 --set model.G=1 --set boundary.order=3
@@ -190,7 +210,7 @@ idle 'boundary.right.stride does not count for kind "higdon", whose keys are ord
 idle 'boundary.target does not count for kind "nmbc", whose keys are order, stride' \
     --set boundary.kind=nmbc --set boundary.target=0.1
 sed 's/^order.*/kind = "fixed"\n&/' "$scene" >"$scratch/idle.toml"
-refuses 2 'idle.toml:26: boundary.order does not count for kind "fixed"' "$scratch/idle.toml"
+refuses 2 'idle.toml:29: boundary.order does not count for kind "fixed"' "$scratch/idle.toml"
 stable --set boundary.order=1 --set boundary.right.kind=free
 rm -r results
 for value in 0 1 -1 nan \"x\"; do

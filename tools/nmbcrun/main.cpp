@@ -179,7 +179,8 @@ int main(int argc, char** argv) {
             nmbcrun::Scene scene = scene_of(arguments);
             if (arguments.tolerance > 0) {
                 nmbcrun::note_interrupts();
-                scene = nmbcrun::as_advised(scene, arguments.tolerance, stop_where_interrupted);
+                scene = nmbcrun::as_advised(scene, arguments.tolerance, arguments.quiet,
+                                            stop_where_interrupted);
             }
             nmbcrun::run(scene, {arguments.folder, arguments.quiet, arguments.resume,
                                  arguments.keep_checkpoint});

@@ -2,12 +2,14 @@
 #include "tools/nmbcrun/run.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
 
+#include "tools/nmbcrun/compare/prospect.hpp"
 #include "tools/nmbcrun/output/checkpoint.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
@@ -44,9 +46,18 @@ class Run {
   public:
     Run(const Scene& scene, const RunOptions& options)
         : simulation_(scene),
+          prospect_(prospect_of(simulation_)),
           ledger_(simulation_.make_ledger()),
           options_(options),
           checkpoint_(options.folder / (scene.name + ".checkpoint")) {
+        if (!prospect_.objection.empty() && !scene.allow_amplifying && !scene.allow_unstable) {
+            throw Unstable(
+                fmt::format("{}. {}. To run it all the same: boundary.allow_amplifying = true",
+                            prospect_.objection,
+                            prospect_.warnings.empty()
+                                ? "Another model.G, order or stride may absorb it: nmbcrun advise"
+                                : fmt::format("{}", fmt::join(prospect_.warnings, ". "))));
+        }
         note_interrupts();  // up to here nothing was written
         nmbcgen::require_replaceable(checkpoint_);
         lock_.emplace(options.folder / (scene.name + ".lock"));
@@ -74,6 +85,7 @@ class Run {
     void print() const;
 
     const Simulation& simulation() const { return simulation_; }
+    const Prospect& prospect() const { return prospect_; }
 
   private:
     /// What a run with a later end goes on from, without the last row where that run has none.
@@ -96,6 +108,7 @@ class Run {
     Unstable unstable(const std::string& what) const;
 
     Simulation simulation_;
+    Prospect prospect_;
     Ledger ledger_;
     std::optional<RunLock> lock_;
     std::optional<Recorder> recorder_;
@@ -290,9 +303,14 @@ void run(const Scene& scene, const RunOptions& options) {
     if (!run.simulation().warning().empty()) {
         fmt::print(stderr, "nmbcrun: warning: {}\n", printable(run.simulation().warning()));
     }
+    for (const std::string& warning : run.prospect().warnings) {
+        fmt::print(stderr, "nmbcrun: warning: {}\n", warning);
+    }
     if (!options.quiet) {
         const Plan& plan = run.simulation().plan();
-        fmt::print("{}time      {} steps of {}\n\n", heading_of(run.simulation()), plan.steps,
+        const std::string& ends = run.prospect().ends;
+        fmt::print("{}{}time      {} steps of {}\n\n", heading_of(run.simulation()),
+                   ends.empty() ? "" : fmt::format("ends      {}\n", ends), plan.steps,
                    heading_of(plan));
     }
     try {

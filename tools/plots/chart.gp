@@ -22,7 +22,7 @@ conditions = strlen(nmbc) - strlen(system("echo '" . nmbc . "' | tr -d ,")) - 1
 name_of(i) = system(sprintf("echo '%s' | cut -d, -f%d", nmbc, i + 1))
 array series[conditions]
 do for [i = 1:conditions] { series[i] = name_of(i) }
-others = "mbc higdon sponge pml extended exact free fixed"
+others = "truncated higdon sponge pml extended exact free fixed"
 
 # Okabe and Ito's palette; blues for the orders of NMBC.
 blue(name) = word("#56b4e9 #0072b2 #00497a #332288", int(name[5:5]))

@@ -4,7 +4,7 @@
 #     awk -v form=printed -f tools/plots/edge_node.awk      3 u_0 - 4 u_2 + u_3, as printed
 #     awk -v form=derived -f tools/plots/edge_node.awk      4 u_0 - 5 u_1 + u_3, from the energy
 # Rows time and total energy, as nmbcrun's, until it has grown a hundredfold. A program of its own,
-# so that it checks the "mbc" ends of nmbcrun too.
+# so that it checks the "truncated" ends of nmbcrun too.
 BEGIN {
     if (form == "printed") { of_0 = 3; of_1 = 0; of_2 = -4 }
     else if (form == "derived") { of_0 = 4; of_1 = -5; of_2 = 0 }

@@ -4,27 +4,48 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include "tools/nmbcrun/advise/watch.hpp"
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/simulation/simulation.hpp"
 
 namespace nmbcrun {
 namespace {
 
 /// The scene as advised: lattice, boundaries and time step.
 Scene advised(const Scene& scene, const Candidate& candidate) {
-    Scene result = with_lattice(scene, candidate.horizon, candidate.G);
-    result.left = candidate.boundary;
-    result.right = candidate.boundary;
+    Scene result = with_artificial_ends(with_lattice(scene, candidate.horizon, candidate.G),
+                                        candidate.boundary);
     result.allow_unstable = false;
+    result.allow_amplifying = false;
     if (!scene.step && !scene.cfl && candidate.boundary.matched_step == "0") {
         result.cfl = candidate.cfl;
     }
     return result;
+}
+
+/// What the keys of its artificial ends begin with: both share theirs, unless one is physical or a
+/// key of its own.
+std::vector<std::string> groups_of_ends(const Scene& scene) {
+    const bool each_its_own = std::ranges::any_of(scene.given, [](const auto& key_and_value) {
+        return key_and_value.first.starts_with("boundary.left.") ||
+               key_and_value.first.starts_with("boundary.right.");
+    });
+    std::vector<std::string> groups;
+    for (const auto& [end, name] :
+         {std::pair(&scene.left, "boundary.left"), {&scene.right, "boundary.right"}}) {
+        if (!is_physical(end->kind)) {
+            groups.emplace_back(name);
+        }
+    }
+    return groups.size() == 2 && !each_its_own ? std::vector<std::string>{"boundary"} : groups;
 }
 
 /// The settings that make a scene the advised one, as --set takes them.
@@ -37,15 +58,29 @@ std::string settings_of(const Scene& scene, const Candidate& candidate) {
     if (scene.auto_G) {
         settings += fmt::format("--set model.G={} ", candidate.G);
     }
-    settings += fmt::format("--set boundary.kind={}", name_of(boundary.kind));
-    if (boundary.kind == BoundaryKind::nmbc) {
-        settings += fmt::format(" --set boundary.order={} --set boundary.stride={}", boundary.order,
-                                boundary.stride);
-        if (boundary.matched_step != "0") {
-            return settings + fmt::format(" --set boundary.matched_step={}", boundary.matched_step);
+    for (const std::string& group : groups_of_ends(scene)) {
+        const auto set = [&](const char* key, const auto& value) {
+            settings += fmt::format("--set {}.{}={} ", group, key, value);
+        };
+        set("kind", name_of(boundary.kind));
+        if (boundary.kind == BoundaryKind::nmbc) {
+            set("order", boundary.order);
+            set("stride", boundary.stride);
+            const Boundary& own = group == "boundary.right" ? scene.right : scene.left;
+            if (own.ghosts != boundary.ghosts) {
+                set("ghosts", "midpoint");
+            }
+            if (own.matched_step != boundary.matched_step) {
+                set("matched_step", boundary.matched_step);
+            }
         }
     }
-    return settings + fmt::format(" --set time.cfl={:.4g}", candidate.cfl);
+    if (boundary.matched_step != "0") {
+        settings.pop_back();
+        return settings;
+    }
+    constexpr double digits = 1e4;  // rounded down: what is certified has an end above
+    return settings + fmt::format("--set time.cfl={}", std::floor(candidate.cfl * digits) / digits);
 }
 
 void measure_costs(const Scene& scene, std::vector<Candidate>& candidates, const Pause& pause) {
@@ -55,8 +90,9 @@ void measure_costs(const Scene& scene, std::vector<Candidate>& candidates, const
         scenes.push_back(advised(scene, candidate));
         scenes.back().step = candidate.time_step;
     }
+    constexpr std::size_t rounds = 31;  // the medians are good to a few per cent
     const auto costs = relative_costs(
-        scenes, [] {}, pause);
+        scenes, [] {}, pause, rounds);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         candidates[i].cost = costs[i].of_run(candidates[i].steps);
     }
@@ -99,6 +135,21 @@ std::vector<Candidate> worth_measuring(std::vector<Candidate> candidates) {
     // Steps are measured beside those of the first one's interior: the fastest.
     std::ranges::stable_sort(candidates, {}, &Candidate::horizon);
     return candidates;
+}
+
+/// An exact end remembers the whole run: to measure it takes as long, and never pays where a ghost
+/// rule will do.
+void leave_out_exact(Candidates& candidates) {
+    const auto is_exact = [](const Candidate& one) {
+        return one.boundary.kind == BoundaryKind::exact;
+    };
+    const bool is_needed = std::ranges::none_of(candidates.meet, [](const Candidate& one) {
+        return one.boundary.kind == BoundaryKind::nmbc || one.boundary.kind == BoundaryKind::fixed;
+    });
+    if (!is_needed && std::erase_if(candidates.meet, is_exact) > 0) {
+        candidates.left_out.push_back(
+            {"exact", "it remembers the whole run, and a ghost rule will do"});
+    }
 }
 
 std::string with_lattice_named(const Scene& scene, const Candidate& one) {
@@ -160,6 +211,28 @@ const char* what_counts(const Scene& scene) {
                                    : "of the ends and of the time step together";
 }
 
+/// About: from the first of its steps.
+double seconds_of_run(const Scene& scene) {
+    using Clock = std::chrono::steady_clock;
+    constexpr double enough = 0.02;
+    const auto start = Clock::now();
+    const auto seconds = [&] {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    Simulation simulation(scene);
+    while (!simulation.is_done() && seconds() < enough) {
+        simulation.step();
+    }
+    return seconds() * double(simulation.plan().steps) / double(simulation.chain().steps());
+}
+
+Advice watched_advice(const Scene& scene, double tolerance, Watch& watch, const Pause& pause) {
+    return advice_for(scene, tolerance, [&] {
+        watch.look();
+        pause();
+    });
+}
+
 }  // namespace
 
 Advice advice_for(const Scene& scene, double tolerance, const Pause& pause) {
@@ -174,14 +247,16 @@ Advice advice_for(const Scene& scene, double tolerance, const Pause& pause) {
     if (has_open_lattice(scene)) {
         candidates.meet = worth_measuring(std::move(candidates.meet));
     }
+    leave_out_exact(candidates);
     measure_costs(scene, candidates.meet, pause);
     rank(candidates.meet);
     add_dearer_horizons(candidates.meet, candidates.left_out);
     return {std::move(candidates.meet), std::move(candidates.left_out)};
 }
 
-Scene as_advised(const Scene& scene, double tolerance, const Pause& pause) {
-    const Candidate best = advice_for(scene, tolerance, pause).ranked.front();
+Scene as_advised(const Scene& scene, double tolerance, bool quiet, const Pause& pause) {
+    Watch watch(quiet);
+    const Candidate best = watched_advice(scene, tolerance, watch, pause).ranked.front();
     const std::string settings = settings_of(scene, best);
     fmt::print("advice     {}\n", settings);
     Scene result = advised(scene, best);
@@ -190,13 +265,22 @@ Scene as_advised(const Scene& scene, double tolerance, const Pause& pause) {
 }
 
 void advise(const Scene& scene, double tolerance, bool quiet, const Pause& pause) {
-    const Advice advice = advice_for(scene, tolerance, pause);
+    Watch watch(quiet);
+    const Advice advice = watched_advice(scene, tolerance, watch, pause);
     const Candidate& best = advice.ranked.front();
     if (!quiet) {
         fmt::print("scene      {}\n", scene.title);
         fmt::print("tolerance  {:g} of max |u|, {}\n\n", tolerance, what_counts(scene));
         print_ranked(scene, advice.ranked);
         print_left_out(scene, advice);
+    }
+    const double run = seconds_of_run(advised(scene, best));
+    if (constexpr double patience = 10; !quiet && watch.seconds() > patience * run) {
+        fmt::print(
+            "took       {:.2g} s, as {:.0f} runs of what is advised: {} boundaries were predicted "
+            "in "
+            "time steps from the longest down, and those that meet the tolerance timed\n",
+            watch.seconds(), watch.seconds() / run, advice.ranked.size() + advice.left_out.size());
     }
     fmt::print("advice     {}, cfl = {:.3g}\nsettings   {}\n", with_lattice_named(scene, best),
                best.cfl, settings_of(scene, best));

@@ -18,7 +18,7 @@ struct Advice {
 Advice advice_for(const Scene& scene, double tolerance, const Pause& pause);
 
 /// The scene with the cheapest of them, and a line that says which.
-Scene as_advised(const Scene& scene, double tolerance, const Pause& pause);
+Scene as_advised(const Scene& scene, double tolerance, bool quiet, const Pause& pause);
 
 /// Prints the advice, ranked, and what was left out and why.
 void advise(const Scene& scene, double tolerance, bool quiet, const Pause& pause);

@@ -20,7 +20,7 @@ namespace {
 const LeftOut layers{"sponge, pml",
                      "a layer takes nodes and steps of its own: where a ghost rule will not "
                      "do, \"extended\" and \"exact\" have no error at all"};
-const LeftOut without_certificate{"higdon, mbc", "not certified to be stable"};
+const LeftOut without_certificate{"higdon, truncated", "not certified to be stable"};
 
 /// One horizon of a scene that leaves its lattice open.
 struct OfHorizon {

@@ -10,7 +10,7 @@
 
 namespace nmbcrun {
 
-/// One boundary at both ends, in the longest steps it may take.
+/// One boundary at all artificial ends, in the longest steps it may take.
 struct Candidate {
     std::string name;
     int horizon = 1;
@@ -47,9 +47,10 @@ bool has_open_lattice(const Scene& scene);
 Scene with_lattice(Scene scene, int horizon, double G);
 
 /// Every boundary that a scene's lattice can be certified with, each in the longest steps in which
-/// it meets the tolerance; a scene's own time.step or time.cfl is kept. Its own boundaries do not
-/// count. Where horizon or G is "auto": those of every horizon of its family that there is, at some
-/// G; what is left out is told by horizon then. Throws as Simulation does.
+/// it meets the tolerance; a scene's own time.step or time.cfl is kept. Its own artificial ends do
+/// not count, its physical ones stay, and where both are the time step alone is sought. Where
+/// horizon or G is "auto": those of every horizon of its family that there is, at some G; what is
+/// left out is told by horizon then. Throws as Simulation does.
 Candidates find_candidates(const Scene& scene, double tolerance, const Pause& pause);
 
 }  // namespace nmbcrun

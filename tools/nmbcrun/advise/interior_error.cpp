@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "tools/nmbcrun/advise/continuum.hpp"
 
@@ -11,27 +13,26 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Two waves of a frequency, one for each direction, at one time after the other.
-class Moving {
-  public:
-    Moving(double frequency, Complex forwards, Complex backwards, double time, double between)
-        : forwards_(forwards * std::polar(1.0, -frequency * time)),
-          backwards_(backwards * std::polar(1.0, -frequency * time)),
-          back_(std::polar(1.0, frequency * between)) {}
+/// Of exp(i xi x), a time after the sources: Re b exp(-i xi x) = Re conj(b) exp(i xi x).
+Complex amplitude_after(double time, double frequency, Complex forwards, Complex backwards) {
+    const Complex turn = std::polar(1.0, -frequency * time);
+    return forwards * turn + std::conj(backwards * turn);
+}
 
-    void turn_back() {
-        forwards_ *= back_;
-        backwards_ *= back_;
+/// 40 times, the last one first: of all of the run, and half of them while most waves are inside.
+std::vector<double> times_of(const Outgoing& outgoing) {
+    constexpr int count = 20;
+    std::vector<double> times;
+    for (int i = 1; i <= count; ++i) {
+        const double share = double(i) / count;
+        times.push_back(outgoing.remaining * share);
+        times.push_back(outgoing.followed < outgoing.remaining
+                            ? outgoing.followed * share
+                            : outgoing.remaining * (share - 0.5 / count));
     }
-
-    /// Of exp(i xi x): Re b exp(-i xi x) = Re conj(b) exp(i xi x).
-    Complex amplitude() const { return forwards_ + std::conj(backwards_); }
-
-  private:
-    Complex forwards_;
-    Complex backwards_;
-    Complex back_;
-};
+    std::ranges::sort(times, std::ranges::greater());
+    return times;
+}
 
 }  // namespace
 
@@ -39,53 +40,55 @@ InteriorError::InteriorError(const Scene& scene, EndlessScene& endless, const Ou
                              Reference reference, const Pause& pause)
     : endless_(endless),
       pause_(pause),
-      nodes_(scene.nodes),
+      mirrors_(scene),
+      gone_after_(mirrors_.count() == 2
+                      ? std::numeric_limits<double>::infinity()
+                      : double(scene.nodes) * (1 + mirrors_.count()) + outgoing.duration),
       duration_(outgoing.duration),
       largest_(outgoing.largest),
       grid_(outgoing.nodes) {
     reference_.reserve(outgoing.bands.size());
     if (reference == Reference::lattice) {
         for (const WaveBand& band : outgoing.bands) {
-            reference_.push_back({band.omega, band.forwards, band.backwards});
+            reference_.push_back({band.omega, band.speed, band.forwards, band.backwards});
         }
         return;
     }
     const ContinuumWaves waves = continuum_waves(scene, outgoing, pause);
     for (std::size_t band = 0; band < outgoing.bands.size(); ++band) {
         reference_.push_back(
-            {outgoing.bands[band].xi, waves.forwards[band], waves.backwards[band]});
+            {outgoing.bands[band].xi, 1, waves.forwards[band], waves.backwards[band]});
     }
+}
+
+/// Of a wave that has gone so far [dX]: 0 before its sum with the others would repeat.
+double InteriorError::part_inside(double way) const {
+    const double beyond = std::clamp(way / gone_after_ - 1, 0.0, 1.0);
+    return std::pow(std::cos(beyond * std::numbers::pi / 2), 2);
 }
 
 double InteriorError::at(double cfl, double enough) {
     const Outgoing outgoing = endless_.outgoing(cfl);
-    constexpr int times = 40;
-    const double between = outgoing.remaining / times;
-    // Waves at the end of the run, and what turns them back to the time before.
-    std::vector<Moving> own;
-    std::vector<Moving> right;
-    own.reserve(reference_.size());
-    right.reserve(reference_.size());
-    for (std::size_t band = 0; band < reference_.size(); ++band) {
-        const WaveBand& wave = outgoing.bands[band];
-        const Wave& other = reference_[band];
-        own.emplace_back(frequency_in_steps(wave.omega, outgoing.time_step), wave.forwards,
-                         wave.backwards, outgoing.remaining, between);
-        right.emplace_back(other.frequency, other.forwards, other.backwards,
-                           outgoing.duration + outgoing.remaining - duration_, between);
-    }
     double error = 0;
     std::vector<Complex> differences(reference_.size());
-    for (int i = times; i > 0 && error <= enough; --i) {
+    for (const double time : times_of(outgoing)) {
         pause_();
+        const double of_reference = outgoing.duration + time - duration_;
         for (std::size_t band = 0; band < differences.size(); ++band) {
-            differences[band] = own[band].amplitude() - right[band].amplitude();
-            own[band].turn_back();
-            right[band].turn_back();
+            const WaveBand& own = outgoing.bands[band];
+            const Wave& right = reference_[band];
+            differences[band] =
+                part_inside(own.speed * time) *
+                    amplitude_after(time, frequency_in_steps(own.omega, outgoing.time_step),
+                                    own.forwards, own.backwards) -
+                part_inside(right.speed * time) *
+                    amplitude_after(of_reference, right.frequency, right.forwards, right.backwards);
         }
-        const std::vector<double> field = grid_.field(differences);
-        for (std::size_t node = 0; node < nodes_; ++node) {
-            error = std::max(error, std::abs(field[node]) / largest_);
+        for (const double difference : mirrors_.folded(grid_.field(differences))) {
+            error = std::max(error, std::abs(difference) / largest_);
+        }
+        if (error > enough) {
+            break;
         }
     }
     return error;

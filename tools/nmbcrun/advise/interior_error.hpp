@@ -34,14 +34,18 @@ class InteriorError {
   private:
     struct Wave {
         double frequency;
+        double speed;
         std::complex<double> forwards;
         std::complex<double> backwards;
     };
 
+    double part_inside(double way) const;
+
     EndlessScene& endless_;
     const Pause& pause_;
-    std::size_t nodes_;
-    double duration_;  // after which the reference is
+    Mirrors mirrors_;
+    double gone_after_;  // dX: a wave that has gone twice as far has left the interior
+    double duration_;    // after which the reference is
     double largest_;
     WaveGrid grid_;
     std::vector<Wave> reference_;

@@ -38,9 +38,8 @@ TwoWaves two_waves(Complex u, Complex before, double theta) {
     return {(before - u * std::conj(turn)) / difference, (u * turn - before) / difference};
 }
 
-/// u of the interior a time after the sources, in continuous time.
-std::vector<double> field_after(WaveGrid& grid, const Outgoing& outgoing, double time,
-                                std::size_t interior_nodes) {
+/// u a time after the sources, in continuous time.
+std::vector<double> field_after(WaveGrid& grid, const Outgoing& outgoing, double time) {
     std::vector<Complex> waves;
     waves.reserve(outgoing.bands.size());
     for (const WaveBand& band : outgoing.bands) {
@@ -48,20 +47,36 @@ std::vector<double> field_after(WaveGrid& grid, const Outgoing& outgoing, double
         // Re b exp(-i xi x) = Re conj(b) exp(i xi x)
         waves.push_back(band.forwards * turn + std::conj(band.backwards * turn));
     }
-    std::vector<double> field = grid.field(waves);
-    field.resize(interior_nodes);
-    return field;
+    return grid.field(waves);
 }
 
-/// Between layers so wide that nothing returns in any steps. Up to cfl = 0.8 the speed lies
+/// Until when the sources act [dX/c]; of a file's force until the end of the run.
+double duration_of_sources(const Scene& scene) {
+    double last = scene.drive ? scene.drive->duration : 0;
+    if (scene.force) {
+        constexpr double widths = 6.5;  // exp(-42), times the 84 of a ricker
+        const Force& force = *scene.force;
+        last = std::max(last, force.history == History::file ? scene.end
+                              : force.history == History::sine
+                                  ? force.time + force.cycles / force.frequency
+                                  : force.time + widths * force.duration);
+    }
+    last = scene.incoming ? std::max(last, scene.incoming->arrival) : last;
+    return last / unit_of_time(scene);
+}
+
+/// Between layers so wide that nothing returns from them in any steps while the waves are followed,
+/// and what the sources send out is all inside. Up to cfl = 0.8 the speed lies
 /// between; near 1 that of the shortest waves goes up steeply, but only theirs.
 Scene between_layers(Scene scene) {
     const nmbc::Lattice lattice = lattice_of(scene);
     const double omega_max = nmbc::maximum_frequency(lattice);
     const double unit = unit_of_time(scene);
     std::size_t width = 0;
+    const double duration =
+        std::min(scene.end / unit, 3 * duration_of_sources(scene) + time_to_follow(scene));
     for (const double cfl : {1e-3, 0.8 * nmbc::interior_cfl(lattice)}) {
-        width = std::max(width, silent_layer(lattice, 2 * cfl / omega_max, scene.end / unit));
+        width = std::max(width, silent_layer(lattice, 2 * cfl / omega_max, duration));
     }
     width += scene.incoming ? std::size_t(extent_of(scene.incoming->pulse, scene.spacing)) : 0;
     scene.left = {.kind = BoundaryKind::extended, .layer = width};
@@ -78,13 +93,21 @@ double frequency_in_steps(double omega, double time_step) {
     return 2 / time_step * std::asin(std::min(omega * time_step / 2, 1.0));
 }
 
-double largest_after(const Outgoing& outgoing, std::size_t interior_nodes) {
+double time_to_follow(const Scene& scene) {
+    constexpr double slowest = 0.1;
+    constexpr double least = 1000;
+    const int physical = Mirrors(scene).count();
+    return physical == 2 ? scene.end / unit_of_time(scene)  // nothing ever leaves
+                         : std::max(least, double(scene.nodes) / slowest) * (1 + physical);
+}
+
+double largest_after(const Outgoing& outgoing, const Mirrors& mirrors) {
     constexpr int times = 8;
     WaveGrid grid(outgoing.nodes);
     double largest = 0;
     for (int i = 0; i <= times; ++i) {
-        const double time = outgoing.remaining * double(i) / times;
-        for (const double u : field_after(grid, outgoing, time, interior_nodes)) {
+        const double time = outgoing.followed * double(i) / times;
+        for (const double u : mirrors.folded(field_after(grid, outgoing, time))) {
             largest = std::max(largest, std::abs(u));
         }
     }
@@ -106,6 +129,7 @@ EndlessScene::EndlessScene(const Scene& scene, const Pause& pause)
       pause_(pause),
       incoming_(scene.incoming),
       unit_(unit_of_time(scene)),
+      followed_(time_to_follow(scene)),
       omega_max_(nmbc::maximum_frequency(lattice_of(scene))),
       grid_(scene.nodes + 2 * (scene_.left.layer + lattice_of(scene).reach())) {
     const nmbc::Lattice lattice = lattice_of(scene);
@@ -138,11 +162,13 @@ Outgoing EndlessScene::outgoing(double cfl) {
                                        (incoming_ && chain.time() < incoming_->arrival)));
     result.duration = chain.time() / unit_;
     result.remaining = std::max(0.0, scene.end - chain.time()) / unit_;
+    result.followed = std::min(result.remaining, followed_);
     add_waves(chain, result);
     if (incoming_) {
         add_incoming(result);
     }
-    const std::vector<double> field = field_after(grid_, result, 0, scene.nodes);
+    std::vector<double> field = field_after(grid_, result, 0);
+    field.resize(scene.nodes);
     const double size = std::abs(
         *std::ranges::max_element(field, {}, [](double value) { return std::abs(value); }));
     const auto is_moving = [size](double value) { return std::abs(value) > moves * size; };

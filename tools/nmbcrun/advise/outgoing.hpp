@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "tools/nmbcrun/advise/mirrors.hpp"
 #include "tools/nmbcrun/advise/pause.hpp"
 #include "tools/nmbcrun/advise/wave_grid.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
@@ -26,6 +27,10 @@ struct WaveBand {
     bool is_backward;                ///< energy goes against the phase
 };
 
+/// For so long after the sources [dX/c] waves are followed on their way to the ends, and out.
+/// Slower ones than a tenth of c may take longer.
+double time_to_follow(const Scene& scene);
+
 /// What is under way when the sources have ended, as if there were no ends.
 struct Outgoing {
     std::vector<WaveBand> bands;  ///< of all wave numbers of a WaveGrid of `nodes`
@@ -33,6 +38,7 @@ struct Outgoing {
     double largest = 0;           ///< |u| of the interior, what errors are relative to
     double duration = 0;          ///< of the sources [dX/c]
     double remaining = 0;         ///< of the run after them
+    double followed = 0;          ///< of that, the time in which the sum of waves does not repeat
     double time_step = 0;         ///< in which the waves have come there [dX/c]
     /// Interior nodes between the outermost one that moves then and each end.
     std::size_t from_left = 0;
@@ -60,13 +66,14 @@ class EndlessScene {
     const Pause& pause_;
     std::optional<Incoming> incoming_;
     double unit_;  // dX/c
+    double followed_;
     double omega_max_;
     WaveGrid grid_;
     std::vector<WaveBand> at_rest_;
 };
 
-/// max |u| of so many interior nodes at some times after the sources.
-double largest_after(const Outgoing& outgoing, std::size_t interior_nodes);
+/// max |u| of the interior nodes at some times after the sources.
+double largest_after(const Outgoing& outgoing, const Mirrors& mirrors);
 
 /// theta/dt: what leapfrog makes of omega, sin(theta/2) = omega dt/2.
 double frequency_in_steps(double omega, double time_step);

@@ -16,20 +16,26 @@ namespace {
 using Complex = std::complex<double>;
 
 /// The waves on their way to an end that may get there in time. The weakest, which add up to less
-/// than `negligible`, are left out.
-std::vector<Arrival> arrivals(const Outgoing& outgoing, nmbc::End end, std::size_t nodes,
-                              double negligible) {
+/// than `negligible`, are left out. mirrored: those that go the other way first, to a physical end.
+Arrivals arrivals(const Scene& scene, const Outgoing& outgoing, nmbc::End end, bool mirrored,
+                  double negligible) {
+    const auto nodes = double(scene.nodes);
     const bool left = end == nmbc::End::left;
-    const auto way = double(left ? outgoing.from_left : outgoing.from_right);
+    const bool to_left = left != mirrored;
+    const double way =
+        double(to_left ? outgoing.from_left : outgoing.from_right) + (mirrored ? nodes : 0);
     const double fastest = fastest_speed(outgoing);
-    const auto more_trips =
-        int(std::max(0.0, (fastest * outgoing.remaining - way) / double(nodes)));
-    std::vector<Arrival> result;
+    const double round = nodes * (1 + Mirrors(scene).count());
+    const auto more_trips = int(std::max(0.0, (fastest * outgoing.remaining - way) / round));
+    Arrivals arrivals{.waves = {},
+                      .first = fastest > 0 ? std::min(way / fastest, outgoing.followed) : 0,
+                      .last = outgoing.followed};
+    std::vector<Arrival>& result = arrivals.waves;
     for (const WaveBand& band : outgoing.bands) {
-        const bool forwards = left == band.is_backward;  // the phase goes right
+        const bool forwards = to_left == band.is_backward;  // the phase goes right
         const Complex amplitude = forwards ? band.forwards : band.backwards;
         if (band.omega > 1e-6 && band.speed * outgoing.remaining >= way) {
-            const double x = left ? 0 : double(nodes) - 1;
+            const double x = (to_left ? 0 : nodes - 1) + (!mirrored ? 0 : to_left ? -nodes : nodes);
             result.push_back(
                 {&band, amplitude * std::polar(1.0, (forwards ? x : -x) * band.xi), more_trips});
         }
@@ -41,7 +47,21 @@ std::vector<Arrival> arrivals(const Outgoing& outgoing, nmbc::End end, std::size
         left_out += size(result.back());
         result.pop_back();
     }
-    return result;
+    return arrivals;
+}
+
+/// At an artificial end: what comes directly, and by way of a physical one opposite.
+std::vector<Arrivals> all_arrivals(const Scene& scene, const Outgoing& outgoing, nmbc::End end,
+                                   double negligible) {
+    const bool left = end == nmbc::End::left;
+    if (is_physical((left ? scene.left : scene.right).kind)) {
+        return {};
+    }
+    std::vector<Arrivals> all{arrivals(scene, outgoing, end, false, negligible)};
+    if (is_physical((left ? scene.right : scene.left).kind)) {
+        all.push_back(arrivals(scene, outgoing, end, true, negligible));
+    }
+    return all;
 }
 
 /// Interior nodes, counted inwards from the end, at which what is sent back is looked at: waves
@@ -99,16 +119,10 @@ double later_trips(double most, int trips) {
     return sum;
 }
 
-/// When the first wave arrives, and when the run ends [dX/c].
-struct Span {
-    double first;
-    double last;
-};
-
 /// max over these times of |Re sum amplitude exp(-i omega' t)|, omega' in time steps: of the first
 /// 4000 times, ten in the shortest period, between two of which a crest rises by 5 %.
-double largest_sum(std::vector<Arrival> waves, const Span& span, double time_step,
-                   const Pause& pause) {
+double largest_sum(Arrivals arrivals, double time_step, const Pause& pause) {
+    std::vector<Arrival>& waves = arrivals.waves;
     double highest = 0;
     for (const Arrival& wave : waves) {
         highest = std::max(highest, frequency_in_steps(wave.band->omega, time_step));
@@ -123,11 +137,11 @@ double largest_sum(std::vector<Arrival> waves, const Span& span, double time_ste
     for (Arrival& wave : waves) {
         const double omega = frequency_in_steps(wave.band->omega, time_step);
         turns.push_back(std::polar(1.0, -omega * between));
-        wave.amplitude *= std::polar(1.0, -omega * span.first);
+        wave.amplitude *= std::polar(1.0, -omega * arrivals.first);
     }
     double largest = 0;
-    const double last = std::min(span.last, span.first + most_times * between);
-    for (double time = span.first; time <= last; time += between) {
+    const double last = std::min(arrivals.last, arrivals.first + most_times * between);
+    for (double time = arrivals.first; time <= last; time += between) {
         pause();
         double sum = 0;
         for (std::size_t i = 0; i < waves.size(); ++i) {
@@ -139,12 +153,6 @@ double largest_sum(std::vector<Arrival> waves, const Span& span, double time_ste
     return largest;
 }
 
-Span span_of(const Outgoing& outgoing, nmbc::End end) {
-    const auto way = double(end == nmbc::End::left ? outgoing.from_left : outgoing.from_right);
-    const double fastest = fastest_speed(outgoing);
-    return {fastest > 0 ? std::min(way / fastest, outgoing.remaining) : 0, outgoing.remaining};
-}
-
 }  // namespace
 
 ReflectionError::ReflectionError(const Scene& scene, const Outgoing& outgoing, double negligible,
@@ -152,8 +160,9 @@ ReflectionError::ReflectionError(const Scene& scene, const Outgoing& outgoing, d
     : scene_(scene),
       outgoing_(outgoing),
       pause_(pause),
-      left_(arrivals(outgoing, nmbc::End::left, scene.nodes, negligible * outgoing.largest)),
-      right_(arrivals(outgoing, nmbc::End::right, scene.nodes, negligible * outgoing.largest)) {}
+      mirrors_(scene),
+      left_(all_arrivals(scene, outgoing, nmbc::End::left, negligible * outgoing.largest)),
+      right_(all_arrivals(scene, outgoing, nmbc::End::right, negligible * outgoing.largest)) {}
 
 const nmbcgen::HalfSpace& ReflectionError::half_space(const Boundary& boundary) {
     const nmbc::MatchingTable& table = table_of(scene_, boundary);
@@ -163,10 +172,22 @@ const nmbcgen::HalfSpace& ReflectionError::half_space(const Boundary& boundary) 
                : half_spaces_.emplace(&table, half_space_of(table, scene_.G)).first->second;
 }
 
-double ReflectionError::of_both(double left, double right) const {
+/// error_of(arrivals): |u - u_ref| of what one end makes of them.
+template <class ErrorOf>
+double ReflectionError::of_all(ErrorOf error_of) const {
+    const auto sum = [&](const std::vector<Arrivals>& all) {
+        double error = 0;
+        for (const Arrivals& each : all) {
+            error += error_of(each);
+        }
+        return error;
+    };
+    const double left = sum(left_);
+    const double right = sum(right_);
     const auto way = double(outgoing_.from_left + outgoing_.from_right + scene_.nodes);
     const bool meet = fastest_speed(outgoing_) * outgoing_.remaining >= way / 2;
-    return (meet ? left + right : std::max(left, right)) / outgoing_.largest;
+    const double at_mirror = mirrors_.count() == 1 && meet ? 2 : 1;
+    return at_mirror * (meet ? left + right : std::max(left, right)) / outgoing_.largest;
 }
 
 double ReflectionError::of(const Boundary& boundary, double time_step) {
@@ -175,7 +196,8 @@ double ReflectionError::of(const Boundary& boundary, double time_step) {
         modes_ = std::make_unique<nmbcgen::KnownModes>(in_time);
     }
     const auto end = stepped(in_time, time_step, boundary.ghosts);
-    const auto error_of = [&](const std::vector<Arrival>& waves, nmbc::End side) {
+    return of_all([&](const Arrivals& arrivals) {
+        const std::vector<Arrival>& waves = arrivals.waves;
         double later = 0;
         std::vector<AtDepths> sent_back_at;
         sent_back_at.reserve(waves.size());
@@ -194,27 +216,24 @@ double ReflectionError::of(const Boundary& boundary, double time_step) {
             if (std::size_t(depths[depth]) >= scene_.nodes) {
                 break;
             }
-            std::vector<Arrival> returned = waves;
+            Arrivals returned = arrivals;
             for (std::size_t i = 0; i < waves.size(); ++i) {
-                returned[i].amplitude *= std::conj(sent_back_at[i][depth]);
+                returned.waves[i].amplitude *= std::conj(sent_back_at[i][depth]);
             }
-            largest = std::max(largest, largest_sum(std::move(returned), span_of(outgoing_, side),
-                                                    time_step, pause_));
+            largest = std::max(largest, largest_sum(std::move(returned), time_step, pause_));
         }
         return later + largest;
-    };
-    return of_both(error_of(left_, nmbc::End::left), error_of(right_, nmbc::End::right));
+    });
 }
 
 double ReflectionError::of_fixed_ends(double time_step) const {
-    const auto error_of = [&](const std::vector<Arrival>& waves, nmbc::End side) {
+    return of_all([&](const Arrivals& arrivals) {
         double later = 0;
-        for (const Arrival& wave : waves) {
+        for (const Arrival& wave : arrivals.waves) {
             later += std::abs(wave.amplitude) * wave.more_trips;
         }
-        return later + largest_sum(waves, span_of(outgoing_, side), time_step, pause_);
-    };
-    return of_both(error_of(left_, nmbc::End::left), error_of(right_, nmbc::End::right));
+        return later + largest_sum(arrivals, time_step, pause_);
+    });
 }
 
 }  // namespace nmbcrun

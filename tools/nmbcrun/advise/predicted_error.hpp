@@ -22,10 +22,19 @@ struct Arrival {
     int more_trips;  ///< to the other end and so on, that there is time for
 };
 
+/// Waves that get to an end by one way, and when [dX/c] they are there.
+struct Arrivals {
+    std::vector<Arrival> waves;
+    double first = 0;
+    double last = 0;
+};
+
 /// max |u - u_ref| / max |u_ref| by what the ends send back: the outgoing waves, each times what
 /// the end makes of it, added up in phase at some nodes near the end, at times up to the end of the
 /// run. The larger of the two ends, or their sum where there is time for the two to meet; and a
-/// bound of what comes back again, the sum of |amplitude| times a product of reflections.
+/// bound of what comes back again, the sum of |amplitude| times a product of reflections. A
+/// physical end sends everything back: to the artificial one opposite, where it counts like what
+/// comes directly, and what that makes an error of, which is twice as large there.
 class ReflectionError {
   public:
     /// All three live as long as this. What adds up to less than `negligible` of max |u| is left
@@ -33,7 +42,7 @@ class ReflectionError {
     ReflectionError(const Scene& scene, const Outgoing& outgoing, double negligible,
                     const Pause& pause);
 
-    /// Of an nmbc at both ends, in steps of time_step [dX/c].
+    /// Of an nmbc at the artificial ends, in steps of time_step [dX/c].
     double of(const Boundary& boundary, double time_step);
 
     /// Of fixed ends, which send everything back: nothing, where nothing gets there in time.
@@ -41,13 +50,16 @@ class ReflectionError {
 
   private:
     const nmbcgen::HalfSpace& half_space(const Boundary& boundary);
-    double of_both(double left, double right) const;
+    template <class ErrorOf>
+    double of_all(ErrorOf error_of) const;
 
     const Scene& scene_;
     const Outgoing& outgoing_;
     const Pause& pause_;
-    std::vector<Arrival> left_;
-    std::vector<Arrival> right_;
+    Mirrors mirrors_;
+    std::vector<Arrivals>
+        left_;  // none at a physical end; directly, and from a physical end opposite
+    std::vector<Arrivals> right_;
     std::map<const nmbc::MatchingTable*, nmbcgen::HalfSpace> half_spaces_;
     std::unique_ptr<nmbcgen::KnownModes> modes_;  // of an undamped lattice, which all ends share
 };

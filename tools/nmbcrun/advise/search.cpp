@@ -27,6 +27,28 @@ constexpr double margin = 1.1;
 /// Of the tolerance: waves that add up to less are not followed.
 constexpr double negligible = 1e-3;
 
+/// Whether what a boundary sends back can meet a tolerance in shorter steps yet. Beside what it
+/// sends back in continuous time the error is of second order in the steps or higher.
+class InShorterSteps {
+  public:
+    explicit InShorterSteps(double tolerance) : tolerance_(tolerance) {}
+
+    /// error: in steps of this cfl, which is less each time.
+    bool may_meet(double cfl, double error) {
+        const double square = cfl * cfl;
+        const double slope = (last_error_ - error) / (last_square_ - square);
+        const double in_time = last_square_ > 0 ? error - slope * square : 0;
+        last_square_ = square;
+        last_error_ = error;
+        return in_time <= tolerance_ && error <= 100 * tolerance_;
+    }
+
+  private:
+    double tolerance_;
+    double last_square_ = 0;
+    double last_error_ = 0;
+};
+
 }  // namespace
 
 Search::Search(const Scene& scene, double tolerance, Reference reference, const Pause& pause,
@@ -50,7 +72,7 @@ std::optional<double> Search::given_cfl() const {
 Outgoing Search::probing_waves() {
     constexpr double probing_cfl = 0.05;
     Outgoing waves = endless_.outgoing(given_cfl().value_or(probing_cfl));
-    waves.largest = std::max(waves.largest, largest_after(waves, scene_.nodes));
+    waves.largest = std::max(waves.largest, largest_after(waves, Mirrors(scene_)));
     if (!(waves.largest > 0)) {
         throw SceneError("nothing moves in this scene, so there is no error to keep small");
     }
@@ -129,6 +151,7 @@ void Search::add(const std::string& name, const Boundary& boundary, double highe
     const double lowest =
         given.value_or(reference_ == Reference::lattice ? smallest_cfl : smallest_of_many);
     double best = infinity;
+    InShorterSteps shorter(tolerance_ / margin);
     std::string why_not_longer = given ? "the scene gives them" : limit;
     for (double cfl = given.value_or(highest); cfl >= lowest; cfl = next_shorter(cfl)) {
         Candidate one = candidate(name, boundary, cfl);
@@ -143,8 +166,8 @@ void Search::add(const std::string& name, const Boundary& boundary, double highe
         }
         best = std::min(best, verdict.error);
         why_not_longer = verdict.reason;
-        if (given || one.boundary_error > 100 * tolerance_) {
-            break;  // shorter steps change little of what the condition reflects
+        if (given || (verdict.error < infinity && !shorter.may_meet(cfl, one.boundary_error))) {
+            break;
         }
     }
     leave_out(name, best < infinity ? fmt::format("predicted error {:.2g}", best)
@@ -155,6 +178,10 @@ void Search::add_ends_of_the_lattice() {
     const auto none = [](double) { return 0.0; };
     const double highest = largest_cfl * nmbc::interior_cfl(lattice_);
     const std::string limit = "just below the interior's limit";
+    if (Mirrors(scene_).count() == 2) {
+        add("its own ends, which are physical", scene_.left, highest, limit, none);
+        return;
+    }
     add("no boundary (fixed)", {.kind = BoundaryKind::fixed}, highest, limit,
         [&](double cfl) { return reflection_error_.of_fixed_ends(step_of(cfl)); });
     add("extended", {.kind = BoundaryKind::extended}, highest, limit, none);
@@ -170,11 +197,13 @@ void Search::add_table(const nmbc::MatchingTable& table) {
         fmt::format("NMBC{}, stride {}{}", table.order, table.stride,
                     table.time_step == "0" ? std::string()
                                            : fmt::format(", in steps of {} dX/c", table.time_step));
-    const double highest = nmbc::certified_cfl(table, scene_.G);
+    const double highest = largest_certified_cfl(with_artificial_ends(scene_, boundary), lattice_);
     if (highest == 0) {
-        leave_out(name, uncertified_file(scene_, table) == nullptr
-                            ? "not certified at this G"
-                            : "its table was written with --uncertified");
+        leave_out(name, uncertified_file(scene_, table) != nullptr
+                            ? "its table was written with --uncertified"
+                        : Mirrors(scene_).count() > 0
+                            ? "not certified at this G opposite the physical end"
+                            : "not certified at this G");
         return;
     }
     if (scene_.nodes < std::size_t(table.least_nodes)) {
@@ -210,6 +239,9 @@ void Search::leave_out(const std::string& name, const std::string& reason) {
 
 Candidates Search::all() {
     add_ends_of_the_lattice();
+    if (Mirrors(scene_).count() == 2) {
+        return std::move(result_);
+    }
     for (const nmbc::MatchingTable* table : tables_of(scene_)) {
         add_table(*table);
     }

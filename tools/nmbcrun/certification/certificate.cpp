@@ -18,10 +18,11 @@
 namespace nmbcrun {
 namespace {
 
-nmbcgen::LatticeEnd end_of(const Boundary& boundary, const nmbc::MatchingTable& table, double G,
+/// in_time: the end's table in continuous time.
+nmbcgen::LatticeEnd end_of(const Boundary& boundary, const nmbcgen::HalfSpace& in_time,
                            double time_step) {
     // A fixed or free end is the same in any steps, but in a damped lattice the waves are not.
-    const auto half_space = stepped(half_space_of(table, G), time_step, boundary.ghosts);
+    const auto half_space = stepped(in_time, time_step, boundary.ghosts);
     switch (boundary.kind) {
         case BoundaryKind::fixed:
         case BoundaryKind::extended:
@@ -39,10 +40,9 @@ struct Ends {
     nmbcgen::LatticeEnd right;
 };
 
-Ends ends_of(const Scene& scene, const nmbc::MatchingTable& left, const nmbc::MatchingTable& right,
+Ends ends_of(const Scene& scene, const nmbcgen::HalfSpace& left, const nmbcgen::HalfSpace& right,
              double time_step) {
-    Ends ends{end_of(scene.left, left, scene.G, time_step),
-              end_of(scene.right, right, scene.G, time_step)};
+    Ends ends{end_of(scene.left, left, time_step), end_of(scene.right, right, time_step)};
     // A table at a fixed G has its symbol, one at any G that of the double nearest to it.
     ends.right.half_space.symbol = ends.left.half_space.symbol;
     ends.right.half_space.L = ends.left.half_space.L;
@@ -89,10 +89,10 @@ std::string name_of(const Boundary& boundary) {
         const char* article = name_of(boundary.kind).starts_with('e') ? "an " : "a ";
         return article + std::string(name_of(boundary.kind)) + " end";
     }
-    return fmt::format("{}{}{}{}", boundary.kind == BoundaryKind::mbc ? "MBC" : "NMBC",
-                       boundary.order,
-                       boundary.stride > 1 ? fmt::format(" of stride {}", boundary.stride) : "",
-                       boundary.ghosts == nmbc::GhostRule::midpoint ? "" : " with explicit ghosts");
+    return fmt::format(
+        "{}{}{}{}", boundary.kind == BoundaryKind::truncated ? "truncated MBC" : "NMBC",
+        boundary.order, boundary.stride > 1 ? fmt::format(" of stride {}", boundary.stride) : "",
+        boundary.ghosts == nmbc::GhostRule::midpoint ? "" : " with explicit ghosts");
 }
 
 /// " at n = .., G = ..: "
@@ -126,8 +126,9 @@ std::optional<std::string> decided_without_waves(const Scene& scene,
                                                  const nmbc::MatchingTable& right, double cfl) {
     for (const Boundary& boundary : {scene.left, scene.right}) {
         if (!has_certificate(boundary.kind)) {
-            return fmt::format("there is no certificate for a chain with {} end",
-                               boundary.kind == BoundaryKind::mbc ? "an mbc" : "a higdon");
+            return fmt::format(
+                "there is no certificate for a chain with {} end",
+                boundary.kind == BoundaryKind::truncated ? "a truncated" : "a higdon");
         }
     }
     if (adds_no_energy(scene.left.kind) && adds_no_energy(scene.right.kind)) {
@@ -170,21 +171,31 @@ const Boundary* alone_on_a_half_line(const Scene& scene, const nmbc::Lattice& la
 
 }  // namespace
 
-std::string objection(const Scene& scene, const nmbc::MatchingTable& left,
-                      const nmbc::MatchingTable& right, double time_step, double cfl) {
-    const double c = wave_speed(scene);
-    const double step = time_step * c / scene.spacing;  // in dX/c
+PairOfEnds::PairOfEnds(const Scene& scene, const nmbc::MatchingTable& left,
+                       const nmbc::MatchingTable& right)
+    : scene_(scene), left_{left, {}}, right_{right, {}}, lattice_(make_lattice(left, scene.G)) {}
+
+const nmbcgen::HalfSpace& PairOfEnds::in_time(InTime& end) {
+    if (!end.half_space) {
+        end.half_space = half_space_of(end.table, scene_.G);
+    }
+    return *end.half_space;
+}
+
+std::string PairOfEnds::objection(double time_step, double cfl) {
+    const Scene& scene = scene_;
+    const double step = time_step / unit_of_time(scene);  // in dX/c
     const std::string place = place_of(scene, cfl);
-    if (const Boundary* own = alone_on_a_half_line(scene, make_lattice(left, scene.G), step)) {
+    if (const Boundary* own = alone_on_a_half_line(scene, lattice_, step)) {
         const auto verdict = verdict_without_incident_waves(
-            end_of(*own, own == &scene.left ? left : right, scene.G, step).half_space);
+            end_of(*own, in_time(own == &scene.left ? left_ : right_), step).half_space);
         return objection_to_one(*own, verdict.failure, verdict.growth, verdict.wave_number, place,
                                 step, time_step);
     }
-    if (const auto decided = decided_without_waves(scene, left, right, cfl)) {
+    if (const auto decided = decided_without_waves(scene, left_.table, right_.table, cfl)) {
         return *decided;
     }
-    const Ends ends = ends_of(scene, left, right, step);
+    const Ends ends = ends_of(scene, in_time(left_), in_time(right_), step);
     const auto verdict = round_trip_verdict(ends.left, ends.right, moving_nodes(scene));
     std::string alone =
         objection_to_one(verdict.left ? scene.left : scene.right, verdict.failure, verdict.growth,

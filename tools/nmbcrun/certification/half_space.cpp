@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/certification/half_space.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nmbc/coefficients.hpp>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
+#include "generator/exact/real_roots.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -54,6 +60,26 @@ nmbcgen::Table exact_table(const nmbc::MatchingTable& table) {
 
 nmbcgen::HalfSpace half_space_of(const nmbc::MatchingTable& table, double G) {
     return make_half_space(exact_table(table), nmbcgen::Rational(G));
+}
+
+bool has_pole_next_to(const nmbc::MatchingTable& table, double G) {
+    const auto half_way_to = [G](double neighbour) {
+        const nmbcgen::Rational sum = nmbcgen::Rational(G) + nmbcgen::Rational(neighbour);
+        return nmbcgen::Rational(sum / 2);
+    };
+    const double infinity = std::numeric_limits<double>::infinity();
+    const nmbcgen::Rational low = half_way_to(std::nextafter(G, -infinity));
+    const nmbcgen::Rational high = half_way_to(std::nextafter(G, infinity));
+    std::set<std::string_view> denominators;
+    for (const auto functions : {table.c, table.b}) {
+        for (const nmbc::RationalFunction& function : functions) {
+            denominators.insert(function.denominator);
+        }
+    }
+    return std::ranges::any_of(denominators, [&](std::string_view denominator) {
+        return nmbcgen::count_real_roots(nmbcgen::over_rationals(exact(denominator)), low, high) >
+               0;
+    });
 }
 
 }  // namespace nmbcrun

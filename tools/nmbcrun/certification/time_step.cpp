@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nmbc/certificate.hpp>
 #include <optional>
+#include <utility>
 
 #include "tools/nmbcrun/certification/certificate.hpp"
 #include "tools/nmbcrun/errors.hpp"
@@ -26,16 +27,14 @@ bool is_matched(const Boundary& boundary) {
 }
 
 /// The least of what each end's table is certified for with its like, where anything comes back
-/// from the other end.
-AutomaticStep certified_with_their_like(const Scene& scene, const nmbc::Lattice& lattice) {
+/// from the other end. cfl = 0: nothing is, for the reason in `limit`.
+AutomaticStep with_their_like(const Scene& scene, const nmbc::Lattice& lattice) {
     // Fixed and free ends by themselves: just below the interior's own limit.
     AutomaticStep step{0.99 * nmbc::interior_cfl(lattice), "just below the interior's limit"};
     for (const Boundary* boundary : {&scene.left, &scene.right}) {
         if (!has_certificate(boundary->kind)) {
-            throw Unstable(
-                fmt::format("no time step is certified for an end that is {}: there is "
-                            "no certificate for this kind. {}",
-                            heading_of(*boundary), to_try_one));
+            return {0, fmt::format("an end that is {}: there is no certificate for this kind",
+                                   heading_of(*boundary))};
         }
         const Boundary& opposite = boundary == &scene.left ? scene.right : scene.left;
         const double time_step = 2 * step.cfl / nmbc::maximum_frequency(lattice);
@@ -46,22 +45,41 @@ AutomaticStep certified_with_their_like(const Scene& scene, const nmbc::Lattice&
         const double cfl = nmbc::certified_cfl(table, scene.G, boundary->ghosts);
         if (cfl == 0) {
             const TableFile* uncertified = uncertified_file(scene, table);
-            throw Unstable(fmt::format(
-                "no time step is certified for {} at G = {}: {}{}{}. {}", heading_of(*boundary),
-                scene.G,
-                uncertified == nullptr ? ""
-                                       : fmt::format("its table, in {}, was written with "
-                                                     "--uncertified; ",
-                                                     uncertified->name()),
-                boundary->ghosts == nmbc::GhostRule::midpoint ? "" : "with midpoint ghosts, ",
-                nmbc::certified_choices(table, scene.G, tables_of(scene)),
-                is_matched(*boundary) ? to_try_its_own : to_try_one));
+            return {0, fmt::format(
+                           "{} at G = {}: {}{}{}", heading_of(*boundary), scene.G,
+                           uncertified == nullptr ? ""
+                                                  : fmt::format("its table, in {}, was written "
+                                                                "with --uncertified; ",
+                                                                uncertified->name()),
+                           boundary->ghosts == nmbc::GhostRule::midpoint ? ""
+                                                                         : "with midpoint ghosts, ",
+                           nmbc::certified_choices(table, scene.G, tables_of(scene)))};
         }
         if (cfl < step.cfl) {
             step = {cfl, "the largest certified for " + heading_of(*boundary)};
         }
     }
     return step;
+}
+
+/// The first of cfl, cfl - 0.05, .. at which the two ends are certified together; cfl = 0: at none,
+/// for the reason in `limit`.
+AutomaticStep certified_together(const Scene& scene, const AutomaticStep& longest,
+                                 double omega_max) {
+    constexpr double less = 0.05;
+    constexpr double least = 0.01;  // that tables are certified for
+    PairOfEnds pair(scene, table_of(scene, scene.left), table_of(scene, scene.right));
+    AutomaticStep step = longest;
+    while (step.cfl >= least) {
+        std::string problem = pair.objection(2 * step.cfl / omega_max, step.cfl);
+        if (problem.empty()) {
+            return {step.cfl, step.cfl == longest.cfl ? longest.limit
+                                                      : "the largest certified for this pair of "
+                                                        "ends, to 0.05 of cfl"};
+        }
+        step = {step.cfl - less, std::move(problem)};
+    }
+    return {0, step.limit};
 }
 
 double matched_time_step(const Boundary& boundary) {
@@ -131,7 +149,11 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
     if (matched && scene.allow_unstable) {
         return *matched;
     }
-    AutomaticStep step = certified_with_their_like(scene, lattice);
+    AutomaticStep step = with_their_like(scene, lattice);
+    if (step.cfl == 0) {
+        throw Unstable(fmt::format("no time step is certified for {}. {}", step.limit,
+                                   matched ? to_try_its_own : to_try_one));
+    }
     if (matched && matched->cfl > step.cfl) {
         throw Unstable(
             fmt::format("the boundary is matched in steps of cfl {:.3f}, and {:.3f} is {}. {}",
@@ -147,20 +169,45 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
     if (scene.left == scene.right) {
         return step;
     }
-    const nmbc::MatchingTable& left = table_of(scene, scene.left);
-    const nmbc::MatchingTable& right = table_of(scene, scene.right);
-    std::string problem = objection(scene, left, right, 2 * step.cfl / omega_max, step.cfl);
-    while (!problem.empty()) {
-        constexpr double less = 0.05;
-        constexpr double least = 0.01;  // that tables are certified for
-        step = {step.cfl - less, "the largest certified for this pair of ends, to 0.05 of cfl"};
-        if (step.cfl < least || matched) {
-            throw Unstable(fmt::format("no time step is certified for this pair of ends: {}. {}",
-                                       problem, matched ? to_try_its_own : to_try_one));
-        }
-        problem = objection(scene, left, right, 2 * step.cfl / omega_max, step.cfl);
+    const AutomaticStep together = certified_together(scene, step, omega_max);
+    if (together.cfl == 0 || (matched && together.cfl < step.cfl)) {
+        throw Unstable(fmt::format("no time step is certified for this pair of ends: {}. {}. {}",
+                                   matched ? "not the one that it is matched in" : together.limit,
+                                   what_is_certified(scene, lattice),
+                                   matched ? to_try_its_own : to_try_one));
     }
-    return step;
+    return together;
+}
+
+double largest_certified_cfl(const Scene& scene, const nmbc::Lattice& lattice) {
+    const AutomaticStep step = with_their_like(scene, lattice);
+    return scene.left == scene.right
+               ? step.cfl
+               : certified_together(scene, step, highest_frequency(scene, lattice)).cfl;
+}
+
+std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice) {
+    const double omega_max = highest_frequency(scene, lattice);
+    if (const double own = largest_certified_cfl(scene, lattice); own > 0) {
+        return fmt::format("Certified for these ends is cfl = {:.3g}, time.step = {:.4g}", own,
+                           2 * own / omega_max);
+    }
+    std::string choices;
+    for (const nmbc::MatchingTable* table : tables_of(scene)) {
+        const Boundary boundary{.order = table->order, .stride = table->stride};
+        Scene other = scene;
+        for (Boundary* end : {&other.left, &other.right}) {
+            *end = end->kind == BoundaryKind::nmbc ? boundary : *end;
+        }
+        const double cfl = table->time_step == "0" ? largest_certified_cfl(other, lattice) : 0;
+        if (cfl > 0) {
+            choices += fmt::format("{}order {}, stride {} up to cfl = {:.3g}",
+                                   choices.empty() ? "" : "; ", table->order, table->stride, cfl);
+        }
+    }
+    return choices.empty() ? "No other order or stride that there is a table of is certified here: "
+                             "try another G (docs/stability.md)"
+                           : "Certified in its place at this G: " + choices;
 }
 
 }  // namespace nmbcrun

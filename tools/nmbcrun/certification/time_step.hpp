@@ -27,6 +27,13 @@ struct AutomaticStep {
 /// boundary.allow_unstable.
 AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, double omega_max);
 
+/// The largest cfl at which the scene's ends are certified, as automatic_step() seeks it; 0: none.
+double largest_certified_cfl(const Scene& scene, const nmbc::Lattice& lattice);
+
+/// A sentence: the largest cfl that the scene's ends are certified for or, where there is none, the
+/// orders and strides that are certified in the place of its nmbc, with theirs.
+std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice);
+
 /// Throws SceneError where an end is matched in another time step [time], or without midpoint
 /// ghosts.
 void require_matched(const Scene& scene, double time_step);

@@ -32,7 +32,7 @@ std::vector<NamedBoundary> boundaries_of(const Scene& scene) {
         }
     }
     if (scene.family == "nopd1d" && scene.weights.empty() && !is_damped(scene)) {
-        all.push_back({"mbc 1", {.kind = BoundaryKind::mbc, .order = 1}});
+        all.push_back({"truncated 1", {.kind = BoundaryKind::truncated, .order = 1}});
     }
     for (const int order : {1, 2, 3, 4}) {
         all.push_back(
@@ -53,10 +53,8 @@ std::vector<NamedBoundary> boundaries_of(const Scene& scene) {
 }
 
 Scene with_ends(Scene scene, const Boundary& boundary) {
-    scene.left = boundary;
-    scene.right = boundary;
     scene.allow_unstable = true;
-    return scene;
+    return with_artificial_ends(std::move(scene), boundary);
 }
 
 }  // namespace nmbcrun

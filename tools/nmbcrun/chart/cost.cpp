@@ -81,7 +81,7 @@ std::pair<nmbc::Chain, double> made(const Scene& scene, nmbc::Chain& bare, std::
 
 std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
                                          const std::function<void()>& after_round,
-                                         const std::function<void()>& pause) {
+                                         const std::function<void()>& pause, std::size_t rounds) {
     const auto burst =
         std::size_t(std::max(10.0, std::ceil(timing_burst / double(scenes.front().nodes))));
     nmbc::Chain bare = chain_between(scenes.front(), nmbc::IdleEnd{}, nmbc::IdleEnd{});
@@ -96,12 +96,13 @@ std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
     }
     // An exact end's steps take the longer, the more of them were before: it is timed through all.
     const auto steps_of = [burst](const Scene& scene) {
-        const bool remembers = scene.left.kind == BoundaryKind::exact;
+        const bool remembers =
+            scene.left.kind == BoundaryKind::exact || scene.right.kind == BoundaryKind::exact;
         return remembers ? steps_until(scene.end, scene.step.value()) : burst;
     };
     std::vector<std::vector<double>> ratios(chains.size());
     std::vector<double> spent(chains.size());
-    for (std::size_t round = 0; round < cost_rounds; ++round) {
+    for (std::size_t round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < chains.size(); ++i) {
             if (spent[i] > enough) {
                 continue;

@@ -10,6 +10,8 @@
 
 namespace nmbcrun {
 
+inline constexpr std::size_t cost_rounds = 101;
+
 /// What a run takes, in steps of the bare interior.
 struct RelativeCost {
     double step = 0;          ///< each step, in the mean of the run
@@ -21,12 +23,10 @@ struct RelativeCost {
 /// Of each of these scenes, which differ in their ends and steps alone, beside their interior
 /// between ends that do nothing. All take turns with the bare interior, and each figure is the
 /// median of such pairs. Each scene has its step, and the end of its run. after_round is called
-/// between two rounds of the steps, pause between two of each measurement: both may throw.
+/// between two of the rounds of the steps, pause between two of each measurement: both may throw.
 std::vector<RelativeCost> relative_costs(
     const std::vector<Scene>& scenes, const std::function<void()>& after_round,
-    const std::function<void()>& pause = [] {});
-
-inline constexpr std::size_t cost_rounds = 101;
+    const std::function<void()>& pause = [] {}, std::size_t rounds = cost_rounds);
 
 /// Nodes times steps, of the bare interior, between two looks at the clock: a twentieth of a
 /// millisecond or so, mostly undisturbed where other programs run, too. Too few for the field to

@@ -9,23 +9,44 @@
 
 namespace nmbcrun {
 
-std::optional<double> predicted_reflection(const Scene& scene, const Boundary& boundary,
-                                           const Packet& packet, double time_step) {
+std::optional<std::function<double(double xi)>> reflected_energy_of(const Scene& scene,
+                                                                    const Boundary& boundary,
+                                                                    double time_step) {
     if (is_damped(scene)) {
         return std::nullopt;
     }
-    if (boundary.kind == BoundaryKind::fixed || boundary.kind == BoundaryKind::free) {
-        return 1;
+    switch (boundary.kind) {
+        case BoundaryKind::fixed:
+        case BoundaryKind::free:
+            return [](double) { return 1.0; };
+        case BoundaryKind::exact:
+            return [](double) { return 0.0; };
+        case BoundaryKind::extended:
+            if (boundary.layer > 0) {
+                return std::nullopt;
+            }
+            return [](double) { return 0.0; };
+        case BoundaryKind::nmbc:
+            break;
+        default:
+            return std::nullopt;
     }
-    if (boundary.kind != BoundaryKind::nmbc) {
+    return [half_space = stepped(half_space_of(table_of(scene, boundary), scene.G), time_step,
+                                 boundary.ghosts)](double xi) {
+        return nmbcgen::reflected_energy(half_space, xi);
+    };
+}
+
+std::optional<double> predicted_reflection(const Scene& scene, const Boundary& boundary,
+                                           const Packet& packet, double time_step) {
+    const auto reflected_energy = reflected_energy_of(scene, boundary, time_step);
+    if (!reflected_energy) {
         return std::nullopt;
     }
-    const auto half_space =
-        stepped(half_space_of(table_of(scene, boundary), scene.G), time_step, boundary.ghosts);
     double reflected = 0;
     double total = 0;
     for (const Wave& wave : packet.waves()) {
-        reflected += wave.energy() * nmbcgen::reflected_energy(half_space, std::abs(wave.xi));
+        reflected += wave.energy() * (*reflected_energy)(std::abs(wave.xi));
         total += wave.energy();
     }
     return reflected / total;

@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace nmbcrun {
 
 Scene endless(Scene scene, double time_step) {
     scene.step = time_step;
     scene.cfl.reset();
-    scene.left = {.kind = BoundaryKind::extended};
-    scene.right = scene.left;
-    return scene;
+    return with_artificial_ends(std::move(scene), {.kind = BoundaryKind::extended});
 }
 
 std::span<const double> interior(const nmbc::Chain& chain) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A scene beside the same one without ends.
+/// A scene beside the same one without artificial ends.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace nmbcrun {
 
-/// The scene in steps of time_step [time], with both ends so far away that nothing returns from
-/// them.
+/// The scene in steps of time_step [time], with its artificial ends so far away that nothing
+/// returns from them. Physical ends stay.
 Scene endless(Scene scene, double time_step);
 
 /// Interior displacements of a chain.

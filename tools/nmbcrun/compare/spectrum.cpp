@@ -5,8 +5,14 @@
 #include <cmath>
 #include <nmbc/lattice.hpp>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 namespace nmbcrun {
+
+double middle_of(std::size_t part, std::size_t parts) {
+    return std::numbers::pi * (double(part) + 0.5) / double(parts);
+}
 
 std::complex<double> fourier_sum(std::span<const double> field, double xi) {
     const std::complex<double> factor = std::polar(1.0, -xi);
@@ -17,25 +23,37 @@ std::complex<double> fourier_sum(std::span<const double> field, double xi) {
     return sum;
 }
 
-Spectrum::Spectrum(const nmbc::Chain& chain, std::size_t parts) : shares_(parts) {
+namespace {
+
+std::vector<double> energies_of(const nmbc::Chain& chain, std::size_t parts) {
     const nmbc::ChainParameters& p = chain.parameters();
     const double rate = p.wave_speed() / p.spacing;
-    double sum = 0;
+    std::vector<double> energies;
+    energies.reserve(parts);
     for (std::size_t part = 0; part < parts; ++part) {
-        const double xi = wave_number(part);
+        const double xi = middle_of(part, parts);
         const double squared =
             rate * rate * std::max(nmbc::omega_squared(chain.lattice(), xi), 0.0);
-        shares_[part] = std::norm(fourier_sum(chain.velocity(), xi)) +
-                        squared * std::norm(fourier_sum(chain.displacement(), xi));
-        sum += shares_[part];
+        energies.push_back(std::norm(fourier_sum(chain.velocity(), xi)) +
+                           squared * std::norm(fourier_sum(chain.displacement(), xi)));
     }
+    return energies;
+}
+
+}  // namespace
+
+Spectrum::Spectrum(const nmbc::Chain& chain, std::size_t parts)
+    : Spectrum(energies_of(chain, parts)) {}
+
+Spectrum::Spectrum(std::vector<double> energies)
+    : shares_(std::move(energies)), energy_(std::accumulate(shares_.begin(), shares_.end(), 0.0)) {
     for (double& share : shares_) {
-        share = sum > 0 ? share / sum : 0;
+        share = energy_ > 0 ? share / energy_ : 0;
     }
 }
 
 double Spectrum::wave_number(std::size_t part) const {
-    return std::numbers::pi * (double(part) + 0.5) / double(parts());
+    return middle_of(part, parts());
 }
 
 double Spectrum::quantile(double share) const {

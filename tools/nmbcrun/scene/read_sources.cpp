@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/scene/read_sources.hpp"
 
+#include <fmt/format.h>
+
 #include <initializer_list>
 #include <numbers>
 #include <optional>
@@ -212,6 +214,42 @@ void require_physical_sources(const SceneReader& reader, const Scene& scene) {
     if (scene.tau != "0") {
         reader.fail("model.damping", "must be 0 beside " + beside +
                                          ": the wave equation, whose waves are sought, has none");
+    }
+}
+
+void require_sources_in_run(const SceneReader& reader, const Scene& scene) {
+    constexpr double widths = 6.5;  // exp(-42), times the 84 of a ricker
+    const auto starts_late = [&](const char* key, double start) {
+        if (start > scene.end) {
+            reader.fail(key, fmt::format("lets it begin at t = {:.4g}, after time.end = {:g}",
+                                         start, scene.end));
+        }
+    };
+    if (scene.initial && scene.initial->kind != InitialKind::file) {
+        const double reach = widths * scene.initial->pulse.width;
+        const double first = scene.spacing;
+        const double last = double(scene.nodes) * scene.spacing;
+        const double centre = scene.initial->centre;
+        if ((centre + reach < first && !has_layer(scene.left.kind)) ||
+            (centre - reach > last && !has_layer(scene.right.kind))) {
+            reader.fail("initial.centre",
+                        fmt::format("puts it outside of the bar, whose nodes are at {:g} to {:g}",
+                                    first, last));
+        }
+    }
+    if (scene.force) {
+        const Force& force = *scene.force;
+        const bool has_middle = force.duration > 0;
+        starts_late("force.time", force.time - (has_middle ? widths * force.duration : 0));
+        const double rest = has_middle ? widths * force.duration
+                                       : force.cycles / force.frequency;  // of a file: inf
+        if (force.time + rest < 0) {
+            reader.fail("force.time", "lets it end before the run begins, at t = 0");
+        }
+    }
+    if (scene.incoming) {
+        const double way = widths * scene.incoming->pulse.width / wave_speed(scene);
+        starts_late("incoming.arrival", scene.incoming->arrival - way);
     }
 }
 

@@ -18,4 +18,8 @@ void read_sources(SceneReader& reader, const std::string& path, Scene& scene);
 /// not the same at any lattice, or where the wave equation's answer to them is not known.
 void require_physical_sources(const SceneReader& reader, const Scene& scene);
 
+/// Throws SceneError where a source acts on no node of the bar, or at no time of the run: a shape
+/// is 1e-16 of its height beyond 6.5 widths. What is in a layer beside the bar may come in.
+void require_sources_in_run(const SceneReader& reader, const Scene& scene);
+
 }  // namespace nmbcrun

@@ -26,17 +26,21 @@ constexpr double sponge_target = 1e-2;
 constexpr double pml_target = 1e-4;
 
 const std::vector<std::pair<std::string_view, BoundaryKind>> boundary_kinds{
-    {"nmbc", BoundaryKind::nmbc},   {"fixed", BoundaryKind::fixed},
-    {"free", BoundaryKind::free},   {"extended", BoundaryKind::extended},
-    {"exact", BoundaryKind::exact}, {"sponge", BoundaryKind::sponge},
-    {"pml", BoundaryKind::pml},     {"higdon", BoundaryKind::higdon},
-    {"mbc", BoundaryKind::mbc}};
+    {"nmbc", BoundaryKind::nmbc},
+    {"fixed", BoundaryKind::fixed},
+    {"free", BoundaryKind::free},
+    {"extended", BoundaryKind::extended},
+    {"exact", BoundaryKind::exact},
+    {"sponge", BoundaryKind::sponge},
+    {"pml", BoundaryKind::pml},
+    {"higdon", BoundaryKind::higdon},
+    {"truncated", BoundaryKind::truncated}};
 
 /// The keys that count for it, `kind` aside.
 std::vector<std::string_view> keys_of(BoundaryKind kind) {
     switch (kind) {
         case BoundaryKind::nmbc:
-        case BoundaryKind::mbc:
+        case BoundaryKind::truncated:
             return {"order", "stride", "ghosts", "matched_step"};
         case BoundaryKind::higdon:
             return {"order"};
@@ -131,12 +135,23 @@ std::string read_name(SceneReader& reader, const std::string& path) {
     return name.value_or(std::filesystem::path(path).stem().string());
 }
 
-/// The nearest double to an exact number in a string, or a number.
-std::optional<double> read_G(SceneReader& reader) {
-    if (!reader.is_text("model.G")) {
-        return reader.number("model.G", not_negative);
+/// The nearest double to an exact number in a string, or a number. It has no default: 0 is standard
+/// NOPD, which the paper's conditions absorb badly, and any other value is another lattice.
+double read_G(SceneReader& reader, const Scene& scene) {
+    if (reader.is_text("model.G")) {
+        return nmbc::detail::nearest_to_fraction(*read_exact(reader, "model.G"));
     }
-    return nmbc::detail::nearest_to_fraction(*read_exact(reader, "model.G"));
+    const auto G = reader.number("model.G", not_negative);
+    if (!G && scene.family != "chain1d" && scene.family != "bond1d") {
+        const long n = scene.horizon;
+        const nmbcgen::Rational best(4 * n * n * n, (n + 1) * (2 * n + 1));  // docs/dispersion.md
+        reader.fail("model.G",
+                    fmt::format("is missing: 0 is standard NOPD, whose zero-energy modes no end "
+                                "absorbs; \"{}\" makes the dispersion of long waves least at "
+                                "horizon {} and constant influence",
+                                nmbcgen::to_string(best), n));
+    }
+    return G.value_or(0);
 }
 
 /// Required, unless the family has one horizon only.
@@ -192,6 +207,17 @@ std::string_view name_of(BoundaryKind kind) {
         ->first;
 }
 
+bool is_physical(BoundaryKind kind) {
+    return kind == BoundaryKind::fixed || kind == BoundaryKind::free;
+}
+
+Scene with_artificial_ends(Scene scene, const Boundary& boundary) {
+    for (Boundary* end : {&scene.left, &scene.right}) {
+        *end = is_physical(end->kind) ? *end : boundary;
+    }
+    return scene;
+}
+
 bool has_layer(BoundaryKind kind) {
     return counts("layer", kind);
 }
@@ -207,14 +233,14 @@ bool adds_no_energy(BoundaryKind kind) {
             return true;
         case BoundaryKind::nmbc:
         case BoundaryKind::higdon:
-        case BoundaryKind::mbc:
+        case BoundaryKind::truncated:
             break;
     }
     return false;
 }
 
 bool takes_table(BoundaryKind kind) {
-    return kind == BoundaryKind::nmbc || kind == BoundaryKind::mbc;
+    return kind == BoundaryKind::nmbc || kind == BoundaryKind::truncated;
 }
 
 bool has_certificate(BoundaryKind kind) {
@@ -242,15 +268,16 @@ std::string heading_of(const Boundary& boundary) {
         case BoundaryKind::exact:
             return std::string(name_of(boundary.kind));
         case BoundaryKind::nmbc:
-        case BoundaryKind::mbc:
+        case BoundaryKind::truncated:
             break;
     }
     const bool midpoint = boundary.ghosts == nmbc::GhostRule::midpoint;
-    return fmt::format(
-        "{}{}, stride {}, {} ghosts{}", boundary.kind == BoundaryKind::nmbc ? "NMBC" : "MBC",
-        boundary.order, boundary.stride, midpoint ? "midpoint" : "explicit",
-        boundary.matched_step == "0" ? std::string()
-                                     : ", matched in steps of " + boundary.matched_step + " dX/c");
+    return fmt::format("{}{}, stride {}, {} ghosts{}",
+                       boundary.kind == BoundaryKind::nmbc ? "NMBC" : "truncated MBC",
+                       boundary.order, boundary.stride, midpoint ? "midpoint" : "explicit",
+                       boundary.matched_step == "0"
+                           ? std::string()
+                           : ", matched in steps of " + boundary.matched_step + " dX/c");
 }
 
 Overrides split_settings(const std::vector<std::string>& settings) {
@@ -286,7 +313,7 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     scene.auto_horizon = reader.is_word("model.horizon", "auto");
     scene.auto_G = reader.is_word("model.G", "auto");
     scene.horizon = scene.auto_horizon ? scene.horizon : read_horizon(reader, scene.family);
-    scene.G = scene.auto_G ? scene.G : read_G(reader).value_or(scene.G);
+    scene.G = scene.auto_G ? scene.G : read_G(reader, scene);
     scene.tau = read_exact(reader, "model.damping").value_or(scene.tau);
     if (scene.auto_horizon && reader.has("model.influence")) {
         reader.fail("model.influence", "needs a model.horizon that is a number");
@@ -318,7 +345,9 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     refuse_idle_keys(reader, "boundary.left", scene.left.kind, {});
     refuse_idle_keys(reader, "boundary.right", scene.right.kind, {});
     scene.allow_unstable = reader.truth("boundary.allow_unstable").value_or(false);
+    scene.allow_amplifying = reader.truth("boundary.allow_amplifying").value_or(false);
     scene.end = reader.required("time.end", reader.number("time.end", positive));
+    require_sources_in_run(reader, scene);
     scene.step = reader.number("time.step", positive);
     scene.cfl = reader.number("time.cfl", positive);
     scene.every =

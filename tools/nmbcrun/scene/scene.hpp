@@ -26,21 +26,21 @@ inline constexpr long most_nodes = 100'000'000;
 inline constexpr long most_layer = 10'000'000;
 
 enum class BoundaryKind {
-    nmbc,      ///< (60) on all ghost layers
-    fixed,     ///< ghosts held at u = 0
-    free,      ///< ghosts the mirror image
-    extended,  ///< more of the same lattice, fixed at its far end
-    exact,     ///< the same lattice for ever, by convolution
-    sponge,    ///< a layer that damps the velocity
-    pml,       ///< a perfectly matched layer
-    higdon,    ///< Higdon's one-way product on all ghost layers
-    mbc,       ///< (60) on n ghost nodes, the families cut off there
+    nmbc,       ///< (60) on all ghost layers
+    fixed,      ///< ghosts held at u = 0
+    free,       ///< ghosts the mirror image
+    extended,   ///< more of the same lattice, fixed at its far end
+    exact,      ///< the same lattice for ever, by convolution
+    sponge,     ///< a layer that damps the velocity
+    pml,        ///< a perfectly matched layer
+    higdon,     ///< Higdon's one-way product on all ghost layers
+    truncated,  ///< (60) on n ghost nodes, the families cut off there: the edge effect
 };
 
 /// One end of the chain.
 struct Boundary {
     BoundaryKind kind = BoundaryKind::nmbc;
-    // Of an nmbc or mbc; the order of a higdon, too:
+    // Of an nmbc or truncated; the order of a higdon, too:
     int order = 1;
     int stride = 1;
     nmbc::GhostRule ghosts = nmbc::GhostRule::midpoint;
@@ -56,6 +56,10 @@ struct Boundary {
 
 /// As a scene spells it, such as "fixed".
 std::string_view name_of(BoundaryKind kind);
+
+/// Whether it is a part of what is simulated, and not in the place of more of the same lattice: a
+/// physical end stays as it is, where artificial ones are compared, advised and taken away.
+bool is_physical(BoundaryKind kind);
 
 /// Whether it puts a layer outside of the interior.
 bool has_layer(BoundaryKind kind);
@@ -101,7 +105,8 @@ struct Scene {
     std::optional<Preload> preload{};
     Boundary left;
     Boundary right;
-    bool allow_unstable = false;  ///< run ends that are not certified, too
+    bool allow_unstable = false;    ///< run ends that are not certified, too
+    bool allow_amplifying = false;  ///< and ends that send back more than comes, of what comes
     double end = 0;
     std::optional<double> step;  ///< dt [time]; at most one of step and cfl is given;
     std::optional<double> cfl;   ///< dt omega_max / 2; neither: the largest certified one
@@ -113,6 +118,9 @@ struct Scene {
     /// Every key that is given, by its dotted path, and its value as text, for comparison.
     std::map<std::string, std::string> given{};
 };
+
+/// The scene with this boundary in the place of each artificial one.
+Scene with_artificial_ends(Scene scene, const Boundary& boundary);
 
 inline bool is_damped(const Scene& scene) {
     return scene.tau != "0";

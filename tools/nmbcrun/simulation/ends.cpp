@@ -10,15 +10,15 @@
 #include <nmbc/ends.hpp>
 #include <type_traits>
 
+#include "tools/nmbcrun/certification/half_space.hpp"
 #include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/sides/exact.hpp"
 #include "tools/nmbcrun/sides/higdon.hpp"
-#include "tools/nmbcrun/sides/mbc.hpp"
 #include "tools/nmbcrun/sides/pml.hpp"
 #include "tools/nmbcrun/sides/silent_layer.hpp"
 #include "tools/nmbcrun/sides/sponge.hpp"
-#include "tools/nmbcrun/simulation/memory.hpp"
+#include "tools/nmbcrun/sides/truncated.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
@@ -59,13 +59,18 @@ struct ExtendedEndOfRun {
                             "are allowed: give boundary.layer, or another kind",
                             layer, most_layer));
         }
-        require_memory(parameters.nodes + layer, physical_memory());
         return nmbc::FixedEnd{layer}.make(lattice, parameters, precision);
     }
 };
 
 nmbc::BoundaryCoefficients coefficients_of(const Scene& scene, const Boundary& boundary) {
-    return nmbc::boundary_coefficients(table_of(scene, boundary), scene.G, nmbc::allow_unstable);
+    const nmbc::MatchingTable& table = table_of(scene, boundary);
+    if (has_pole_next_to(table, scene.G)) {
+        throw nmbc::CoefficientError(
+            fmt::format("{} does not exist here: {} has a pole of a coefficient at G = {}",
+                        heading_of(boundary), table.name, scene.G));
+    }
+    return nmbc::boundary_coefficients(table, scene.G, nmbc::allow_unstable);
 }
 
 }  // namespace
@@ -92,8 +97,8 @@ nmbc::ChainEnd chain_end(const Scene& scene, const Boundary& boundary) {
             return PmlEnd{{boundary.layer, boundary.profile, target_of(boundary)}};
         case BoundaryKind::higdon:
             return HigdonEnd{boundary.order};
-        case BoundaryKind::mbc:
-            return MbcEnd{coefficients_of(scene, boundary), boundary.ghosts};
+        case BoundaryKind::truncated:
+            return TruncatedEnd{coefficients_of(scene, boundary), boundary.ghosts};
         case BoundaryKind::nmbc:
             break;
     }

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/sides/half_line.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -30,12 +31,18 @@ void require_memory(std::size_t nodes, std::uintmax_t memory) {
     }
 }
 
-void require_memory(const Scene& scene, const nmbc::Lattice& lattice) {
+void require_memory(const Scene& scene, const nmbc::Lattice& lattice, double time_step) {
     std::size_t nodes = scene.nodes;
     std::size_t fields =
         0;  // of perfectly matched layers: one or two for each square of the energy
     for (const Boundary* boundary : {&scene.left, &scene.right}) {
-        nodes += has_layer(boundary->kind) ? boundary->layer : 0;
+        if (boundary->kind == BoundaryKind::extended && boundary->layer == 0) {
+            // A wider one is refused when it is made.
+            nodes += std::min(layer_of(scene, *boundary, lattice, time_step / unit_of_time(scene)),
+                              std::size_t(most_layer));
+        } else if (has_layer(boundary->kind)) {
+            nodes += boundary->layer;
+        }
         fields +=
             boundary->kind == BoundaryKind::pml ? 2 * boundary->layer * lattice.energy.size() : 0;
     }

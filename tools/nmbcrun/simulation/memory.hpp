@@ -17,7 +17,7 @@ std::uintmax_t physical_memory();
 /// more memory than it has would end the run, or another program, without a word.
 void require_memory(std::size_t nodes, std::uintmax_t memory);
 
-/// Likewise of the scene, without the layers that find their own width, in the machine's memory.
-void require_memory(const Scene& scene, const nmbc::Lattice& lattice);
+/// Likewise of the scene in steps of time_step [time], in the machine's memory.
+void require_memory(const Scene& scene, const nmbc::Lattice& lattice, double time_step);
 
 }  // namespace nmbcrun

@@ -30,7 +30,6 @@ void require_room(const Scene& scene) {
 
 Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
     require_room(scene);
-    require_memory(scene, lattice);
     const double omega_max = highest_frequency(scene, lattice);
     const auto automatic =
         scene.step || scene.cfl ? AutomaticStep{} : automatic_step(scene, lattice, omega_max);
@@ -48,15 +47,15 @@ Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
               .steps = steps_until(scene.end, time_step),
               .cfl = cfl,
               .limit = automatic.limit};
-    plan.objection =
-        objection(scene, table_of(scene, scene.left), table_of(scene, scene.right), time_step, cfl);
+    require_memory(scene, lattice, time_step);
+    plan.objection = PairOfEnds(scene, table_of(scene, scene.left), table_of(scene, scene.right))
+                         .objection(time_step, cfl);
     if (!plan.objection.empty() && !scene.allow_unstable) {
-        throw Unstable(
-            plan.objection +
-            (has_certificate(scene.left.kind) && has_certificate(scene.right.kind)
-                 ? ". Try a smaller time step, another G, order or stride (windows: "
-                   "docs/stability.md), or run it all the same: boundary.allow_unstable = true"
-                 : ". To run it all the same: boundary.allow_unstable = true"));
+        const bool has_choice =
+            has_certificate(scene.left.kind) && has_certificate(scene.right.kind);
+        throw Unstable(fmt::format("{}{}{}. To run it all the same: boundary.allow_unstable = true",
+                                   plan.objection, has_choice ? ". " : "",
+                                   has_choice ? what_is_certified(scene, lattice) : ""));
     }
     return plan;
 }

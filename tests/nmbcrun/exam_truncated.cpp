@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "tests/nmbcrun/chains.hpp"
-#include "tools/nmbcrun/sides/mbc.hpp"
+#include "tools/nmbcrun/sides/truncated.hpp"
 
 namespace {
 
-nmbcrun::MbcEnd mbc(int horizon, double G) {
+nmbcrun::TruncatedEnd truncated(int horizon, double G) {
     return {nmbc::boundary_coefficients(table_of(horizon), G, nmbc::allow_unstable)};
 }
 
@@ -47,7 +47,7 @@ std::vector<double> accelerations_of(nmbc::Chain& chain, const std::vector<doubl
 }
 
 TEST_CASE("n = 1, G = 0: the outermost interior node has (4 u0 - 5 u1 + u3)/4") {
-    nmbc::Chain chain(lattice_of(1, 0), mbc(1, 0), {.nodes = 12, .time_step = 0.1});
+    nmbc::Chain chain(lattice_of(1, 0), truncated(1, 0), {.nodes = 12, .time_step = 0.1});
     const auto u = random_field(chain.nodes(), 3);  // entry 0 is the ghost that is not used
     const auto a = accelerations_of(chain, u);
     const double derived = (4 * u[1] - 5 * u[2] + u[4]) / 4;
@@ -59,7 +59,7 @@ TEST_CASE("n = 1, G = 0: the outermost interior node has (4 u0 - 5 u1 + u3)/4") 
 TEST_CASE("the force on every node is that of the truncated energy, on both sides") {
     for (int n = 1; n <= 5; ++n) {
         for (const double G : {0.0, 0.8}) {
-            nmbc::Chain chain(lattice_of(n, G), mbc(n, G), {.nodes = 30, .time_step = 0.1});
+            nmbc::Chain chain(lattice_of(n, G), truncated(n, G), {.nodes = 30, .time_step = 0.1});
             const auto random = random_field(chain.nodes(), 4);
             auto a = accelerations_of(chain, random);
             auto all = random;
@@ -95,11 +95,11 @@ TEST_CASE("lattices that it does not know") {
     other.energy.back().stencil[0] += 0.01;
     const nmbc::Lattice atoms{{2, -1}, {{nmbc::EnergyPart::strain, 1, {0, -1, 1}}}, {}};
     for (const auto& lattice : {damped, other, atoms}) {
-        CHECK_THROWS_WITH_AS(nmbc::Chain(lattice, mbc(2, 1), parameters),
+        CHECK_THROWS_WITH_AS(nmbc::Chain(lattice, truncated(2, 1), parameters),
                              doctest::Contains("knows nopd1d of constant influence"),
                              std::invalid_argument);
     }
-    CHECK_THROWS_AS(nmbc::Chain(lattice_of(3, 1), mbc(3, 1), {.nodes = 2, .time_step = 0.1}),
+    CHECK_THROWS_AS(nmbc::Chain(lattice_of(3, 1), truncated(3, 1), {.nodes = 2, .time_step = 0.1}),
                     std::invalid_argument);
 }
 

@@ -19,7 +19,7 @@ namespace nmbcrun {
 /// the outermost interior node has u_1'' = (4 u_0 - 5 u_1 + u_3)/4 [E/(rho dX^2)]: a bar that is
 /// strained evenly does not rest. The outer n of the chain's 2n ghosts are held at 0 and act on
 /// nothing.
-struct MbcEnd {
+struct TruncatedEnd {
     nmbc::BoundaryCoefficients coefficients;
     nmbc::GhostRule ghost_rule = nmbc::GhostRule::midpoint;
 

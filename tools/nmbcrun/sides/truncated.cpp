@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/mbc.hpp"
+#include "tools/nmbcrun/sides/truncated.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +70,7 @@ double stabilisation_of(const nmbc::Lattice& lattice, int n) {
                            });
     if (!known || !lattice.damping.empty()) {
         throw std::invalid_argument(
-            "an mbc end knows nopd1d of constant influence without damping, no other lattice");
+            "a truncated end knows nopd1d of constant influence without damping, no other lattice");
     }
     return G;
 }
@@ -136,7 +136,7 @@ class MbcCondition final : public nmbc::BoundaryCondition<double> {
 
 }  // namespace
 
-std::unique_ptr<nmbc::BoundaryCondition<double>> MbcEnd::make(
+std::unique_ptr<nmbc::BoundaryCondition<double>> TruncatedEnd::make(
     const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
     std::type_identity<double> /*precision*/) const {
     return std::make_unique<MbcCondition>(coefficients, ghost_rule, lattice, parameters);

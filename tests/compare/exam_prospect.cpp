@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// What is predicted of a run before it begins is what it measures.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/compare/advised_scenes.hpp"
+#include "tools/nmbcrun/compare/prospect.hpp"
+#include "tools/nmbcrun/compare/source_spectrum.hpp"
+#include "tools/nmbcrun/simulation/simulation.hpp"
+
+namespace {
+
+using namespace advised_scenes;
+using nmbcrun::BoundaryKind;
+using nmbcrun::Shape;
+using nmbcrun::Simulation;
+
+/// Of the only source, and what a chain measures of it when it has acted, in the same parts.
+double largest_difference(Scene scene) {
+    scene.left = {.kind = BoundaryKind::extended, .layer = 400};
+    scene.right = scene.left;
+    scene.cfl = 0.3;
+    Simulation simulation(scene);
+    const auto spectra =
+        nmbcrun::source_spectra(scene, simulation.chain().lattice(), simulation.plan().time_step);
+    REQUIRE(spectra.size() == 1);
+    do {
+        simulation.step();
+    } while (simulation.is_driven(simulation.chain().time()));
+    const nmbcrun::Spectrum measured(simulation.chain(), spectra.front().spectrum.parts());
+    double difference = 0;
+    double below = 0;
+    for (std::size_t part = 0; part < measured.parts(); ++part) {
+        below += measured.share(part) - spectra.front().spectrum.share(part);
+        difference = std::max(difference, std::abs(below));
+    }
+    return difference;
+}
+
+TEST_CASE("spectra of sources are those of the waves that they send out") {
+    Scene forced = scene_of(2, 1.5, 300, 500);
+    forced.force = nmbcrun::Force{.history = nmbcrun::History::ricker,
+                                  .centre = 150,
+                                  .half_width = 2,
+                                  .time = 40,
+                                  .duration = 6,
+                                  .file = {}};
+    Scene sine = forced;
+    sine.force->history = nmbcrun::History::sine;
+    sine.force->time = 5;
+    sine.force->frequency = 0.08;
+    sine.force->cycles = 6;
+    Scene velocity = with_pulse(scene_of(1, 0.5, 200, 400), Shape::ricker, 4);
+    velocity.initial->kind = nmbcrun::InitialKind::velocity;
+    for (const Scene& scene :
+         {with_pulse(scene_of(2, 1.5, 300, 450), Shape::ricker, 5),
+          with_pulse(scene_of(2, 0, 300, 450), Shape::gaussian, 1.5),
+          with_pulse(scene_of(1, 0.5, 200, 500), Shape::packet, 20, 0.9), velocity, forced, sine,
+          with_drive(scene_of(2, 1.85, 300, 415), 95)}) {
+        CHECK(largest_difference(scene) < 0.02);  // a part or two of 512, at the steepest
+    }
+}
+
+TEST_CASE("what comes back is foretold, and what is amplified") {
+    Scene scene = with_pulse(scene_of(3, 0, 200, 3000), Shape::ricker, 2);
+    scene.cfl = 0.3;
+    const auto amplified = prospect_of(Simulation(scene));
+    CHECK(amplified.objection.find(
+              "NMBC1, stride 1, midpoint ghosts on the left sends back up to") == 0);
+    REQUIRE(amplified.warnings.size() == 1);
+    CHECK(amplified.warnings.front().find("initial sends out") != std::string::npos);
+    CHECK(amplified.warnings.front().find("; initial.width = ") !=
+          std::string::npos);  // a smooth one excites no zero-energy mode
+    scene.G = 27.0 / 7;
+    scene.initial->pulse.width = 12;
+    const auto absorbed = prospect_of(Simulation(scene));
+    CHECK(absorbed.objection.empty());
+    CHECK(absorbed.warnings.empty());
+    // Nothing is under way long enough; nothing to say of physical ends.
+    scene.end = 20;
+    CHECK(prospect_of(Simulation(scene)).ends == "nothing gets there before time.end");
+    scene.left = {.kind = BoundaryKind::fixed};
+    scene.right = {.kind = BoundaryKind::free};
+    CHECK(prospect_of(Simulation(scene)).ends.empty());
+    scene.left = {.kind = BoundaryKind::sponge, .layer = 10};
+    CHECK(prospect_of(Simulation(scene)).ends == "nothing is predicted of an end that is sponge");
+    scene.left = {.kind = BoundaryKind::exact};
+    scene.end = 300;
+    CHECK(prospect_of(Simulation(scene)).ends ==
+          "nothing of the energy that reaches them comes back");
+}
+
+TEST_CASE("a width that would do does, and a packet of short waves has none") {
+    Scene scene = with_pulse(scene_of(2, 1, 400, 300), Shape::gaussian, 1);
+    scene.cfl = 0.3;
+    const auto prospect = prospect_of(Simulation(scene));
+    REQUIRE(prospect.warnings.size() == 1);
+    const std::string& warning = prospect.warnings.front();
+    const std::size_t value = warning.find("initial.width = ");
+    REQUIRE(value != std::string::npos);
+    scene.initial->pulse.width = std::stod(warning.substr(value + 16));
+    CHECK(scene.initial->pulse.width > 1);
+    CHECK(scene.initial->pulse.width < 10);
+    CHECK(prospect_of(Simulation(scene)).warnings.empty());
+    scene.initial->pulse = {
+        .shape = Shape::packet, .amplitude = 1, .width = 20, .wave_number = 2.8};
+    const auto packet = prospect_of(Simulation(scene)).warnings;
+    REQUIRE(packet.size() == 1);
+    CHECK(packet.front().find("; no initial.width alone would do") != std::string::npos);
+}
+
+}  // namespace

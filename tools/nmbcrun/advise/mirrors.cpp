@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/advise/mirrors.hpp"
+
+namespace nmbcrun {
+
+std::vector<double> Mirrors::folded(std::span<const double> field) const {
+    std::vector<double> interior(field.begin(), field.begin() + std::ptrdiff_t(nodes_));
+    if (count() == 0) {
+        return interior;
+    }
+    const auto nodes = std::ptrdiff_t(nodes_);
+    const auto period = std::ptrdiff_t(field.size());
+    const std::ptrdiff_t beyond = (period - nodes) / 2;
+    for (std::ptrdiff_t entry = nodes; entry < period; ++entry) {
+        std::ptrdiff_t node = entry < nodes + beyond ? entry : entry - period;
+        double value = node < 0 ? -field[std::size_t(entry)] : field[std::size_t(entry)];
+        // A fixed end's own node is its own image, so that nothing of it is left.
+        while ((node < 0 && at_left()) || (node >= nodes && at_right())) {
+            const bool fixed = (node < 0 ? left_ : right_) == BoundaryKind::fixed;
+            const std::ptrdiff_t sum = (node < 0 ? -1 : 2 * nodes - 1) + (!fixed     ? 0
+                                                                          : node < 0 ? -1
+                                                                                     : 1);
+            value = fixed ? (2 * node == sum ? 0 : -value) : value;
+            if (2 * node == sum) {
+                break;
+            }
+            node = sum - node;
+        }
+        if (node >= 0 && node < nodes) {
+            interior[std::size_t(node)] += value;
+        }
+    }
+    return interior;
+}
+
+}  // namespace nmbcrun

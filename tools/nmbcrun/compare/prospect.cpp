@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/compare/prospect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "tools/nmbcrun/compare/packet.hpp"
+#include "tools/nmbcrun/compare/prediction.hpp"
+#include "tools/nmbcrun/compare/source_spectrum.hpp"
+
+namespace nmbcrun {
+namespace {
+
+using Energies = std::map<double, double>;  // by wave number
+
+double sum_of(const Energies& energies) {
+    double sum = 0;
+    for (const auto& [xi, energy] : energies) {
+        sum += energy;
+    }
+    return sum;
+}
+
+/// What gets to an end before the run is over, directly or by way of a physical end opposite.
+Energies arriving_at(nmbc::End side, const Simulation& simulation,
+                     const std::vector<SourceSpectrum>& sources) {
+    const Scene& scene = simulation.scene();
+    const bool left = side == nmbc::End::left;
+    const auto last = double(scene.nodes) - 1;
+    const bool comes_round = is_physical((left ? scene.right : scene.left).kind);
+    const double unit = unit_of_time(scene);
+    const double step = simulation.plan().time_step / unit;
+    Energies energies;
+    for (const SourceSpectrum& source : sources) {
+        double way = left ? source.first : last - source.last;
+        if (source.name == "incoming" && scene.incoming->end == side) {  // it goes away from there
+            way = comes_round ? 2 * last : std::numeric_limits<double>::infinity();
+        }
+        for (std::size_t part = 0; part < source.spectrum.parts(); ++part) {
+            const double xi = source.spectrum.wave_number(part);
+            const double speed = std::abs(group_velocity(simulation.chain().lattice(), xi, step));
+            if (speed * scene.end / unit >= way) {
+                energies[xi] += source.spectrum.energy() * source.spectrum.share(part);
+            }
+        }
+    }
+    return energies;
+}
+
+/// What comes back of the waves that get to one end or both.
+class Returned {
+  public:
+    void add(const Energies& arriving, const std::function<double(double)>& reflected_energy) {
+        const double negligible = 1e-9 * sum_of(arriving);
+        for (const auto& [xi, energy] : arriving) {
+            arrived_ += energy;
+            if (energy > negligible) {
+                const double part = reflected_energy(xi);
+                back_[xi] += part * energy;
+                constexpr double roundings = 1e-6;
+                if (part > 1 + roundings) {
+                    amplified_[xi] += energy;
+                    most_ = std::max(most_, part);
+                }
+            }
+        }
+    }
+
+    std::string in_words() const {
+        if (arrived_ == 0) {
+            return "nothing gets there before time.end";
+        }
+        const double back = sum_of(back_) / arrived_;
+        if (back < 1e-12) {
+            return "nothing of the energy that reaches them comes back";
+        }
+        const auto most = std::ranges::max_element(back_, {}, &Energies::value_type::second);
+        return fmt::format(
+            "about {:.1g} of the energy that reaches them comes back, most at xi dX = {:.2g}", back,
+            most->first);
+    }
+
+    /// Empty where next to nothing is amplified.
+    std::string amplified_in_words() const {
+        constexpr double negligible = 1e-3;
+        const double share = arrived_ > 0 ? sum_of(amplified_) / arrived_ : 0;
+        return share <= negligible
+                   ? ""
+                   : fmt::format(
+                         "sends back up to {:.2g} times the energy that comes, at xi dX = "
+                         "{:.2g} to {:.2g}, where {:.1g} of the energy is that gets there",
+                         most_, amplified_.begin()->first, amplified_.rbegin()->first, share);
+    }
+
+  private:
+    double arrived_ = 0;
+    double most_ = 0;
+    Energies back_;
+    Energies amplified_;
+};
+
+/// The part of the energy in waves that are much slower or faster than c, or go backwards.
+double not_carried(const SourceSpectrum& source, const nmbc::Lattice& lattice, double step) {
+    double share = 0;
+    for (std::size_t part = 0; part < source.spectrum.parts(); ++part) {
+        const double speed = group_velocity(lattice, source.spectrum.wave_number(part), step);
+        share += speed < 0.75 || speed > 1.25 ? source.spectrum.share(part) : 0;
+    }
+    return share;
+}
+
+/// What makes a source longer, and its value with that; nullptr where there is nothing.
+struct Length {
+    const char* key;
+    double* value;
+    bool is_inverse;
+};
+
+Length length_of(Scene& scene, const std::string& source) {
+    if (source == "drive") {
+        return {"drive.duration", &scene.drive->duration, false};
+    }
+    if (source == "incoming") {
+        return {"incoming.width", &scene.incoming->pulse.width, false};
+    }
+    if (source == "initial") {
+        return {"initial.width",
+                scene.initial->kind == InitialKind::file ? nullptr : &scene.initial->pulse.width,
+                false};
+    }
+    const bool is_sine = scene.force->history == History::sine;
+    return {is_sine ? "force.frequency" : "force.duration",
+            is_sine                                 ? &scene.force->frequency
+            : scene.force->history == History::file ? nullptr
+                                                    : &scene.force->duration,
+            is_sine};
+}
+
+constexpr double most_not_carried = 0.1;
+
+/// "; KEY = VALUE would do" or that none would: zero-energy modes answer to a single node at any
+/// pace.
+std::string what_would_do(const Simulation& simulation, const std::string& source, double step) {
+    Scene scene = simulation.scene();
+    const auto [key, value, is_inverse] = length_of(scene, source);
+    constexpr double longer = 1.25;
+    const nmbc::Lattice& lattice = simulation.chain().lattice();
+    for (double factor = longer; value != nullptr && factor < 1e3; factor *= longer) {
+        *value *= is_inverse ? 1 / longer : longer;
+        scene.end *= longer;
+        if (scene.force) {
+            scene.force->time *= longer;  // none of it is cut off at t = 0
+        }
+        for (const SourceSpectrum& other :
+             source_spectra(scene, lattice, simulation.plan().time_step)) {
+            if (other.name == source && not_carried(other, lattice, step) <= most_not_carried) {
+                return fmt::format("; {} = {:.2g} would do", key, *value);
+            }
+        }
+    }
+    return value == nullptr ? "" : fmt::format("; no {} alone would do", key);
+}
+
+}  // namespace
+
+Prospect prospect_of(const Simulation& simulation) {
+    const Scene& scene = simulation.scene();
+    const nmbc::Lattice& lattice = simulation.chain().lattice();
+    const double step = simulation.plan().time_step / unit_of_time(scene);
+    const auto sources = source_spectra(scene, lattice, simulation.plan().time_step);
+    Prospect prospect;
+    for (const SourceSpectrum& source : sources) {
+        const double share = not_carried(source, lattice, step);
+        if (share > most_not_carried) {
+            prospect.warnings.push_back(fmt::format(
+                "{:.0f} % of what {} sends out is in waves so short that the lattice disperses "
+                "them or turns them back{}",
+                100 * share, source.name, what_would_do(simulation, source.name, step)));
+        }
+    }
+    Returned returned;
+    std::string unknown;
+    bool has_artificial = false;
+    std::map<double, double> known;  // by wave number, of one end or two like ones
+    for (const auto side : {nmbc::End::left, nmbc::End::right}) {
+        const Boundary& end = side == nmbc::End::left ? scene.left : scene.right;
+        if (is_physical(end.kind)) {
+            continue;
+        }
+        has_artificial = true;
+        const auto reflected_energy = reflected_energy_of(scene, end, step);
+        if (!reflected_energy) {
+            unknown = is_damped(scene) ? "of a damped lattice"
+                                       : fmt::format("of an end that is {}", name_of(end.kind));
+            continue;
+        }
+        const Energies arriving = arriving_at(side, simulation, sources);
+        if (!(end == scene.left)) {
+            known.clear();
+        }
+        const auto known_or_found = [&](double xi) {
+            const auto [found, is_new] = known.try_emplace(xi, 0.0);
+            return found->second = is_new ? (*reflected_energy)(xi) : found->second;
+        };
+        Returned alone;
+        alone.add(arriving, known_or_found);
+        returned.add(arriving, known_or_found);
+        const std::string amplified = alone.amplified_in_words();
+        if (!amplified.empty() && prospect.objection.empty()) {
+            prospect.objection = fmt::format("{} on the {} {}", heading_of(end),
+                                             side == nmbc::End::left ? "left" : "right", amplified);
+        }
+    }
+    if (has_artificial) {
+        prospect.ends = unknown.empty() ? returned.in_words() : "nothing is predicted " + unknown;
+    }
+    return prospect;
+}
+
+}  // namespace nmbcrun
