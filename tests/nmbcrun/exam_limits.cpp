@@ -55,7 +55,7 @@ TEST_CASE("control characters are escaped, and letters are not") {
     CHECK(printable("\x1b[2J\a\r\n\t\x7f") == "\\x1b[2J\\x07\\x0d\\x0a\\x09\\x7f");
     CHECK(printable("\u0080\u009b31m\u009f\u00a0") == "\\u0080\\u009b31m\\u009f\u00a0");
     CHECK(printable(std::string(1, '\0')) == "\\x00");
-    CHECK(printable("\xc2") == "\xc2");  // an end in the middle of a letter
+    CHECK(printable("\xc2") == "\\xc2");  // an end in the middle of a letter
 }
 
 TEST_CASE("columns are read of regular files of some length") {
