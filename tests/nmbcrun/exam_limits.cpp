@@ -39,10 +39,10 @@ TEST_CASE("a chain has to fit in memory") {
     CHECK_THROWS_WITH_AS(Simulation{scene}, doctest::Contains("nodes are allowed"), SceneError);
     scene.left = {.kind = BoundaryKind::fixed};
     CHECK_NOTHROW(Simulation{scene});
-    // Layers that find their own width: one of 5000 nodes or more has room, two have not.
+    // Layers that find their own width: one of 10422 nodes has room, two have not.
     const nmbc::Lattice lattice = lattice_of(scene);
     scene.end = 5000;
-    scene.nodes = std::size_t(physical_memory() / 120) - 9000;
+    scene.nodes = std::size_t(physical_memory() / 120) - 15000;
     scene.left = {.kind = BoundaryKind::extended};
     CHECK_NOTHROW(require_memory(scene, lattice, 0.1));
     scene.right = scene.left;
