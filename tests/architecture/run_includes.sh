@@ -21,7 +21,7 @@ allow() {
 
 text='fmt/'
 allow generator/table 'generator/table/|nmbc/table.hpp|boost/'
-allow generator/exact 'generator/(table|exact)/|boost/'
+allow generator/exact 'generator/(table|exact)/|nmbc/table.hpp|boost/'
 allow generator/lattice 'generator/(table|exact|lattice)/|boost/'
 allow generator/families "generator/(table|exact|lattice|families)/|$text"
 allow generator/names "generator/(table|exact|names)/|$text"
