@@ -50,11 +50,17 @@ std::vector<Table> certified(const std::vector<Specification>& specifications,
     return tables;
 }
 
+TextFile lattice_file(const std::filesystem::path& folder, const Table& table) {
+    return {folder / (lattice_name(table.specification) + ".hpp"), emit_lattice_header(table)};
+}
+
 std::vector<TextFile> committed_files(const Request& request) {
     const std::filesystem::path& folder = request.folder;
     const std::vector<Table> tables = certified(committed_set(), request.cache);
     std::vector<TextFile> files;
-    files.reserve(tables.size() + 2);
+    for (const Table& table : one_of_each_lattice(tables)) {
+        files.push_back(lattice_file(folder, table));
+    }
     for (const Table& table : tables) {
         files.push_back({folder / (table_name(table.specification) + ".hpp"), emit_header(table)});
     }
@@ -93,11 +99,13 @@ int write_one(const Request& request) {
     if (request.require_stable) {
         require_stable(table);
     }
-    const std::string text = request.format->emit(table);
     if (request.to_stdout) {
-        print(text);
+        print(request.format->emit(table));
+    } else if (request.format->name == "header") {
+        write_and_name(
+            {lattice_file(request.folder, table), {request.folder / name, emit_header(table)}});
     } else {
-        write_and_name({{request.folder / name, text}});
+        write_and_name({{request.folder / name, request.format->emit(table)}});
     }
     return done;
 }
@@ -105,10 +113,7 @@ int write_one(const Request& request) {
 int check(const Request& request) {
     const std::filesystem::path& folder = request.folder;
     require_folder(folder);  // the fresh set takes a minute
-    const std::string report =
-        staleness(folder, committed_files(request), [&request](const Specification& specification) {
-            return certified({specification}, request.cache).front();
-        });
+    const std::string report = staleness(folder, committed_files(request));
     if (report.empty()) {
         std::cerr << "up to date: " << folder.string() << "\n";
         return done;

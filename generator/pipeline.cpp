@@ -5,6 +5,7 @@
 
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/family.hpp"
+#include "generator/lattice/symbol.hpp"
 #include "generator/matching/freeze.hpp"
 #include "generator/matching/local.hpp"
 #include "generator/matching/matching.hpp"
@@ -18,16 +19,6 @@
 
 namespace nmbcgen {
 namespace {
-
-/// The model at one value of G.
-void fix_stabilisation(Model& model, const Rational& G) {
-    for (ExactSquare& square : model.energy) {
-        square.weight = constant(evaluate(square.weight, G));
-    }
-    for (Polynomial& coefficient : model.symbol) {
-        coefficient = constant(evaluate(coefficient, G));
-    }
-}
 
 std::vector<ExactFunction> over_first(const std::vector<Polynomial>& numerators,
                                       const Polynomial& first) {
@@ -77,16 +68,12 @@ Table derive(const Specification& specification) {
                 .source = {},
                 .proved = {},
                 .certificate = std::nullopt};
-    table.source = table.model.source +
-                   "; Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)";
-    if (specification.stabilisation) {
-        fix_stabilisation(table.model, *specification.stabilisation);
-    }
+    table.source = "Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)";
 
     const GiNaC::symbol G("G");
     Dispersion dispersion;
     dispersion.time_step = thaw(constant(specification.time_step), G);
-    for (const Polynomial& coefficient : table.model.symbol) {
+    for (const Polynomial& coefficient : symbol_of(table)) {
         dispersion.symbol.push_back(thaw(coefficient, G));
     }
     for (const Rational& coefficient : table.model.damping) {

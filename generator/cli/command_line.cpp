@@ -234,7 +234,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     Pending pending;
     const SpecificationOptions single = add_specification(app, request, pending);
     auto* const format = add_parsed(app, "--format", request.format, parse_format,
-                                    format_names() + " (default header; docs/formats.md)");
+                                    format_names() + " (default header)");
     auto* const to_stdout =
         app.add_flag("--stdout", request.to_stdout, "print the table instead of writing a file");
     auto* const require_stable =

@@ -80,7 +80,7 @@ std::string emit_c(const Table& table) {
     const Certificate certificate = table.certificate.value_or(Certificate{});
     std::string text = heading("//", table, " --format c");
     text += fmt::format("#ifndef NMBC_{0}_H\n#define NMBC_{0}_H\n\n", name);
-    text += fmt::format("// {}. C99; docs/formats.md.\n", title(what));
+    text += fmt::format("// {}. Needs C99 or C++17, no library.\n", title(what));
     text += fmt::format(
         "enum {{\n    {0}_horizon = {1},\n    {0}_order = {2},\n    {0}_stride = {3},\n"
         "    {0}_ghost_layers = {4},\n    {0}_least_nodes = {5}\n}};\n\n",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A certificate as JSON; keys and types: docs/json.md.
+/// A certificate as JSON; keys and types: docs/reference/json.md.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 
 namespace nmbcgen {
 
-/// {"value", "exact", "poly", "interval"}, as the end of a window in docs/json.md.
+/// {"value", "exact", "poly", "interval"}, as the end of a window in docs/reference/json.md.
 nlohmann::ordered_json number_object(const AlgebraicNumber& number);
 
 /// damped: of a table with tau > 0; the windows that are not sought of one are null.

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "generator/emit/array.hpp"
+#include "generator/emit/cpp_source.hpp"
 #include "generator/exact/algebraic_number.hpp"
 
 namespace nmbcgen {

@@ -2,20 +2,21 @@
 #include "generator/emit/coefficients.hpp"
 
 #include "generator/exact/rational_function.hpp"
+#include "generator/lattice/symbol.hpp"
 
 namespace nmbcgen {
 
 CoefficientList c_list(const Table& table) {
-    return {"c", 0, table.c, table.digits, table.closed_c};
+    return {"c", 0, table.c, table.digits};
 }
 
 CoefficientList b_list(const Table& table) {
-    return {"b", 0, table.b, table.digits, table.closed_b};
+    return {"b", 0, table.b, table.digits};
 }
 
 std::vector<CoefficientList> coefficient_lists(const Table& table) {
     CoefficientList symbol{"symbol", 0, {}};
-    for (const Polynomial& coefficient : table.model.symbol) {
+    for (const Polynomial& coefficient : symbol_of(table)) {
         symbol.functions.push_back(to_rational_function(coefficient));
     }
     CoefficientList damping{"damping", 0, {}};

@@ -14,8 +14,7 @@ struct CoefficientList {
     std::string_view name;  ///< symbol, damping, taylor, c or b
     std::size_t first;      ///< index of the first one: a_1 of taylor, else 0
     std::vector<ExactFunction> functions;
-    unsigned digits = 0;                    ///< they are rounded to; 0: exact
-    std::vector<AlgebraicNumber> closed{};  ///< what they were rounded from, where there is a form
+    unsigned digits = 0;  ///< they are rounded to; 0: exact
 };
 
 CoefficientList c_list(const Table& table);

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "generator/table/table.hpp"
 
@@ -13,25 +14,35 @@ namespace nmbcgen {
 
 /// What one table can be written as.
 struct Format {
-    std::string_view name;    ///< on the command line
-    std::string_view ending;  ///< of its files, with the point
-    std::string (*emit)(const Table&);
+    std::string_view name;              ///< on the command line
+    std::string_view ending;            ///< of its files, with the point
+    std::string (*emit)(const Table&);  ///< all of it in one text
 };
 
 /// All of them; the first is the usual one.
 std::span<const Format> formats();
 
-/// A C++20 header against runtime/nmbc/table.hpp.
+/// A C++20 header against runtime/nmbc/table.hpp; it includes that of its lattice.
 std::string emit_header(const Table& table);
 
-/// tables.hpp: includes the headers of all tables, and lists them in nmbc::generated::tables.
+/// The header of a table's lattice; the same for all tables that have it.
+std::string emit_lattice_header(const Table& table);
+
+/// Both in one.
+std::string emit_header_with_lattice(const Table& table);
+
+/// The first table of each lattice.
+std::vector<Table> one_of_each_lattice(std::span<const Table> tables);
+
+/// tables.hpp: includes the headers of all lattices and tables, and lists them in
+/// nmbc::generated::lattices and nmbc::generated::tables.
 std::string emit_registry(std::span<const Table> tables);
 
-/// One table as JSON, schema 3 (docs/json.md).
+/// One table with its lattice as JSON, schema 4 (docs/reference/json.md).
 std::string emit_json(const Table& table);
 
-/// A C99 header without anything else: at a fixed G its coefficients, else functions of G in
-/// doubles, which lose digits near poles.
+/// A header of C99 and C++17, without any library: at a fixed G its coefficients, else functions of
+/// G in doubles, which lose digits near poles.
 std::string emit_c(const Table& table);
 
 /// symbol, damping, taylor, c and b, a coefficient a line: exact, and its double at a fixed G.
@@ -43,7 +54,7 @@ std::string emit_latex(const Table& table);
 /// A module of Python 3, standard library only, exact: fractions.Fraction.
 std::string emit_python(const Table& table);
 
-/// tables.json: {"schema": 3, "tables": [...]}.
+/// tables.json: {"schema": 4, "lattices": [...], "tables": [...]}, where tables name lattices.
 std::string emit_json(std::span<const Table> tables);
 
 }  // namespace nmbcgen

@@ -7,7 +7,7 @@ namespace nmbcgen {
 
 std::span<const Format> formats() {
     static const std::array all{
-        Format{"header", ".hpp", emit_header},
+        Format{"header", ".hpp", emit_header_with_lattice},
         Format{"json", ".json", [](const Table& table) { return emit_json(table); }},
         Format{"python", ".py", emit_python},
         Format{"c", ".h", emit_c},

@@ -96,11 +96,6 @@ std::vector<std::string> terms(const ClosedForm& function, unsigned pole, Notati
     return result;
 }
 
-std::string latex_radical(const AlgebraicNumber& number) {
-    static const std::regex root(R"(\*?sqrt\((\d+)\))");
-    return std::regex_replace(to_text(number), root, "\\sqrt{$1}");
-}
-
 std::string value(const AlgebraicNumber& number, std::string_view letter, Notation notation) {
     const bool latex = notation == Notation::latex;
     const std::string digits = fmt::format("{:.10g}", nearest_double(number));
@@ -111,7 +106,8 @@ std::string value(const AlgebraicNumber& number, std::string_view letter, Notati
             formula(number.polynomial, letter, notation));
     }
     if (latex) {
-        return "= " + latex_radical(number);
+        static const std::regex root(R"(\*?sqrt\((\d+)\))");
+        return "= " + std::regex_replace(exact, root, "\\sqrt{$1}");
     }
     return "= " + exact + (exact == digits ? "" : " = " + digits);
 }

@@ -21,9 +21,6 @@ std::string formula(const IntegerPolynomial& polynomial, std::string_view letter
 /// sign, "+ " or "- ". One fraction a term, its numerator in factors.
 std::vector<std::string> terms(const ClosedForm& function, unsigned pole, Notation notation);
 
-/// (3 + 2\sqrt{5})/7; empty where the number is no radical.
-std::string latex_radical(const AlgebraicNumber& number);
-
 /// "= 1/4", or of an irrational number without a radical "= 1.846147614, a root of .. = 0".
 std::string value(const AlgebraicNumber& number, std::string_view letter, Notation notation);
 

@@ -31,7 +31,7 @@ std::string heading(const std::string& comment, const Table& table, const std::s
                "from the ghost node M, s the stride\n"
                "{0} proved  {6}\n"
                "{0} stable  {7}\n",
-               comment, table.model.description, here, table.source,
+               comment, table.model.description, here, table.model.source + "; " + table.source,
                what.damping > 0 ? ", tau" : "", what.time_step > 0 ? ", time step in dX/c" : "",
                table.proved, certificate_statement(table));
 }

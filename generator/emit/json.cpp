@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "generator/emit/certificate_json.hpp"
 #include "generator/emit/certificate_text.hpp"
@@ -52,7 +53,7 @@ Json exact_array(const std::vector<Item>& items, bool at_fixed_G) {
     return array;
 }
 
-Json energy_array(const std::vector<ExactSquare>& energy, bool at_fixed_G) {
+Json energy_array(const std::vector<ExactSquare>& energy) {
     Json array = Json::array();
     for (const ExactSquare& square : energy) {
         Json stencil = Json::array();
@@ -60,58 +61,50 @@ Json energy_array(const std::vector<ExactSquare>& energy, bool at_fixed_G) {
             stencil.push_back(to_string(entry));
         }
         array.push_back({{"part", name_of(square.part)},
-                         {"weight", exact(square.weight, at_fixed_G)},
+                         {"weight", exact(square.weight, false)},
                          {"stencil", stencil}});
     }
     return array;
 }
 
-Json closed_array(const std::vector<AlgebraicNumber>& numbers) {
-    Json array = Json::array();
-    for (const AlgebraicNumber& number : numbers) {
-        array.push_back(to_text(number));
-    }
-    return array;
-}
-
-/// "weights", where the influence is not constant.
-void add_weights(Json& object, const Table& table) {
-    for (const Rational& weight : table.specification.weights) {
+/// A table's lattice, at every G.
+Json lattice_object(const Table& table) {
+    const Specification& what = table.specification;
+    Json object = {
+        {"name", lattice_name(what)}, {"family", what.family}, {"horizon", what.horizon}};
+    for (const Rational& weight : what.weights) {
         object["weights"].push_back(to_string(weight));
     }
+    object["tau"] = to_string(what.damping);
+    object["symbol"] = exact_array(table.model.symbol, false);
+    object["damping"] = exact_array(table.model.damping, false);
+    object["energy"] = energy_array(table.model.energy);
+    object["source"] = table.model.source;
+    return object;
 }
 
-/// "match", and where there are closed forms "closed_c" and "closed_b", only of a table that has
-/// matching points besides xi = 0.
+/// "match" and "digits", only of a table that has matching points besides xi = 0.
 void add_points(Json& object, const Table& table) {
     if (table.specification.points.empty()) {
         return;
     }
     object["match"] = matching_text(table.specification);
     object["digits"] = table.digits;
-    if (!table.closed_c.empty()) {
-        object["closed_c"] = closed_array(table.closed_c);
-        object["closed_b"] = closed_array(table.closed_b);
-    }
 }
 
-Json table_object(const Table& table) {
+/// lattice: the object, or its name.
+Json table_object(const Table& table, Json lattice) {
     const Specification& what = table.specification;
     const bool fixed = what.stabilisation.has_value();
     const bool damped = what.damping > 0;
     const Certificate certificate = table.certificate.value_or(Certificate{});
     Json object = {
         {"schema", json_schema},
-        {"family", what.family},
+        {"lattice", std::move(lattice)},
         {"order", what.order},
-        {"horizon", what.horizon},
         {"stride", what.stride},
         {"G", fixed ? Json(to_string(*what.stabilisation)) : Json(nullptr)},
-        {"tau", to_string(what.damping)},
         {"time_step", to_string(what.time_step)},
-        {"symbol", exact_array(table.model.symbol, fixed)},
-        {"damping", exact_array(table.model.damping, fixed)},
-        {"energy", energy_array(table.model.energy, fixed)},
         {"taylor", exact_array(table.taylor, fixed)},
         {"c", exact_array(table.c, fixed)},
         {"b", exact_array(table.b, fixed)},
@@ -124,7 +117,6 @@ Json table_object(const Table& table) {
         {"max_cfl_contractive", steps_array(certificate.max_cfl_contractive)},
         {"max_cfl_explicit", steps_array(certificate.max_cfl_explicit)},
         {"certificate", table.certificate ? Json(certificate_statement(table)) : Json(nullptr)}};
-    add_weights(object, table);
     add_points(object, table);
     return object;
 }
@@ -136,15 +128,19 @@ std::string dumped(const Json& json) {
 }  // namespace
 
 std::string emit_json(const Table& table) {
-    return dumped(table_object(table));
+    return dumped(table_object(table, lattice_object(table)));
 }
 
 std::string emit_json(std::span<const Table> tables) {
+    Json lattices = Json::array();
+    for (const Table& table : one_of_each_lattice(tables)) {
+        lattices.push_back(lattice_object(table));
+    }
     Json list = Json::array();
     for (const Table& table : tables) {
-        list.push_back(table_object(table));
+        list.push_back(table_object(table, lattice_name(table.specification)));
     }
-    return dumped({{"schema", json_schema}, {"tables", list}});
+    return dumped({{"schema", json_schema}, {"lattices", lattices}, {"tables", list}});
 }
 
 }  // namespace nmbcgen

@@ -3,7 +3,6 @@
 
 #include "generator/emit/coefficients.hpp"
 #include "generator/emit/emit.hpp"
-#include "generator/emit/formula.hpp"
 #include "generator/emit/heading.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
@@ -43,18 +42,8 @@ std::string fraction(const ExactFunction& function) {
                        minus ? numerator.substr(1) : numerator, denominator);
 }
 
-/// In brackets where it is a sum, since a unit follows.
-std::string factor(const AlgebraicNumber& number) {
-    const std::string text = latex_radical(number);
-    const bool is_sum = text.find(' ') != std::string::npos && text.find('(') == std::string::npos;
-    return is_sum ? "(" + text + ")" : text;
-}
-
 /// What the i-th coefficient is; its decimals where it has no short form.
 std::string value(const CoefficientList& list, std::size_t i) {
-    if (!list.closed.empty()) {
-        return "= " + factor(list.closed[i]);
-    }
     if (list.digits > 0 && list.functions[i].denominator != IntegerPolynomial(Integer(1))) {
         return fmt::format("\\approx {:.17g}", nearest_double(evaluate(list.functions[i], 0)));
     }
@@ -78,7 +67,7 @@ std::string unit(std::string_view name) {
 std::string emit_latex(const Table& table) {
     std::string text = heading("%", table, " --format latex");
     text += fmt::format(
-        "% {}. Needs amsmath; docs/formats.md.\n"
+        "% {}. Needs amsmath.\n"
         "% omega^2 = s_0 + 2 sum_m s_m cos(m xi), tau sigma = d_0 + 2 sum_m d_m cos(m xi) "
         "likewise,\n"
         "% s = sum_k a_k (i xi)^k; Delta X = c = 1 in s_m and a_k.\n",

@@ -77,7 +77,8 @@ def coefficients(G=FIXED_G):
 
 
 def largest_cfl(G, steps=MAX_CFL):
-    """The largest certified cfl = dt omega_max / 2 at G; 0 where no step is certified."""
+    """The largest certified cfl = dt omega_max / 2 at G, given as in evaluate(); 0: none is."""
+    G = float(Fraction(G))  # as the ends of the windows are
     return max((cfl for low, high, cfl in steps if low <= G <= high), default=0)
 )";
 
@@ -87,7 +88,9 @@ std::string emit_python(const Table& table) {
     const Specification& what = table.specification;
     const Certificate certificate = table.certificate.value_or(Certificate{});
     std::string text = heading("#", table, " --format python");
-    text += fmt::format("\"\"\"{}: nmbcgen, docs/formats.md.\"\"\"\n\n", title(what));
+    text += fmt::format(
+        "\"\"\"{}: nmbcgen.\n\nPython 3.6 or later, its standard library alone.\n\"\"\"\n\n",
+        title(what));
     text += "from fractions import Fraction\nfrom math import inf\n\n";
     text += fmt::format(
         "FAMILY = \"{}\"\nHORIZON = {}  # dX\nORDER = {}\nSTRIDE = {}\n"

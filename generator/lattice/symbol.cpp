@@ -41,4 +41,14 @@ std::vector<Polynomial> symbol_of(std::span<const ExactSquare> energy) {
     return symbol;
 }
 
+std::vector<Polynomial> symbol_of(const Table& table) {
+    std::vector<Polynomial> symbol = table.model.symbol;
+    if (const auto& G = table.specification.stabilisation) {
+        for (Polynomial& coefficient : symbol) {
+            coefficient = constant(evaluate(coefficient, *G));
+        }
+    }
+    return symbol;
+}
+
 }  // namespace nmbcgen

@@ -13,4 +13,7 @@ namespace nmbcgen {
 /// equations of motion are u_tt = -d(energy)/du. Throws std::logic_error for an empty energy.
 std::vector<Polynomial> symbol_of(std::span<const ExactSquare> energy);
 
+/// The symbol of a table's lattice, at the table's G where that is fixed.
+std::vector<Polynomial> symbol_of(const Table& table);
+
 }  // namespace nmbcgen

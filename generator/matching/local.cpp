@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/exact/rational_function.hpp"
+#include "generator/lattice/symbol.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -47,7 +48,7 @@ struct Lattice {
         const auto polynomials =
             chebyshev(local, std::max<std::size_t>(table.model.symbol.size(), stride));
         one = constant_jet(T(1), size);
-        omega_squared = even_sum(table.model.symbol, polynomials);
+        omega_squared = even_sum(symbol_of(table), polynomials);
         tau_sigma = even_sum(table.model.damping, polynomials);
         y_squared =
             quotient(sum(polynomials[stride], one, T(-1)), sum(polynomials[stride], one, T(1)));
@@ -59,24 +60,6 @@ struct Lattice {
     Jet<T> y_squared;  // -tan^2(h xi/2)
     T half_step;
 };
-
-/// Where nothing is damped: s^2 = -omega^2 / (1 - omega^2 dt^2/4), v = y^2. root(g^2) is the
-/// positive root, or nothing, and then there is nothing here either.
-template <class T, class Root>
-std::optional<Local<T>> undamped(const Table& table, const IncidentWave& wave, const T& x,
-                                 Root root) {
-    const Lattice<T> lattice(table, x, wave.multiplicity);
-    const Jet<T> in_steps =
-        sum(lattice.one, lattice.omega_squared, T(0) - lattice.half_step * lattice.half_step);
-    const Jet<T> minus_square =
-        quotient(quotient(lattice.omega_squared, in_steps), lattice.y_squared);
-    const Jet<T> square = sum(constant_jet(T(0), wave.multiplicity), minus_square, T(-1));
-    const auto first = root(square[0]);
-    if (!first) {
-        return std::nullopt;
-    }
-    return Local<T>{square_root(square, T(wave.direction * wave.side) * *first), lattice.y_squared};
-}
 
 }  // namespace
 
@@ -100,17 +83,7 @@ IncidentWave incident_wave(const Table& table, const MatchingPoint& point) {
         throw NotMatched(fmt::format(
             "no wave comes in at xi = {}: its group velocity is zero there", xi.str(6)));
     }
-    std::optional<Rational> cosine;
-    if (point.of_pi) {
-        for (const auto& [part, value] : {std::pair{Rational(1, 3), Rational(1, 2)},
-                                          {Rational(1, 2), Rational(0)},
-                                          {Rational(2, 3), Rational(-1, 2)}}) {
-            if (point.wave_number == part) {
-                cosine = value;
-            }
-        }
-    }
-    return {xi, point.multiplicity, slope > 0 ? 1 : -1, phase > 0 ? 1 : -1, cosine};
+    return {xi, point.multiplicity, slope > 0 ? 1 : -1, phase > 0 ? 1 : -1};
 }
 
 Local<Rational> expand_at_zero(const Table& table, std::size_t size) {
@@ -133,20 +106,16 @@ Local<Rational> expand_at_zero(const Table& table, std::size_t size) {
     return {quotient(s, y_over_X), table.model.damping.empty() ? product(y, y) : y};
 }
 
+// s^2 = -omega^2 / (1 - omega^2 dt^2/4), v = y^2.
 Local<Real> expand(const Table& table, const IncidentWave& wave) {
-    const auto root = [](const Real& square) { return std::optional<Real>(sqrt(square)); };
-    return *undamped(table, wave, Real(cos(wave.xi)), root);
-}
-
-std::optional<Local<Quadratic>> expand_exactly(const Table& table, const IncidentWave& wave,
-                                               const Rational& radicand) {
-    if (!wave.cosine) {
-        return std::nullopt;
-    }
-    const auto root = [&](const Quadratic& square) {
-        return quadratic_root(square.rational, radicand);
-    };
-    return undamped(table, wave, Quadratic(*wave.cosine), root);
+    const Lattice<Real> lattice(table, cos(wave.xi), wave.multiplicity);
+    const Jet<Real> in_steps =
+        sum(lattice.one, lattice.omega_squared, Real(-lattice.half_step * lattice.half_step));
+    const Jet<Real> minus_square =
+        quotient(quotient(lattice.omega_squared, in_steps), lattice.y_squared);
+    const Jet<Real> square = sum(constant_jet(Real(0), wave.multiplicity), minus_square, Real(-1));
+    return {square_root(square, Real(wave.direction * wave.side * sqrt(square[0]))),
+            lattice.y_squared};
 }
 
 // (1 - tau sigma dt/2 - omega^2 dt^2/4) s^2 + tau sigma s + omega^2 = 0, v = y.

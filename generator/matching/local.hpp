@@ -2,10 +2,8 @@
 /// g = s/y and v = y^p, the two functions of points.hpp, about a wave number.
 #pragma once
 
-#include <optional>
 #include <stdexcept>
 
-#include "generator/exact/quadratic.hpp"
 #include "generator/matching/jet.hpp"
 #include "generator/matching/real.hpp"
 #include "generator/table/table.hpp"
@@ -28,9 +26,8 @@ struct Local {
 struct IncidentWave {
     Real xi;
     unsigned multiplicity;
-    int direction;                   ///< the sign of the group velocity
-    int side;                        ///< the sign of tan(h xi/2)
-    std::optional<Rational> cosine;  ///< of xi, where it is rational
+    int direction;  ///< the sign of the group velocity
+    int side;       ///< the sign of tan(h xi/2)
 };
 
 /// Throws NotMatched where the group velocity is zero, or z = 1 or -1 for the table's stride.
@@ -43,11 +40,6 @@ Local<Rational> expand_at_zero(const Table& table, std::size_t size);
 /// About the point in powers of x - cos xi, as many as its multiplicity; v = y^2.
 /// The table is not damped.
 Local<Real> expand(const Table& table, const IncidentWave& wave);
-
-/// The same exactly, in the field of sqrt(radicand), or of the first root that is needed where
-/// radicand is 0; nothing where the cosine or g is not of that field.
-std::optional<Local<Quadratic>> expand_exactly(const Table& table, const IncidentWave& wave,
-                                               const Rational& radicand);
 
 /// The same with damping; v = y. Throws NotMatched where damping stops the wave.
 Local<Complex> expand_damped(const Table& table, const IncidentWave& wave);

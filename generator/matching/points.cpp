@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include "generator/exact/algebraic_number.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/matching/local.hpp"
@@ -86,11 +84,10 @@ Polynomials<T> in_z(const std::vector<T>& unknowns, const Shape& shape) {
 }
 
 /// Over c_0.
-template <class T>
-void normalise(Polynomials<T>& polynomials) {
-    const T first = polynomials.C.front();
+void normalise(Polynomials<Real>& polynomials) {
+    const Real first = polynomials.C.front();
     for (auto* const list : {&polynomials.C, &polynomials.B}) {
-        for (T& coefficient : *list) {
+        for (Real& coefficient : *list) {
             coefficient /= first;
         }
     }
@@ -101,25 +98,6 @@ Rows<Rational> rows_at_zero(const Table& table, const Shape& shape) {
     Rows<Rational> rows;
     if (multiplicity > 1) {  // the residual has a factor y, for a row
         append_rows(rows, expand_at_zero(table, multiplicity - 1), shape, shape.power);
-    }
-    return rows;
-}
-
-/// The rows at all points, exactly, or nothing.
-std::optional<Rows<Quadratic>> exact_rows(const Table& table, const Shape& shape,
-                                          const std::vector<IncidentWave>& waves) {
-    Rows<Quadratic> rows;
-    for (const auto& row : rows_at_zero(table, shape)) {
-        rows.emplace_back(row.begin(), row.end());
-    }
-    Rational radicand = 0;
-    for (const IncidentWave& wave : waves) {
-        const auto local = expand_exactly(table, wave, radicand);
-        if (!local) {
-            return std::nullopt;
-        }
-        radicand = local->g[0].radicand != 0 ? local->g[0].radicand : radicand;
-        append_rows(rows, *local, shape, 1);
     }
     return rows;
 }
@@ -221,47 +199,6 @@ std::vector<ExactFunction> over(const std::vector<Rational>& numerators,
     return result;
 }
 
-std::vector<AlgebraicNumber> algebraic(const std::vector<Quadratic>& numbers) {
-    std::vector<AlgebraicNumber> result;
-    result.reserve(numbers.size());
-    for (const Quadratic& number : numbers) {
-        result.push_back(to_algebraic_number(number));
-    }
-    return result;
-}
-
-std::vector<Rational> rational_parts(const std::vector<Quadratic>& numbers) {
-    std::vector<Rational> parts;
-    parts.reserve(numbers.size());
-    for (const Quadratic& number : numbers) {
-        parts.push_back(number.rational);
-    }
-    return parts;
-}
-
-bool is_rational(const std::vector<Quadratic>& numbers) {
-    return std::ranges::all_of(numbers,
-                               [](const Quadratic& number) { return number.radical == 0; });
-}
-
-/// c and b in closed form; whether they are rational, and so all there is to say.
-bool match_exactly(Table& table, const Shape& shape, const std::vector<IncidentWave>& waves) {
-    auto rows = shape.power == 2 ? exact_rows(table, shape, waves) : std::nullopt;
-    if (!rows) {
-        return false;
-    }
-    Polynomials<Quadratic> exact = in_z(solve(std::move(*rows)), shape);
-    normalise(exact);
-    if (is_rational(exact.C) && is_rational(exact.B)) {
-        table.c = over(rational_parts(exact.C), 1);
-        table.b = over(rational_parts(exact.B), 1);
-        return true;
-    }
-    table.closed_c = algebraic(exact.C);
-    table.closed_b = algebraic(exact.B);
-    return false;
-}
-
 }  // namespace
 
 void match_at_points(Table& table) {
@@ -286,9 +223,6 @@ void match_at_points(Table& table) {
         }
         normalise(full);
         const Real size = size_of(full);
-        if (digits == 40U && match_exactly(table, shape, waves)) {
-            return;
-        }
         const Polynomials<Rational> rounded = in_z(solution.rounded, shape);
         table.digits = digits;
         table.c = over(rounded.C, rounded.C.front());

@@ -6,9 +6,8 @@
 /// many rows of (49) as the order has left. In the variables of matching.hpp, C = (z+1)^N P(v),
 /// B = (z+1)^N y Q(v), v = y^p, s = y g, it is rational interpolation in Hermite's sense,
 ///     g P - Q = O((x - x_p)^m),   x = cos xi,
-/// linear in the coefficients of P and Q, P(0) = 1 (C(1) != 0). Without damping omega^2 and
-/// v = -tan^2(h xi/2) are rational functions of x, so that the only irrational number of a point
-/// with rational x_p (pi/3, pi/2, 2pi/3) is g(x_p), a square root.
+/// linear in the coefficients of P and Q, P(0) = 1 (C(1) != 0). Without damping v = -tan^2(h xi/2)
+/// and omega^2 are rational functions of x.
 ///
 /// At a matching point the wave that comes in is matched: s = i omega where the group velocity is
 /// positive, -i omega in a backward band.
@@ -19,9 +18,7 @@
 namespace nmbcgen {
 
 /// Fills in c and b of a table at a fixed G that has its model and its Taylor coefficients.
-/// Where all points lie in one quadratic field, closed_c and closed_b are exact, too; c and b are
-/// exact where that field is the rational numbers. Otherwise c and b meet the rows at xi = 0
-/// exactly, and the others to 40 digits or 80.
+/// They meet the rows at xi = 0 exactly, and the others to 40 digits or 80.
 /// Throws NotMatched (local.hpp).
 void match_at_points(Table& table);
 

@@ -11,8 +11,7 @@ namespace nmbcgen {
 ///     Im s of the sign of the group velocity,
 ///   - the residual s C(z) - B(z) and its derivatives in i xi below the multiplicity are less than
 ///     1e-30 of the sum of their terms,
-///   - C(z) is not zero there, so that the wave is absorbed,
-///   - closed_c and closed_b, where there are any, are c and b to 1e-30 of themselves.
+///   - C(z) is not zero there, so that the wave is absorbed.
 /// Throws std::logic_error naming what fails.
 void prove_points(const Table& table);
 

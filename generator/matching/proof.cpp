@@ -39,19 +39,13 @@ Coefficient moment(const std::vector<Coefficient>& symbol, std::size_t power) {
     return sum;
 }
 
-/// Whether the table has damping and its own data tell the weight of the stabilisation at G = 1.
-bool shows_damping(const Table& table) {
-    return table.specification.damping != 0 && table.specification.stabilisation != Rational(0);
-}
-
 void prove_damping(const Table& table) {
     const Rational& tau = table.specification.damping;
     require(tau >= 0, "damping tau >= 0");
     require((tau == 0) == table.model.damping.empty(), "damping where tau > 0, and only there");
-    if (!shows_damping(table)) {
+    if (tau == 0) {
         return;
     }
-    const auto& fixed_G = table.specification.stabilisation;
     std::vector<ExactSquare> stabilisation;
     for (const ExactSquare& square : table.model.energy) {
         if (square.part == EnergyPart::stabilisation) {
@@ -60,7 +54,7 @@ void prove_damping(const Table& table) {
     }
     require(!stabilisation.empty(), "damping needs an energy of stabilisation");
     // The symbol of the stabilisation is G sigma, its weight being proportional to G.
-    const Polynomial G = fixed_G ? constant(*fixed_G) : Polynomial(std::vector<Rational>{0, 1});
+    const Polynomial G(std::vector<Rational>{0, 1});
     const std::vector<Polynomial> expected = symbol_of(stabilisation);
     require(expected.size() == table.model.damping.size(), "damping reaches as far as its energy");
     for (std::size_t m = 0; m < expected.size(); ++m) {
@@ -115,6 +109,7 @@ void prove_taylor(const Table& table) {
     require(!a.empty() && a.front() == constant(1), "Taylor coefficients: a_1 = c = 1");
     const Rational half_step = table.specification.time_step / 2;
     require(half_step >= 0, "time step >= 0");
+    const std::vector<Polynomial> symbol = symbol_of(table);
     std::vector<Polynomial> square(a.size() + 2);  // of s
     for (std::size_t k = 0; k < square.size(); ++k) {
         for (std::size_t i = 1; i < k && i <= a.size(); ++i) {
@@ -123,13 +118,13 @@ void prove_taylor(const Table& table) {
             }
         }
         // Coefficient of x^k in s^2 + tau sigma s (1 - s dt/2) + omega^2 (1 - s^2 dt^2/4).
-        Polynomial sum = square[k] + moment(table.model.symbol, k);
+        Polynomial sum = square[k] + moment(symbol, k);
         for (std::size_t i = 1; i <= k && i <= a.size(); ++i) {
             sum += a[i - 1] * constant(moment(table.model.damping, k - i));
         }
         for (std::size_t i = 2; i <= k; ++i) {
             const Polynomial whole = constant(moment(table.model.damping, k - i)) +
-                                     moment(table.model.symbol, k - i) * constant(half_step);
+                                     moment(symbol, k - i) * constant(half_step);
             sum -= square[i] * whole * constant(half_step);
         }
         require(sum.is_zero(), fmt::format("Taylor coefficients at x^{}", k));
@@ -158,7 +153,7 @@ std::string prove(const Table& table) {
         "residual of (49) {}{}{}; symbol = sum of the energy's squares; {}C(1) {}",
         fixed ? "zero at this G" : "identically zero in G",
         what.time_step != 0 ? ", in leapfrog steps of this length" : "", at_points,
-        shows_damping(table) ? "damping = tau times those of stabilisation at G = 1; " : "",
+        what.damping > 0 ? "damping = tau times those of stabilisation at G = 1; " : "",
         fixed ? "!= 0" : "not identically zero");
 }
 

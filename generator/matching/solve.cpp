@@ -46,8 +46,8 @@ std::vector<std::size_t> reduce(Rows<T>& rows, Better better) {
     return pivots;
 }
 
-const auto nonzero = [](const auto& candidate, const auto& best) {
-    return best == 0 && !(candidate == 0);
+const auto nonzero = [](const Rational& candidate, const Rational& best) {
+    return best == 0 && candidate != 0;
 };
 const auto larger = [](const Real& candidate, const Real& best) {
     return abs(candidate) > abs(best) && abs(candidate) > negligible;
@@ -112,18 +112,6 @@ Solution solve(Rows<Rational> exact, const Rows<Real>& others, unsigned digits) 
         solution.full[bound[i]] = full;
     }
     return solution;
-}
-
-std::vector<Quadratic> solve(Rows<Quadratic> rows) {
-    if (reduce(rows, nonzero).size() < rows.size()) {
-        return {};
-    }
-    std::vector<Quadratic> unknowns;
-    unknowns.reserve(rows.size());
-    for (const std::vector<Quadratic>& row : rows) {
-        unknowns.push_back(row.back());
-    }
-    return unknowns;
 }
 
 }  // namespace nmbcgen

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "generator/exact/quadratic.hpp"
 #include "generator/exact/real.hpp"
 #include "generator/table/exact.hpp"
 
@@ -23,8 +22,5 @@ struct Solution {
 /// Unknowns that the exact rows leave free are rounded to so many digits behind the point; the
 /// others follow from them. As many rows as unknowns in all. Empty where they are singular.
 Solution solve(Rows<Rational> exact, const Rows<Real>& others, unsigned digits);
-
-/// Likewise where all rows are exact.
-std::vector<Quadratic> solve(Rows<Quadratic> rows);
 
 }  // namespace nmbcgen

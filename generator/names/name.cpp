@@ -12,20 +12,32 @@ std::string p_over_q(const Rational& value) {
     return numerator(value).str() + "o" + denominator(value).str();
 }
 
-}  // namespace
-
-std::string table_name(const Specification& specification) {
+/// FAMILY_nH[_w_PoQ_PoQ ..]
+std::string undamped_name(const Specification& specification) {
     std::string name = fmt::format("{}_n{}", specification.family, specification.horizon);
     for (std::size_t m = 0; m < specification.weights.size(); ++m) {
         name += fmt::format("{}_{}", m == 0 ? "_w" : "", p_over_q(specification.weights[m]));
     }
+    return name;
+}
+
+std::string damping_suffix(const Specification& specification) {
+    return specification.damping == 0 ? "" : "_tau" + p_over_q(specification.damping);
+}
+
+}  // namespace
+
+std::string lattice_name(const Specification& specification) {
+    return undamped_name(specification) + damping_suffix(specification);
+}
+
+std::string table_name(const Specification& specification) {
+    std::string name = undamped_name(specification);
     name += fmt::format("_order{}", specification.order);
     if (specification.stride != 1) {
         name += fmt::format("_s{}", specification.stride);
     }
-    if (specification.damping != 0) {
-        name += fmt::format("_tau{}", p_over_q(specification.damping));
-    }
+    name += damping_suffix(specification);
     if (specification.time_step != 0) {
         name += fmt::format("_dt{}", p_over_q(specification.time_step));
     }
@@ -56,14 +68,22 @@ std::string matching_text(const Specification& specification) {
     return text;
 }
 
+std::string weights_text(const Specification& specification) {
+    std::string text;
+    for (const Rational& weight : specification.weights) {
+        text += (text.empty() ? "" : ",") + to_string(weight);
+    }
+    return text;
+}
+
 std::string regenerating_command(const Specification& specification) {
     const std::string condition = specification.points.empty()
                                       ? fmt::format("--order {}", specification.order)
                                       : "--match " + matching_text(specification);
     std::string command = fmt::format("nmbcgen --family {} {} --horizon {}", specification.family,
                                       condition, specification.horizon);
-    for (std::size_t m = 0; m < specification.weights.size(); ++m) {
-        command += (m == 0 ? " --weights " : ",") + to_string(specification.weights[m]);
+    if (!specification.weights.empty()) {
+        command += " --weights " + weights_text(specification);
     }
     if (specification.stride != 1) {
         command += fmt::format(" --stride {}", specification.stride);

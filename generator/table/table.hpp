@@ -79,17 +79,14 @@ inline bool has_stabilisation(const Model& model) {
 /// A matching boundary condition with everything it was derived from.
 struct Table {
     Specification specification;
-    Model model;
+    Model model;                     ///< at every G, also where the table's is fixed
     std::vector<Polynomial> taylor;  ///< a_1 .. a_{2N+1} of s = sum a_k (i xi)^k, (47); s = i omega
                                      ///< where nothing is damped, in continuous time
     std::vector<ExactFunction> c;    ///< c_0 .. c_N, c_0 = 1
     std::vector<ExactFunction> b;    ///< b_0 .. b_N
-    unsigned digits = 0;  ///< of c and b where matching points make them irrational; 0: exact
-    /// Where c and b are rounded and lie in one quadratic field: what they were rounded from.
-    std::vector<AlgebraicNumber> closed_c{};
-    std::vector<AlgebraicNumber> closed_b{};
-    std::string source;                      ///< the equations the table is taken from
-    std::string proved;                      ///< what prove() established about it
+    unsigned digits = 0;  ///< that c and b are rounded to where there are points; 0: exact
+    std::string source;   ///< the equations the table is taken from
+    std::string proved;   ///< what prove() established about it
     std::optional<Certificate> certificate;  ///< where it is stable; none before certify()
 };
 

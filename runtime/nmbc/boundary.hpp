@@ -130,7 +130,7 @@ class BasicMatchingBoundary {
             return;
         }
         const BoundaryCertificate& certificate = *coefficients.certificate;
-        const std::size_t reach = certificate.symbol.size() - 1;
+        const std::size_t reach = certificate.lattice->ghost_layers();
         if (p.ghost_layers != reach) {
             throw std::invalid_argument("the lattice of these coefficients reaches " +
                                         std::to_string(reach) + " nodes: ghost layers must be " +
@@ -142,7 +142,7 @@ class BasicMatchingBoundary {
                                detail::how_to_run_it);
         }
         const double unit = 2 * p.spacing / p.wave_speed /
-                            maximum_frequency({certificate.symbol, {}, certificate.damping});
+                            maximum_frequency(make_lattice(*certificate.lattice, certificate.G));
         const double longest = certificate.steps.cfl * unit;
         // A step that was cfl, or has been in other units, is off by some roundings.
         constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();

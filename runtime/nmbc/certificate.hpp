@@ -81,7 +81,7 @@ inline std::string to_text(const Window& window) {
 
 inline std::string name_of(const MatchingTable& table) {
     return "NMBC" + std::to_string(table.order) + " with stride " + std::to_string(table.stride) +
-           (table.tau == "0" ? "" : " and tau " + std::string(table.tau)) +
+           (table.lattice->tau == "0" ? "" : " and tau " + std::string(table.lattice->tau)) +
            (table.time_step == "0" ? "" : " in steps of " + std::string(table.time_step) + " dX/c");
 }
 
@@ -104,8 +104,7 @@ inline std::string certified_choices(const MatchingTable& table, double G,
     }
     std::string same_G;
     for (const MatchingTable* other : others) {
-        if (other->family == table.family && other->horizon == table.horizon &&
-            other->tau == table.tau &&
+        if (is_same_lattice(*other->lattice, *table.lattice) &&
             certified_cfl(*other, G, GhostRule::midpoint, opposite) > 0) {
             same_G += (same_G.empty() ? "" : ", ") + detail::name_of(*other);
         }

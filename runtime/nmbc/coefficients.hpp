@@ -20,9 +20,8 @@ namespace nmbc {
 
 /// What boundary coefficients are certified for.
 struct BoundaryCertificate {
-    /// The lattice's symbol and damping, as make_lattice() has them.
-    std::vector<double> symbol;
-    std::vector<double> damping;
+    const LatticeTable* lattice;
+    double G;
     StableStep steps;   ///< as cfl = dt omega_max / 2, midpoint ghosts; cfl 0: none
     Opposite opposite;  ///< the end at the other side of the chain
     /// Interior nodes a chain needs: of a damped table its own number, otherwise ten horizons. The
@@ -152,6 +151,13 @@ inline double nearest_quotient(Natural numerator, Natural denominator) {
     return std::ldexp(static_cast<double>(kept), exponent - quotient_bits + 1 + dropped);
 }
 
+inline void require_possible(double G) {
+    if (!std::isfinite(G) || G < 0) {
+        throw std::invalid_argument("the stabilisation G must be finite and not negative, not " +
+                                    to_text(G));
+    }
+}
+
 }  // namespace detail
 
 /// function at G >= 0, correctly rounded where the value is in the normal range of doubles
@@ -159,9 +165,7 @@ inline double nearest_quotient(Natural numerator, Natural denominator) {
 /// Throws CoefficientError at a pole or where the value overflows, and std::invalid_argument where
 /// G is negative or not finite.
 inline double evaluate(const RationalFunction& function, double G) {
-    if (!std::isfinite(G) || G < 0) {
-        throw std::invalid_argument("the stabilisation G must be finite and not negative");
-    }
+    detail::require_possible(G);
     const detail::BinaryFraction exact_G(G);
     const std::size_t degree =
         std::max(detail::degree_of(function.numerator), detail::degree_of(function.denominator));
@@ -271,9 +275,9 @@ inline BoundaryCoefficients boundary_coefficients(
     std::span<const MatchingTable* const> others = {}) {
     BoundaryCoefficients result = boundary_coefficients(table, G, allow_unstable);
     require_certified(table, G, opposite, others);
-    const int least_nodes = table.tau == "0" ? 10 * table.horizon : table.least_nodes;
-    result.certificate = {evaluate(table.symbol, G), evaluate(table.damping, 0),
-                          certified_steps(table, G, opposite), opposite,
+    const int least_nodes =
+        table.lattice->tau == "0" ? 10 * table.lattice->horizon : table.least_nodes;
+    result.certificate = {table.lattice, G, certified_steps(table, G, opposite), opposite,
                           static_cast<std::size_t>(least_nodes)};
     return result;
 }

@@ -111,7 +111,8 @@ struct MatchingEnd {
     std::unique_ptr<BoundaryCondition<Real>> make(const Lattice& lattice, const ChainParameters& p,
                                                   std::type_identity<Real> /*precision*/) const {
         if (const auto& certificate = coefficients.certificate) {
-            if (certificate->symbol != lattice.symbol || certificate->damping != lattice.damping) {
+            if (lattice.table == nullptr || lattice.G != certificate->G ||
+                !is_same_lattice(*lattice.table, *certificate->lattice)) {
                 throw NotCertified(
                     std::string("the boundary is certified for another lattice: horizon, G or tau "
                                 "are not those of the chain") +

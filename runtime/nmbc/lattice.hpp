@@ -15,7 +15,7 @@
 
 namespace nmbc {
 
-/// A lattice model at one G, in units dX = c = 1.
+/// A lattice at one G, in units dX = c = 1.
 struct Lattice {
     /// One square of the energy, weight * (sum_i stencil[i] u_{I+i-r})^2 / 2, 2r+1 entries.
     struct Square {
@@ -27,16 +27,18 @@ struct Lattice {
     std::vector<Square> energy;   ///< squares of zero weight left out
     std::vector<double> damping;  ///< tau sigma = damping[0] + 2 sum damping[m] cos(m xi); empty
                                   ///< where nothing is damped
+    /// What it was made of, and at which G, for which boundaries are certified; nullptr: made by
+    /// hand, and no boundary is certified for it. To change its numbers is to make it by hand.
+    const LatticeTable* table = nullptr;
+    double G = 0;
 
     /// Nodes the stencil reaches to each side; also the ghost layers an end needs.
     std::size_t reach() const { return symbol.size() - 1; }
 };
 
-/// The lattice of a table at G >= 0. Throws std::invalid_argument for a bad G, and for another one
-/// than the table was made for.
-inline Lattice make_lattice(const MatchingTable& table, double G) {
-    detail::require_own_G(table, G);
-    Lattice lattice{evaluate(table.symbol, G), {}, evaluate(table.damping, 0)};
+/// The lattice at G >= 0. The table lasts as long as it. Throws std::invalid_argument for a bad G.
+inline Lattice make_lattice(const LatticeTable& table, double G) {
+    Lattice lattice{evaluate(table.symbol, G), {}, evaluate(table.damping, 0), &table, G};
     for (const EnergySquare& square : table.energy) {
         const double weight = evaluate(square.weight, G);
         if (weight == 0) {
@@ -49,6 +51,12 @@ inline Lattice make_lattice(const MatchingTable& table, double G) {
         lattice.energy.push_back({square.part, weight, std::move(stencil)});
     }
     return lattice;
+}
+
+/// The lattice of a condition. Throws as above, and for another G than the table was made for.
+inline Lattice make_lattice(const MatchingTable& table, double G) {
+    detail::require_own_G(table, G);
+    return make_lattice(*table.lattice, G);
 }
 
 namespace detail {
@@ -136,9 +144,10 @@ inline double interior_cfl(const Lattice& lattice) {
 /// the opposite one is certified to be stable, midpoint ghosts; of a damped table, from
 /// table.least_nodes nodes on. Of a table that is matched in time steps it is that step.
 /// Throws NotCertified where there is none, as at the very edge of some windows, and
-/// std::invalid_argument where wave_speed or spacing is not positive and finite.
+/// std::invalid_argument for a bad G, and where wave_speed or spacing is not positive and finite.
 inline double stable_time_step(const MatchingTable& table, double G, double wave_speed,
                                double spacing, Opposite opposite = Opposite::like) {
+    detail::require_possible(G);
     for (const double value : {wave_speed, spacing}) {
         if (!(value > 0) || !std::isfinite(value)) {
             throw std::invalid_argument("wave speed and spacing must be positive and finite");

@@ -14,7 +14,7 @@
 namespace nmbc {
 
 /// Raised by any change that an old reader would misread; every emitted header asserts it.
-inline constexpr int table_schema = 4;
+inline constexpr int table_schema = 5;
 
 /// An exact rational function of the stabilisation G. Each string is a polynomial: its integer
 /// coefficients in ascending powers of G, in decimal, one space between. "576 -170" over
@@ -22,6 +22,8 @@ inline constexpr int table_schema = 4;
 struct RationalFunction {
     std::string_view numerator;
     std::string_view denominator;
+
+    friend bool operator==(const RationalFunction&, const RationalFunction&) = default;
 };
 
 /// The ledger entry an energy is counted in.
@@ -77,21 +79,14 @@ struct StableStep {
     double cfl;
 };
 
-/// A nonlocal matching boundary condition and the lattice it belongs to.
-struct MatchingTable {
-    std::string_view name;  ///< of the header and of the table, e.g. "nopd1d_n2_order3"
+/// A lattice at every G: a family's model at one horizon, with its influence and damping.
+struct LatticeTable {
+    std::string_view name;  ///< of the header and of the table, e.g. "nopd1d_n3_tau1o10"
     std::string_view family;
     int horizon;               ///< in dX
-    int order;                 ///< N of NMBCN
-    int stride;                ///< node offsets of the condition are 0, s, 2s, .. Ns
-    std::string_view fixed_G;  ///< "p/q" where G was fixed when the table was made, else ""
-    std::string_view tau;      ///< damping of the lattice [c/dX], "p/q"; "0": undamped
-    /// dt of leapfrog with midpoint ghosts in which it is matched [dX/c], "p/q"; "0": in continuous
-    /// time. A boundary takes no other step, and modal and contractive windows and steps are for
-    /// the G at which it is certified.
-    std::string_view time_step;
-    std::string_view source;  ///< the equations it is taken from
-    std::string_view proved;  ///< what the generator established exactly
+    std::string_view weights;  ///< of the influence, "1,1/2" for w_1 = 1, w_2 = 1/2; "": constant
+    std::string_view tau;      ///< damping [c/dX], "p/q"; "0": undamped
+    std::string_view source;   ///< the equations it is taken from
     /// omega^2 = symbol[0] + sum_{m >= 1} symbol[m] (z^m + z^-m), z = exp(i xi dX): the interior
     /// stencil is minus this, rho u_tt = -(E/dX^2) sum_m symbol[|m|] u_{I+m}.
     std::span<const RationalFunction> symbol;
@@ -99,7 +94,31 @@ struct MatchingTable {
     /// `symbol`; empty where tau = 0. sigma is the symbol of the stabilisation at G = 1, and the
     /// damping force -(rho c/dX) sum_m damping[|m|] v_{I+m}: s^2 + tau sigma s + omega^2 = 0.
     std::span<const RationalFunction> damping;
-    std::span<const EnergySquare> energy;      ///< the squares the symbol follows from
+    std::span<const EnergySquare> energy;  ///< the squares the symbol follows from
+
+    /// Nodes the interior stencil reaches to each side: also the ghost layers (60) is used on.
+    constexpr std::size_t ghost_layers() const { return symbol.size() - 1; }
+};
+
+/// Whether waves are the same in both, exactly, at every G.
+constexpr bool is_same_lattice(const LatticeTable& one, const LatticeTable& other) {
+    return &one == &other || (std::ranges::equal(one.symbol, other.symbol) &&
+                              std::ranges::equal(one.damping, other.damping));
+}
+
+/// A nonlocal matching boundary condition of a lattice.
+struct MatchingTable {
+    std::string_view name;  ///< of the header and of the table, e.g. "nopd1d_n2_order3"
+    const LatticeTable* lattice;
+    int order;                 ///< N of NMBCN
+    int stride;                ///< node offsets of the condition are 0, s, 2s, .. Ns
+    std::string_view fixed_G;  ///< "p/q" where G was fixed when the table was made, else ""
+    /// dt of leapfrog with midpoint ghosts in which it is matched [dX/c], "p/q"; "0": in continuous
+    /// time. A boundary takes no other step, and modal and contractive windows and steps are for
+    /// the G at which it is certified.
+    std::string_view time_step;
+    std::string_view source;                   ///< the equations it is taken from
+    std::string_view proved;                   ///< what the generator established exactly
     std::span<const RationalFunction> taylor;  ///< a_1 .. a_{2N+1} of s = sum a_k (i xi)^k (47)
     std::span<const RationalFunction> c;       ///< c_0 .. c_N, c_0 = 1 (60)
     std::span<const RationalFunction> b;       ///< b_0 .. b_N (60)
@@ -125,21 +144,34 @@ struct MatchingTable {
     /// amplifies is damped away on the way to the other. 0 where tau = 0.
     int least_nodes;
 
-    /// Nodes the interior stencil reaches to each side: also the ghost layers (60) is used on.
-    constexpr std::size_t ghost_layers() const { return symbol.size() - 1; }
+    constexpr std::size_t ghost_layers() const { return lattice->ghost_layers(); }
 };
 
-/// The table with these properties, or nullptr; a damped one only where its tau is asked for, and
-/// one that is matched in time steps only where its step is, in lowest terms, as in the table.
-/// `tables` is nmbc::generated::tables of <nmbc/tables/tables.hpp>, or any list of tables of the
-/// user's own.
+/// The lattice with these properties, or nullptr. `lattices` is nmbc::generated::lattices of
+/// <nmbc/tables/tables.hpp>, or any list of the user's own. tau and weights are written as in the
+/// table.
+constexpr const LatticeTable* find_lattice(std::span<const LatticeTable* const> lattices,
+                                           std::string_view family, int horizon,
+                                           std::string_view tau = "0",
+                                           std::string_view weights = "") {
+    const auto found = std::ranges::find_if(lattices, [&](const LatticeTable* lattice) {
+        return lattice->family == family && lattice->horizon == horizon && lattice->tau == tau &&
+               lattice->weights == weights;
+    });
+    return found == lattices.end() ? nullptr : *found;
+}
+
+/// The table with these properties, of constant influence, or nullptr; a damped one only where its
+/// tau is asked for, and one that is matched in time steps only where its step is, in lowest terms,
+/// as in the table. `tables` is nmbc::generated::tables of <nmbc/tables/tables.hpp>, or any list of
+/// tables of the user's own.
 constexpr const MatchingTable* find_table(std::span<const MatchingTable* const> tables,
                                           std::string_view family, int horizon, int order,
                                           int stride = 1, std::string_view tau = "0",
                                           std::string_view time_step = "0") {
     const auto found = std::ranges::find_if(tables, [&](const MatchingTable* table) {
-        return table->family == family && table->horizon == horizon && table->order == order &&
-               table->stride == stride && table->tau == tau && table->time_step == time_step;
+        return find_lattice({&table->lattice, 1}, family, horizon, tau) != nullptr &&
+               table->order == order && table->stride == stride && table->time_step == time_step;
     });
     return found == tables.end() ? nullptr : *found;
 }

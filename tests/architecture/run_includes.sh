@@ -21,7 +21,7 @@ allow() {
 
 text='fmt/'
 allow generator/table 'generator/table/|nmbc/table.hpp|boost/'
-allow generator/exact 'generator/(table|exact)/|boost/'
+allow generator/exact 'generator/(table|exact)/|nmbc/table.hpp|boost/'
 allow generator/lattice 'generator/(table|exact|lattice)/|boost/'
 allow generator/families "generator/(table|exact|lattice|families)/|$text"
 allow generator/names "generator/(table|exact|names)/|$text"
@@ -47,9 +47,9 @@ run certification 'scene|sides|sources|tables' 'generator/(table|exact|stability
 run simulation 'scene|sides|sources|tables|certification' 'unistd.h'
 run output 'scene|simulation' 'generator/support/posix_file.hpp|hdf5.h|spawn.h|unistd.h|sys/(ioctl|wait).h'
 below='scene|sides|sources|tables|certification|simulation'
-run compare "$below" 'generator/(table|exact|stability)/'
+run compare "$below" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT'
 run chart "$below|compare|output" 'generator/support/|boost/math/'
-run advise "$below|compare|chart" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT'
+run advise "$below|compare|chart" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT|unistd.h'
 allow tools/nmbcrun "tools/nmbcrun/|generator/support/(exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|tools/nmbcrun/|CLI/|nmbc/|benchmark/|boost/math/|$text"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|unistd.h|$text"

@@ -116,8 +116,9 @@ TEST_CASE("the advised set-up meets the tolerance, and none certified in 2/3 of 
             cheaper.cfl *= 1.5;
             cheaper.time_step *= 1.5;
             cheaper.boundary = {.order = table->order, .stride = table->stride};
-            if (table->family != "nopd1d" || table->horizon != task.scene.horizon ||
-                table->tau != "0" || table->time_step != "0" ||
+            if (table->lattice->family != "nopd1d" ||
+                table->lattice->horizon != task.scene.horizon || table->lattice->tau != "0" ||
+                table->time_step != "0" ||
                 nmbc::certified_cfl(*table, task.scene.G) < cheaper.cfl) {
                 continue;
             }

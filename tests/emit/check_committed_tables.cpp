@@ -2,8 +2,11 @@
 /// The committed set, as its readers get it: every table proves, headers and tables.json agree.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nmbc/tables/tables.hpp>
+#include <set>
+#include <string_view>
 
 #include "generator/emit/emit.hpp"
 #include "generator/names/names.hpp"
@@ -44,7 +47,8 @@ TEST_CASE("the registry is the committed set, and holds the same data as tables.
         CHECK(header.name == table_name(set[i]));
         // Through exact data and out again, both are the same text. A header has no exact ends of
         // windows; its rounded ones have to be those of the JSON.
-        const Table other = read_table(json["tables"][i]);
+        const Json one = with_lattice(json, i);
+        const Table other = read_table(one);
         Table table = read_table(header);
         table.certificate = other.certificate;
         const std::string text = emit_json(table);
@@ -60,6 +64,25 @@ TEST_CASE("the registry is the committed set, and holds the same data as tables.
         CHECK(header.max_cfl.size() == other.certificate->max_cfl.size());
         CHECK(header.max_cfl_contractive.size() == other.certificate->max_cfl_contractive.size());
         CHECK(header.max_cfl_explicit.size() == other.certificate->max_cfl_explicit.size());
-        CHECK(Json::parse(text) == json["tables"][i]);
+        CHECK(Json::parse(text) == one);
     }
+}
+
+TEST_CASE("tables of one lattice share it, in the registry and in tables.json") {
+    const Json json = committed_json();
+    std::set<std::string_view> names;
+    for (const nmbc::LatticeTable* lattice : nmbc::generated::lattices) {
+        CHECK(names.insert(lattice->name).second);
+        CHECK(nmbc::find_lattice(nmbc::generated::lattices, lattice->family, lattice->horizon,
+                                 lattice->tau) == lattice);
+    }
+    CHECK(json["lattices"].size() == names.size());
+    for (const nmbc::MatchingTable* table : nmbc::generated::tables) {
+        CHECK(std::ranges::count(nmbc::generated::lattices, table->lattice) == 1);
+        for (const nmbc::LatticeTable* lattice : nmbc::generated::lattices) {
+            CHECK(is_same_lattice(*lattice, *table->lattice) == (lattice == table->lattice));
+        }
+    }
+    CHECK(nmbc::find_lattice(nmbc::generated::lattices, "nopd1d", 1, "1/7") == nullptr);
+    CHECK(nmbc::find_lattice(nmbc::generated::lattices, "nopd1d", 2, "0", "1,1/2") == nullptr);
 }

@@ -46,7 +46,7 @@ std::string committed_set_as_text(std::mt19937_64& random, std::vector<GiNaC::sy
     for (const Specification& specification : committed_set()) {
         disturb(random, kept);
         tables.push_back(derive(specification));
-        text += emit_header(tables.back());
+        text += emit_header_with_lattice(tables.back());
     }
     return text + emit_registry(tables) + emit_json(tables);
 }

@@ -18,10 +18,11 @@ namespace {
 
 /// A header's table with its own copy of everything, so that it can be changed.
 struct Copy {
-    explicit Copy(const nmbc::MatchingTable& from) : table(from) {
-        table.symbol = symbol;
-        table.damping = damping;
-        table.energy = energy;
+    explicit Copy(const nmbc::MatchingTable& from) : table(from), lattice(*from.lattice) {
+        lattice.symbol = symbol;
+        lattice.damping = damping;
+        lattice.energy = energy;
+        table.lattice = &lattice;
         table.taylor = taylor;
         table.c = c;
         table.b = b;
@@ -30,9 +31,9 @@ struct Copy {
     Copy& operator=(const Copy&) = delete;
 
     std::vector<std::string_view*> texts() {
-        std::vector<std::string_view*> all{&table.name,  &table.family,    &table.fixed_G,
-                                           &table.tau,   &table.time_step, &table.source,
-                                           &table.proved};
+        std::vector<std::string_view*> all{&table.name,     &table.fixed_G, &table.time_step,
+                                           &table.source,   &table.proved,  &lattice.name,
+                                           &lattice.family, &lattice.tau,   &lattice.source};
         for (auto* list : {&symbol, &damping, &taylor, &c, &b}) {
             for (nmbc::RationalFunction& function : *list) {
                 all.insert(all.end(), {&function.numerator, &function.denominator});
@@ -46,9 +47,10 @@ struct Copy {
     }
 
     nmbc::MatchingTable table;
-    std::vector<nmbc::RationalFunction> symbol{table.symbol.begin(), table.symbol.end()};
-    std::vector<nmbc::RationalFunction> damping{table.damping.begin(), table.damping.end()};
-    std::vector<nmbc::EnergySquare> energy{table.energy.begin(), table.energy.end()};
+    nmbc::LatticeTable lattice;
+    std::vector<nmbc::RationalFunction> symbol{lattice.symbol.begin(), lattice.symbol.end()};
+    std::vector<nmbc::RationalFunction> damping{lattice.damping.begin(), lattice.damping.end()};
+    std::vector<nmbc::EnergySquare> energy{lattice.energy.begin(), lattice.energy.end()};
     std::vector<nmbc::RationalFunction> taylor{table.taylor.begin(), table.taylor.end()};
     std::vector<nmbc::RationalFunction> c{table.c.begin(), table.c.end()};
     std::vector<nmbc::RationalFunction> b{table.b.begin(), table.b.end()};
@@ -57,12 +59,13 @@ struct Copy {
 struct Count {
     int mutants = 0;
     int survivors = 0;
-    int disproved = 0;  // refused by prove(), not for their form, name or family
+    int disproved = 0;  // by prove() or by nmbcrun's reader, not for their form, name or family
 
     void add(const std::string& found, const std::string& mutant) {
         ++mutants;
         survivors += int(found.empty());
-        disproved += int(found.starts_with("not proved"));
+        disproved += int(found.starts_with("not proved") ||
+                         found.find("the symbol of") != std::string::npos);
         CHECK_MESSAGE(!found.empty(), "survived: ", mutant);
     }
 
@@ -89,7 +92,7 @@ void try_mutants(const nmbc::MatchingTable& original, Count& count) {
         *text = before;
     }
     for (int* number :
-         {&copy.table.horizon, &copy.table.order, &copy.table.stride, &copy.table.least_nodes}) {
+         {&copy.lattice.horizon, &copy.table.order, &copy.table.stride, &copy.table.least_nodes}) {
         const int before = *number;
         for (const std::string& mutant : mutations(std::to_string(before))) {
             *number = std::stoi(mutant);
@@ -144,8 +147,9 @@ TEST_CASE("tables.json: every mutant is caught") {
     Json file = Json::parse(stream);
     REQUIRE(file_objection(file) == "");
     Count count;
-    for (Json& table : file["tables"]) {
+    for (std::size_t i = 0; i < file["tables"].size(); ++i) {
         // One table at a time: the others are as they were, and have been verified.
+        Json table = with_lattice(file, i);
         for (const auto& [key, part] : table.items()) {
             if (!certificate_keys.contains(key)) {
                 try_mutants(part, count, [&table] { return objection(table); });

@@ -17,9 +17,10 @@ using namespace nmbcgen;
 using nmbc::generated::nopd1d_n2_order3_G1o3;
 namespace data = nmbc::generated::nopd1d_n2_order3_G1o3_data;
 
-// A table is a constant expression.
+// A table is a constant expression; its lattice is that of the committed table.
+static_assert(nopd1d_n2_order3_G1o3.lattice == &nmbc::generated::nopd1d_n2);
 static_assert(nopd1d_n2_order3_G1o3.order == 3);
-static_assert(nopd1d_n2_order3_G1o3.horizon == 2);
+static_assert(nopd1d_n2_order3_G1o3.lattice->horizon == 2);
 static_assert(nopd1d_n2_order3_G1o3.stride == 1);
 static_assert(nopd1d_n2_order3_G1o3.fixed_G == "1/3");
 static_assert(nopd1d_n2_order3_G1o3.ghost_layers() == 4);

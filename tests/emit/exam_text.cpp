@@ -42,7 +42,7 @@ Certificate certificate_from_0_to_2() {
     };
     Certificate certificate;
     certificate.modal = {{edge(0), edge(2)}};
-    certificate.max_cfl = {{0, 2, 0.5}};
+    certificate.max_cfl = {{{0, 2}, 0.5}};
     return certificate;
 }
 
@@ -71,17 +71,17 @@ std::vector<Table> some_tables() {
 
 }  // namespace
 
-TEST_CASE("JSON: the keys of schema 3 in order") {
-    const std::string schema_3 =
-        "schema family order horizon stride G tau time_step symbol damping energy taylor c b "
-        "source "
-        "proved windows least_nodes poles max_cfl max_cfl_contractive max_cfl_explicit certificate";
+TEST_CASE("JSON: the keys of schema 4 in order") {
+    const std::string schema_4 =
+        "schema lattice order stride G time_step taylor c b source proved windows least_nodes "
+        "poles max_cfl max_cfl_contractive max_cfl_explicit certificate";
     for (const Table& table : some_tables()) {
         const Json json = Json::parse(emit_json(table));
-        CHECK(keys(json) == schema_3);
-        CHECK(json["schema"] == 3);
-        CHECK(json["energy"].is_array());
-        for (const Json& square : json["energy"]) {
+        CHECK(keys(json) == schema_4);
+        CHECK(keys(json["lattice"]) == "name family horizon tau symbol damping energy source");
+        CHECK(json["schema"] == 4);
+        CHECK(json["lattice"]["energy"].is_array());
+        for (const Json& square : json["lattice"]["energy"]) {
             CHECK(keys(square) == "part weight stencil");
         }
     }
@@ -93,11 +93,13 @@ TEST_CASE("JSON with G left open: rational functions as lists of strings") {
     const Json json = Json::parse(emit_json(nopd1d_table(1, 1)));
     CHECK(json["G"].is_null());
     CHECK(json["order"] == 1);
-    CHECK(json["horizon"] == 1);
     CHECK(json["stride"] == 1);
-    CHECK(json["family"] == "nopd1d");
-    CHECK(json["symbol"] == Json{fraction({"1", "6"}, {"2"}), fraction({"0", "-2"}, {"1"}),
-                                 fraction({"-1", "2"}, {"4"})});
+    const Json& lattice = json["lattice"];
+    CHECK(lattice["name"] == "nopd1d_n1");
+    CHECK(lattice["family"] == "nopd1d");
+    CHECK(lattice["horizon"] == 1);
+    CHECK(lattice["symbol"] == Json{fraction({"1", "6"}, {"2"}), fraction({"0", "-2"}, {"1"}),
+                                    fraction({"-1", "2"}, {"4"})});
     CHECK(json["taylor"] ==
           Json{fraction({"1"}, {"1"}), fraction({"0"}, {"1"}), fraction({"2", "-3"}, {"12"})});
     CHECK(json["c"] == Json{fraction({"1"}, {"1"}), fraction({"1"}, {"1"})});
@@ -105,19 +107,20 @@ TEST_CASE("JSON with G left open: rational functions as lists of strings") {
     const Json bond{{"part", "stabilisation"},
                     {"weight", fraction({"0", "1"}, {"1"})},
                     {"stencil", {"1/2", "-1", "1/2"}}};
-    CHECK(json["energy"] == Json{{{"part", "strain"},
-                                  {"weight", fraction({"1"}, {"1"})},
-                                  {"stencil", {"-1/2", "0", "1/2"}}},
-                                 bond,
-                                 bond});
+    CHECK(lattice["energy"] == Json{{{"part", "strain"},
+                                     {"weight", fraction({"1"}, {"1"})},
+                                     {"stencil", {"-1/2", "0", "1/2"}}},
+                                    bond,
+                                    bond});
 }
 
 TEST_CASE("JSON of a damped table") {
     Table table = damped_table();
     Json json = Json::parse(emit_json(table));
     CHECK(objection(json) == "");
-    CHECK(json["tau"] == "1/4");
-    CHECK(json["damping"] ==
+    CHECK(json["lattice"]["name"] == "nopd1d_n1_tau1o4");
+    CHECK(json["lattice"]["tau"] == "1/4");
+    CHECK(json["lattice"]["damping"] ==
           Json{fraction({"3"}, {"4"}), fraction({"-1"}, {"2"}), fraction({"1"}, {"8"})});
     CHECK(json["least_nodes"] == 100);
     CHECK(json["windows"].dump() == R"({"reflection":null,"modal":[],"contractive":null})");
@@ -134,9 +137,16 @@ TEST_CASE("JSON of a damped table") {
     CHECK(json["certificate"].get<std::string>().find("chains of 100 interior nodes and more") !=
           std::string::npos);
     // No reader may take it for an undamped one, or for one of another damping.
-    for (const char* key : {"tau", "damping", "least_nodes"}) {
+    const Json undamped = Json::parse(emit_json(nopd1d_table(1, 1)));
+    for (const char* key : {"name", "tau", "damping"}) {
         Json other = json;
-        other[key] = Json::parse(emit_json(nopd1d_table(1, 1)))[key];
+        other["lattice"][key] = undamped["lattice"][key];
+        CAPTURE(key);
+        CHECK(objection(other) != "");
+    }
+    for (const char* key : {"lattice", "least_nodes"}) {
+        Json other = json;
+        other[key] = undamped[key];
         CAPTURE(key);
         CHECK(objection(other) != "");
     }
@@ -145,7 +155,7 @@ TEST_CASE("JSON of a damped table") {
 TEST_CASE("the header of a damped table") {
     Table table = damped_table();
     table.certificate = certificate_from_0_to_2();
-    const std::string header = emit_header(table);
+    const std::string header = emit_header_with_lattice(table);
     const std::string damping =
         "inline constexpr RationalFunction damping[]{\n"
         "    {\"3\", \"4\"},\n    {\"-1\", \"2\"},\n    {\"1\", \"8\"},\n};\n";
@@ -158,7 +168,7 @@ TEST_CASE("the header of a damped table") {
         CAPTURE(line);
         CHECK(header.find(line) != std::string::npos);
     }
-    const std::string undamped = emit_header(nopd1d_table(1, 1));
+    const std::string undamped = emit_header_with_lattice(nopd1d_table(1, 1));
     for (const std::string line :
          {"    .tau = \"0\",\n", "    .damping = {},\n", "    .least_nodes = 0,\n"}) {
         CAPTURE(line);
@@ -167,19 +177,19 @@ TEST_CASE("the header of a damped table") {
     CHECK(undamped.find("damp") == undamped.find("damping = {}"));
 }
 
-TEST_CASE("JSON at a fixed G: every exact number is one string p/q") {
+TEST_CASE("JSON at a fixed G: every exact number of the condition is one string p/q") {
     // n = 2, N = 2, G = 1: c_1 = -2(85 - 288)/(85 - 128) = -406/43, b_0 = 160/43.
     const Json json = Json::parse(emit_json(nopd1d_table(2, 2, 1, Rational(1))));
     CHECK(json["G"] == "1");
     CHECK(json["c"] == Json{"1", "-406/43", "1"});
     CHECK(json["b"] == Json{"160/43", "0", "-160/43"});
     CHECK(json["taylor"][2] == "289/960");  // (544 - 255)/960
-    for (const char* key : {"symbol", "taylor", "c", "b"}) {
+    for (const char* key : {"taylor", "c", "b"}) {
         for (const Json& item : json[key]) {
             CHECK(item.is_string());
         }
     }
-    CHECK(json["energy"][1]["weight"] == "1/16");
+    CHECK(json["lattice"] == Json::parse(emit_json(nopd1d_table(2, 2)))["lattice"]);
     CHECK(objection(json).empty());
 }
 
@@ -193,14 +203,14 @@ TEST_CASE("the example in docs/reference/json.md is what is emitted") {
     certify_all(certified);
     const Json emitted = Json::parse(emit_json(certified.front()));
     CHECK(example.dump() == emitted.dump());  // order of keys included
-    for (const auto& item : emitted.items()) {
-        const std::string& key = item.key();
-        CHECK(page.find("| `" + key + "` |") != std::string::npos);
+    for (const Json& object : {emitted, emitted["lattice"]}) {
+        for (const auto& item : object.items()) {
+            CHECK(page.find("`" + item.key() + "`") != std::string::npos);
+        }
     }
-    // "With --G 1/2 the same table has": the atom chain, omega^2 = 2 - z - 1/z.
+    // At G = 1/2, a_3 = 1/6 - G/4 = 1/24.
     const Json fixed = Json::parse(emit_json(nopd1d_table(1, 1, 1, Rational(1, 2))));
     CHECK(fixed["G"] == "1/2");
-    CHECK(fixed["symbol"] == Json{"2", "-1", "0"});
     CHECK(fixed["taylor"] == Json{"1", "0", "1/24"});
 }
 
@@ -226,7 +236,7 @@ TEST_CASE("the banner of a header: version, command, source, units, proof") {
     std::getline(lines, line);
     CHECK(line.find("here G = 1/3") != std::string::npos);
     std::getline(lines, line);
-    CHECK(line == "// source  " + table.source);
+    CHECK(line == "// source  " + table.model.source + "; " + table.source);
     std::getline(lines, line);
     CHECK(line.starts_with("// units"));
     std::getline(lines, line);
@@ -243,7 +253,7 @@ TEST_CASE("no emitted line contains a date, a time or a path") {
     const std::vector<Table> tables = some_tables();
     std::string text = emit_registry(tables) + emit_json(tables);
     for (const Table& table : tables) {
-        text += emit_header(table);
+        text += emit_header(table) + emit_lattice_header(table);
     }
     const std::regex forbidden(
         R"((^|[^\w<])[/~]\w)"            // an absolute path; "//" comments and "p/q" are not

@@ -19,7 +19,7 @@ void use(const nmbc::MatchingTable& table) {
     try {
         const auto lattice = nmbc::make_lattice(table, G);
         const auto coefficients = nmbc::boundary_coefficients(table, G, nmbc::allow_unstable);
-        if (lattice.symbol.size() != table.symbol.size() ||
+        if (lattice.symbol.size() != table.lattice->symbol.size() ||
             coefficients.c.size() != std::size_t(table.order) + 1) {
             std::cerr << "other lengths than those of " << table.name << "\n";
             std::abort();

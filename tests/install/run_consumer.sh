@@ -7,7 +7,7 @@ set -euo pipefail
 cmake=$1 build=$2 source=$3 compiler=$4
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-# What a careful user compiles with. GCC 12 warned of headers that were compiled so.
+# What a careful user compiles with.
 warnings="-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror"
 
 "$cmake" --install "$build" --prefix "$work/prefix" >"$work/install.log"

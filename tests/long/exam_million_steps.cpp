@@ -71,7 +71,7 @@ void check_million_steps(const MatchingTable& table, double G, std::size_t nodes
 /// ones, where the least is damped away between the ends.
 std::array<std::size_t, 2> lengths(const MatchingTable& table) {
     const auto least = static_cast<std::size_t>(
-        table.least_nodes > 0 ? table.least_nodes : std::max(40, 10 * table.horizon));
+        table.least_nodes > 0 ? table.least_nodes : std::max(40, 10 * table.lattice->horizon));
     return {least, least + 1};
 }
 

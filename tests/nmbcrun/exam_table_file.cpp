@@ -26,13 +26,9 @@ Json committed() {
     return Json::parse(file);
 }
 
-bool same(const nmbc::RationalFunction& one, const nmbc::RationalFunction& other) {
-    return one.numerator == other.numerator && one.denominator == other.denominator;
-}
-
 bool same(const nmbc::EnergySquare& one, const nmbc::EnergySquare& other) {
-    return one.part == other.part && same(one.weight, other.weight) &&
-           one.stencil == other.stencil && one.divisor == other.divisor;
+    return one.part == other.part && one.weight == other.weight && one.stencil == other.stencil &&
+           one.divisor == other.divisor;
 }
 
 bool same(const nmbc::Window& one, const nmbc::Window& other) {
@@ -57,23 +53,24 @@ TEST_CASE("every committed table is read from tables.json as it is compiled") {
         const nmbc::MatchingTable& compiled = *nmbc::generated::tables[i];
         CAPTURE(compiled.name);
         CHECK(own.is_certified);
-        CHECK(own.weights.empty());
         CHECK(read.name == compiled.name);
-        CHECK(read.family == compiled.family);
-        CHECK(read.horizon == compiled.horizon);
+        CHECK(read.lattice->name == compiled.lattice->name);
+        CHECK(read.lattice->family == compiled.lattice->family);
+        CHECK(read.lattice->horizon == compiled.lattice->horizon);
+        CHECK(read.lattice->weights == compiled.lattice->weights);
+        CHECK(read.lattice->tau == compiled.lattice->tau);
+        CHECK(read.lattice->source == compiled.lattice->source);
+        CHECK(is_same_lattice(*read.lattice, *compiled.lattice));
+        CHECK(same(read.lattice->energy, compiled.lattice->energy));
         CHECK(read.order == compiled.order);
         CHECK(read.stride == compiled.stride);
         CHECK(read.fixed_G == compiled.fixed_G);
-        CHECK(read.tau == compiled.tau);
         CHECK(read.time_step == compiled.time_step);
         CHECK(read.source == compiled.source);
         CHECK(read.proved == compiled.proved);
-        CHECK(same(read.symbol, compiled.symbol));
-        CHECK(same(read.damping, compiled.damping));
-        CHECK(same(read.energy, compiled.energy));
-        CHECK(same(read.taylor, compiled.taylor));
-        CHECK(same(read.c, compiled.c));
-        CHECK(same(read.b, compiled.b));
+        CHECK(std::ranges::equal(read.taylor, compiled.taylor));
+        CHECK(std::ranges::equal(read.c, compiled.c));
+        CHECK(std::ranges::equal(read.b, compiled.b));
         CHECK(same(read.reflection, compiled.reflection));
         CHECK(same(read.modal, compiled.modal));
         CHECK(same(read.contractive, compiled.contractive));
@@ -94,44 +91,54 @@ std::string refusal(const std::string& text) {
     }
 }
 
+Json named(const Json& list, const char* key, const char* value) {
+    const auto found =
+        std::ranges::find_if(list, [&](const Json& each) { return each[key] == value; });
+    REQUIRE(found != list.end());
+    return *found;
+}
+
 /// A table with all kinds of entries: tau > 0, windows with and without an end.
 Json damped() {
     const Json all = committed();
-    const auto found = std::ranges::find_if(all["tables"], [](const Json& table) {
-        return table["tau"] == "1/100" && table["time_step"] == "0";
-    });
-    REQUIRE(found != all["tables"].end());
-    return *found;
+    Json table = named(all["tables"], "lattice", "nopd1d_n2_tau1o100");
+    table["lattice"] = named(all["lattices"], "name", "nopd1d_n2_tau1o100");
+    return table;
 }
 
 TEST_CASE("a key that is missing, of another type or another length") {
     const Json table = damped();
     REQUIRE(refusal(table.dump()) == "");
-    for (const auto& item : table.items()) {
-        const std::string& key = item.key();
-        const Json& value = item.value();
-        if (key == "poles") {  // which runs do not need
-            continue;
-        }
+    // Changes a key of the table, or of its lattice.
+    const auto try_key = [&](const std::string& key, const auto& object_of) {
         CAPTURE(key);
-        Json without = table;
-        without.erase(key);
-        CHECK(refusal(without.dump()) == "mine.json has no key \"" + key + "\"");
-        for (const Json& other : {Json(true), Json(-1), Json(1.5), Json("?"), Json({{"x", 1}})}) {
+        const auto changed = [&](const auto& change) {
             Json wrong = table;
-            wrong[key] = other;
-            const bool is_free_text = other == "?" && (key == "family" || key == "source" ||
-                                                       key == "proved" || key == "certificate");
-            CHECK(refusal(wrong.dump()).empty() == is_free_text);
+            change(object_of(wrong));
+            return refusal(wrong.dump());
+        };
+        CHECK(changed([&](Json& object) {
+                  object.erase(key);
+              }).ends_with(" has no key \"" + key + "\""));
+        for (const Json& other : {Json(true), Json(-1), Json(1.5), Json("?"), Json({{"x", 1}})}) {
+            const bool is_free_text =
+                other == "?" && (key == "source" || key == "proved" || key == "certificate");
+            CHECK(changed([&](Json& object) { object[key] = other; }).empty() == is_free_text);
         }
+        Json whole = table;
+        const Json value = object_of(whole)[key];
         if (value.is_array() && !value.empty() && !key.starts_with("max_cfl")) {
-            Json shorter = table;
-            shorter[key].erase(shorter[key].size() - 1);
-            CHECK(refusal(shorter.dump()) != "");
-            Json longer = table;
-            longer[key].push_back(value[0]);
-            CHECK(refusal(longer.dump()) != "");
+            CHECK(changed([&](Json& object) { object[key].erase(value.size() - 1); }) != "");
+            CHECK(changed([&](Json& object) { object[key].push_back(value[0]); }) != "");
         }
+    };
+    for (const auto& item : table.items()) {
+        if (item.key() != "poles") {  // which runs do not need
+            try_key(item.key(), [](Json& whole) -> Json& { return whole; });
+        }
+    }
+    for (const auto& item : table["lattice"].items()) {
+        try_key(item.key(), [](Json& whole) -> Json& { return whole["lattice"]; });
     }
 }
 
@@ -142,17 +149,20 @@ TEST_CASE("what is wrong is said, with its place and what is allowed") {
         change(wrong);
         CHECK(refusal(wrong.dump()) == message);
     };
-    refuses([](Json& t) { t["schema"] = 4; }, "mine.json: schema must be 3, not 4");
+    refuses([](Json& t) { t["schema"] = 3; }, "mine.json: schema must be 4, not 3");
     refuses([](Json& t) { t["order"] = 0; },
             "mine.json: order must be a whole number from 1 to 99, not 0");
     refuses([](Json& t) { t["order"] = 18446744073709551615U; },
             "mine.json: order must be a whole number from 1 to 99, not 18446744073709551615");
-    refuses([](Json& t) { t["horizon"] = 1e300; },
-            "mine.json: horizon must be a whole number from 1 to 99, not 1e+300");
+    refuses([](Json& t) { t["lattice"]["horizon"] = 1e300; },
+            "mine.json: lattice.horizon must be a whole number from 1 to 99, not 1e+300");
     const std::string exact = " must be an exact number \"p/q\" in lowest terms, not below 0, not ";
-    refuses([](Json& t) { t["tau"] = "2/200"; }, "mine.json: tau" + exact + "\"2/200\"");
-    refuses([](Json& t) { t["tau"] = "1/0"; }, "mine.json: tau" + exact + "\"1/0\"");
-    refuses([](Json& t) { t["tau"] = "-1"; }, "mine.json: tau" + exact + "\"-1\"");
+    refuses([](Json& t) { t["lattice"]["tau"] = "2/200"; },
+            "mine.json: lattice.tau" + exact + "\"2/200\"");
+    refuses([](Json& t) { t["lattice"]["tau"] = "1/0"; },
+            "mine.json: lattice.tau" + exact + "\"1/0\"");
+    refuses([](Json& t) { t["lattice"]["tau"] = "-1"; },
+            "mine.json: lattice.tau" + exact + "\"-1\"");
     const std::string integer = " must be an integer in a string, not ";
     refuses([](Json& t) { t["c"][1]["num"][0] = "1x"; },
             "mine.json: c[1].num[0]" + integer + "\"1x\"");
@@ -176,37 +186,43 @@ TEST_CASE("what is wrong is said, with its place and what is allowed") {
     refuses([](Json& t) { t["c"][0]["num"][0] = "2"; },
             "mine.json: c must be a list that begins with 1, not a list of 3");
     refuses([](Json& t) { t["c"].erase(0); }, "mine.json: c must be a list of 3, not a list of 2");
-    refuses([](Json& t) { t["symbol"][1]["num"][0] = "5"; },
-            "mine.json: symbol must be the symbol of \"energy\", not a list of 5");
+    refuses([](Json& t) { t["lattice"]["symbol"][1]["num"][0] = "5"; },
+            "mine.json: lattice.symbol must be the symbol of \"energy\", not a list of 5");
     refuses(
         [](Json& t) {
-            t["symbol"][1]["den"] = {"1", "1"};
+            t["lattice"]["symbol"][1]["den"] = {"1", "1"};
         },
-        "mine.json: symbol[1] must be a polynomial in G: \"den\" a list of one, not an object");
+        "mine.json: lattice.symbol[1] must be a polynomial in G: \"den\" a list of one, not an "
+        "object");
     refuses(
         [](Json& t) {
-            t["damping"][1]["num"] = {"1", "1"};
+            t["lattice"]["damping"][1]["num"] = {"1", "1"};
         },
-        "mine.json: damping must be a list of numbers, the same at every G, not a list of 5");
-    refuses([](Json& t) { t["energy"][0]["weight"]["num"][0] = "-1"; },
-            "mine.json: energy[0].weight must be not below 0, not an object");
+        "mine.json: lattice.damping must be a list of numbers, the same at every G, not a list of "
+        "5");
+    refuses([](Json& t) { t["lattice"]["energy"][0]["weight"]["num"][0] = "-1"; },
+            "mine.json: lattice.energy[0].weight must be not below 0, not an object");
     refuses(
         [](Json& t) {
-            t["energy"].erase(t["energy"].begin(), t["energy"].end());
-            t["energy"].push_back({{"part", "strain"},
-                                   {"weight", {{"num", {"1"}}, {"den", {"1"}}}},
-                                   {"stencil", {"0", "2", "-2"}}});
-            t["symbol"] = {{{"num", {"8"}}, {"den", {"1"}}}, {{"num", {"-4"}}, {"den", {"1"}}}};
-            t["damping"].erase(t["damping"].begin() + 2, t["damping"].end());
+            t["lattice"]["energy"].erase(t["lattice"]["energy"].begin(),
+                                         t["lattice"]["energy"].end());
+            t["lattice"]["energy"].push_back({{"part", "strain"},
+                                              {"weight", {{"num", {"1"}}, {"den", {"1"}}}},
+                                              {"stencil", {"0", "2", "-2"}}});
+            t["lattice"]["symbol"] = {{{"num", {"8"}}, {"den", {"1"}}},
+                                      {{"num", {"-4"}}, {"den", {"1"}}}};
+            t["lattice"]["damping"].erase(t["lattice"]["damping"].begin() + 2,
+                                          t["lattice"]["damping"].end());
         },
-        "mine.json: symbol must be that of omega^2 = xi^2 + .., not a list of 2");
-    refuses([](Json& t) { t["energy"][0]["part"] = "heat"; },
-            R"(mine.json: energy[0].part must be "strain" or "stabilisation", not "heat")");
-    refuses([](Json& t) { t["energy"][0]["stencil"][0] = "1/-2"; },
-            "mine.json: energy[0].stencil[0] must be an exact number \"p/q\" or \"p\", not "
+        "mine.json: lattice.symbol must be that of omega^2 = xi^2 + .., not a list of 2");
+    refuses([](Json& t) { t["lattice"]["energy"][0]["part"] = "heat"; },
+            R"(mine.json: lattice.energy[0].part must be "strain" or "stabilisation", not "heat")");
+    refuses([](Json& t) { t["lattice"]["energy"][0]["stencil"][0] = "1/-2"; },
+            "mine.json: lattice.energy[0].stencil[0] must be an exact number \"p/q\" or \"p\", not "
             "\"1/-2\"");
-    refuses([](Json& t) { t["energy"][0]["stencil"].erase(0); },
-            "mine.json: energy[0].stencil must be a list of an odd number of entries, up to 9, not "
+    refuses([](Json& t) { t["lattice"]["energy"][0]["stencil"].erase(0); },
+            "mine.json: lattice.energy[0].stencil must be a list of an odd number of entries, up "
+            "to 9, not "
             "a list of 4");
     refuses(
         [](Json& t) {
@@ -217,21 +233,28 @@ TEST_CASE("what is wrong is said, with its place and what is allowed") {
             "mine.json: max_cfl[0].cfl must be a number from 0 to 1, not 1.5");
     refuses([](Json& t) { t["certificate"] = nullptr; },
             "mine.json: certificate must be a string where there are windows and steps, not null");
+    refuses([](Json& t) { t["lattice"]["name"] = "nopd1d_n2"; },
+            "mine.json: lattice.name must be \"nopd1d_n2_tau1o100\", not \"nopd1d_n2\"");
     refuses(
         [](Json& t) {
-            t["weights"] = {"1", "0"};
+            t["lattice"]["weights"] = {"1", "0"};
         },
-        "mine.json: weights[1] must be positive, not \"0\"");
+        "mine.json: lattice.weights[1] must be positive, not \"0\"");
     for (const Json& weights : {Json({"1"}), Json({"1", "1"}), Json({"2", "1"})}) {
         Json wrong = damped();
-        wrong["weights"] = weights;
+        wrong["lattice"]["weights"] = weights;
         CHECK(refusal(wrong.dump())
-                  .starts_with("mine.json: weights must be a list of 2, the first "
+                  .starts_with("mine.json: lattice.weights must be a list of 2, the first "
                                "of them \"1\", and left out where all of them "
                                "are, not a list of "));
     }
-    Json two = {{"schema", 3}, {"tables", {damped(), damped()}}};
+    Json two = committed();
     CHECK(refusal(two.dump()) == "");
+    two["tables"][0]["lattice"] = "nopd1d_n9";
+    CHECK(refusal(two.dump()) ==
+          "mine.json: tables[0].lattice must be the name of one of the "
+          "lattices, not \"nopd1d_n9\"");
+    two = committed();
     two["tables"][1]["b"][2]["num"] = nullptr;
     CHECK(refusal(two.dump()) == "mine.json: tables[1].b[2].num must be a list, not null");
 }
@@ -324,7 +347,8 @@ TEST_CASE("two tables with the same name for different lattices are refused") {
     Scene scene = scene_with({conical});
     std::ifstream file(made(conical));
     Json json = Json::parse(file);
-    json.erase("weights");
+    json["lattice"].erase("weights");
+    json["lattice"]["name"] = "nopd1d_n2";
     scene.own_tables = {std::make_shared<const TableFile>(json.dump(), "forged.json")};
     CHECK_THROWS_WITH_AS(tables_of(scene), doctest::Contains("are of different lattices"),
                          SceneError);

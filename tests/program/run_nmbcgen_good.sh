@@ -2,20 +2,29 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # shellcheck disable=SC1091,SC2034,SC2154  # assert.sh defines and reads what is not used here
 # Requests that are met: what is written where, under which name, and what is printed.
-# Usage: run_nmbcgen_good.sh NMBCGEN
+# Usage: run_nmbcgen_good.sh NMBCGEN RUNTIME_FOLDER
 source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
 
-# writes PATH ARGUMENT..: exactly this file is written, and its path is all that is printed.
+# writes PATH ARGUMENT..: exactly this file is written, and before a header that of its lattice;
+# their paths are all that is printed.
 writes() {
-    local path=$1
+    local path=$1 lattice
     shift
+    lattice=$(sed -E 's/_order[0-9]+(_s[0-9]+)?//; s/(_dt[0-9o]+)?(_at(pi)?[0-9o]+x[0-9]+)*(_G[0-9o]+)?\.hpp$/.hpp/' <<<"$path")
     rm -rf generated out
     try "$@"
     expect_exit 0
     expect_no_stderr
     expect_file "$path"
-    expect "the path and nothing else on stdout" test "$(cat "$scratch/stdout")" = "$path"
-    expect "one file" test "$(files_in .)" -eq 1
+    if [[ $path == *.hpp ]]; then
+        expect_file "$lattice"
+        expect "the paths and nothing else on stdout" test "$(cat "$scratch/stdout")" = "$lattice
+$path"
+        expect "two files" test "$(files_in .)" -eq 2
+    else
+        expect "the path and nothing else on stdout" test "$(cat "$scratch/stdout")" = "$path"
+        expect "one file" test "$(files_in .)" -eq 1
+    fi
 }
 
 default=generated/nmbc/tables
@@ -63,8 +72,8 @@ writes "out/with space/nopd1d_n1_order1.hpp" --order 1 --horizon 1 --out "out/wi
 rm -rf generated out
 
 # --stdout prints the very bytes of the file, and writes nothing.
-for request in "--order 3 --horizon 2" "--order 3 --horizon 2 --format json" \
-    "--order 2 --horizon 1 --stride 3 --G 7/5"; do
+for request in "--order 3 --horizon 2 --format c" "--order 3 --horizon 2 --format json" \
+    "--order 2 --horizon 1 --stride 3 --G 7/5 --format python"; do
     # shellcheck disable=SC2086  # words are meant
     "$program" $request --out "$scratch/out" >"$scratch/path"
     # shellcheck disable=SC2086
@@ -74,6 +83,24 @@ for request in "--order 3 --horizon 2" "--order 3 --horizon 2 --format json" \
     expect_same "$scratch/stdout" "$(cat "$scratch/path")"
     expect_nothing_written
 done
+
+# A header on stdout holds its lattice; two of them, and the committed ones, go together.
+for order in 1 2; do
+    "$program" --order $order --horizon 1 --G 7/5 --stdout >"nmbc$order.hpp"
+done
+"$program" --order 1 --horizon 1 --out nmbc/tables >/dev/null
+for first in nmbc1.hpp nmbc/tables/nopd1d_n1_order1.hpp; do
+    printf '%s\n' "#include <$first>" '#include <nmbc2.hpp>' \
+        '#include <nmbc/tables/nopd1d_n1_order1.hpp>' \
+        'static_assert(nmbc::generated::nopd1d_n1_order2_G7o5.lattice == &nmbc::generated::nopd1d_n1);' \
+        >both.cpp
+    tried="compiling $first and others"
+    code=0
+    "${CXX:-c++}" -std=c++20 -O2 -march=native -Wall -Wextra -Werror -fsyntax-only -I. -I "$2" both.cpp \
+        2>"$scratch/stderr" || code=$?
+    expect_exit 0
+done
+rm -r nmbc both.cpp nmbc1.hpp nmbc2.hpp
 
 # The banner's command makes the file again.
 for request in "--order 2 --horizon 2 --stride 2 --G 3/4" \
@@ -130,6 +157,6 @@ expect "every file is printed once" test \
 expect_stdout_line all/nopd1d_n3_order4.hpp
 expect_stdout_line all/tables.hpp
 expect_stdout_line all/tables.json
-expect "53 tables, tables.hpp and tables.json" test "$(files_in all)" -eq 55
+expect "53 tables of 15 lattices, tables.hpp and tables.json" test "$(files_in all)" -eq 70
 
 finish

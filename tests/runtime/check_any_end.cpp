@@ -73,10 +73,10 @@ TEST_CASE("n = 3, N = 2, stride 3, G = 4: contractive, and yet not at the step f
 
 TEST_CASE("at the step for any end no chain grows between this, a fixed and a free one") {
     std::vector<const MatchingTable*> tables;
-    std::ranges::copy_if(nmbc::generated::tables, std::back_inserter(tables),
-                         [](const MatchingTable* table) {
-                             return table->horizon <= 3 && !table->max_cfl_contractive.empty();
-                         });
+    std::ranges::copy_if(
+        nmbc::generated::tables, std::back_inserter(tables), [](const MatchingTable* table) {
+            return table->lattice->horizon <= 3 && !table->max_cfl_contractive.empty();
+        });
     REQUIRE(tables.size() > 5);
     // rapidcheck alone would begin with small numbers.
     const auto number_below = [](std::size_t count) {

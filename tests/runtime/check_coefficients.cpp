@@ -30,7 +30,7 @@ Rational exactly(std::string_view coefficients, const Rational& G) {
 template <class Check>
 void for_all_functions(Check check) {
     for (const auto* table : nmbc::generated::tables) {
-        for (const auto list : {table->symbol, table->taylor, table->c, table->b}) {
+        for (const auto list : {table->lattice->symbol, table->taylor, table->c, table->b}) {
             for (const auto& function : list) {
                 check(function);
             }
@@ -189,10 +189,11 @@ TEST_CASE("known coefficients") {
 
 TEST_CASE("the registry finds every committed table and no other") {
     for (const auto* table : nmbc::generated::tables) {
-        CHECK(nmbc::find_table(nmbc::generated::tables, table->family, table->horizon, table->order,
-                               table->stride, table->tau, table->time_step) == table);
+        CHECK(nmbc::find_table(nmbc::generated::tables, table->lattice->family,
+                               table->lattice->horizon, table->order, table->stride,
+                               table->lattice->tau, table->time_step) == table);
         CHECK(table->ghost_layers() ==
-              (table->family == "chain1d" ? 1 : 2 * std::size_t(table->horizon)));
+              (table->lattice->family == "chain1d" ? 1 : 2 * std::size_t(table->lattice->horizon)));
     }
     CHECK(nmbc::find_table(nmbc::generated::tables, "nopd1d", 1, 99) == nullptr);
     CHECK(nmbc::find_table(nmbc::generated::tables, "chain", 1, 1) == nullptr);

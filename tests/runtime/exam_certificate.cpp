@@ -59,6 +59,9 @@ TEST_CASE("the largest certified time step") {
         CHECK_THROWS_AS(nmbc::stable_time_step(nopd1d_n1_order1, 0.5, 1, bad),
                         std::invalid_argument);
     }
+    CHECK_THROWS_WITH_AS(nmbc::stable_time_step(nopd1d_n1_order1, -1, 1, 1),
+                         "the stabilisation G must be finite and not negative, not -1",
+                         std::invalid_argument);
     // Where two pieces meet both hold.
     const auto steps = nopd1d_n1_order1.max_cfl;
     REQUIRE(steps.size() > 1);

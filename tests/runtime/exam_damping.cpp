@@ -18,11 +18,18 @@ using nmbc::generated::nopd1d_n1_order1;
 /// so that a_1 .. a_3 and with them NMBC1 are those of the undamped lattice.
 constexpr nmbc::RationalFunction quarter_sigma[]{{"3", "4"}, {"-1", "2"}, {"1", "8"}};
 
+constexpr nmbc::LatticeTable damped = [] {
+    nmbc::LatticeTable lattice = *nopd1d_n1_order1.lattice;
+    lattice.name = "nopd1d_n1_tau1o4";
+    lattice.tau = "1/4";
+    lattice.damping = quarter_sigma;
+    return lattice;
+}();
+
 constexpr nmbc::MatchingTable damped_table = [] {
     nmbc::MatchingTable table = nopd1d_n1_order1;
     table.name = "nopd1d_n1_order1_tau1o4";
-    table.tau = "1/4";
-    table.damping = quarter_sigma;
+    table.lattice = &damped;
     table.contractive = {};
     table.least_nodes = 50;
     return table;
@@ -33,6 +40,7 @@ nmbc::Lattice damped_lattice(int horizon, double G, double tau) {
     const auto* table = nmbc::find_table(nmbc::generated::tables, "nopd1d", horizon, 1);
     REQUIRE(table != nullptr);
     nmbc::Lattice lattice = nmbc::make_lattice(*table, G);
+    lattice.table = nullptr;
     const auto at_0 = nmbc::make_lattice(*table, 0).symbol;
     lattice.damping = nmbc::make_lattice(*table, 1).symbol;
     for (std::size_t m = 0; m < at_0.size(); ++m) {

@@ -38,7 +38,8 @@ std::vector<const MatchingTable*> tables(bool with_window) {
     std::vector<const MatchingTable*> chosen;
     std::ranges::copy_if(nmbc::generated::tables, std::back_inserter(chosen),
                          [with_window](const MatchingTable* table) {
-                             return table->horizon <= 3 && !(with_window && table->modal.empty());
+                             return table->lattice->horizon <= 3 &&
+                                    !(with_window && table->modal.empty());
                          });
     return chosen;
 }
@@ -87,7 +88,7 @@ TEST_CASE("inside a window no chain grows") {
 TEST_CASE("outside of the windows some chain grows") {
     CHECK(rc::check([] {
         const auto& table = *element_of(tables(false));
-        RC_PRE(table.tau == "0" &&
+        RC_PRE(table.lattice->tau == "0" &&
                table.time_step == "0");  // what a damped chain may do is a bound (exam_damped.cpp)
         const Rational G = value_in({0.01, 12});  // some have a pole at 0
         RC_PRE(std::ranges::none_of(table.modal, [&G](const Window& window) {

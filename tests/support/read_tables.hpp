@@ -13,11 +13,13 @@ namespace nmbcgen::test {
 
 using Json = nlohmann::ordered_json;
 
-/// The table of a header, or one element of "tables" in tables.json.
-/// Throws std::runtime_error where the text is not in the one form it has to have: integers
-/// without leading zeros, lowest terms, positive leading denominator, a known set of keys.
+/// The table of a header, or one in JSON with its lattice, as nmbcrun reads it.
+/// Throws std::exception where it is not in the one form that the generator writes.
 Table read_table(const nmbc::MatchingTable& from);
 Table read_table(const Json& from);
+
+/// The i-th table of tables.json with its lattice in the place of its name.
+Json with_lattice(const Json& file, std::size_t i);
 
 /// What is wrong with a table, empty if nothing: it is read, proved by prove(), and compared
 /// with the family it names; its name, source and proof must be those the generator gives.

@@ -101,7 +101,7 @@ refuses 4 "NMBC1, stride 1, midpoint ghosts on the left sends back up to 6.2 tim
     "$scratch/steel.toml"
 refuses 4 "of what force sends out is in waves so short that the lattice disperses them or turns them back; no force.duration alone would do" \
     "$scratch/steel.toml"
-refuses 4 "lattice disperses them or turns them back; force.duration = 3.1e-06 would do" \
+refuses 4 "lattice disperses them or turns them back; force.duration = 3.2e-06 would do" \
     "$scratch/steel.toml" --set model.G=27/7
 try run "$scratch/steel.toml" --set boundary.allow_amplifying=true
 expect_exit 0

@@ -17,7 +17,7 @@ expect "a header line" grep -qx \
 # What it is of comes first, in comments: gnuplot and pandas (comment="#") read what follows.
 expect "the version, the scene and the units" diff - <(sed -n 's/^# //p' results/bar1d.csv) <<END
 $("$program" --version | sed 's/ /   /')
-$(sed -nE '/^scene/,/^time/{s/^time( .*) [0-9]+ steps of/step\1/;p}' "$scratch/stdout")
+$(sed -nE '/^scene/,/^time/{/^ends/d;s/^time( .*) [0-9]+ steps of/step\1/;p}' "$scratch/stdout")
 units     those of the scene, any consistent system; energies per cross-section area
 END
 expect "comments before the header alone" awk '/^#/ { if (rows) exit 1; next } { rows++ }' results/bar1d.csv

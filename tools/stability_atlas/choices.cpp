@@ -28,14 +28,14 @@ std::string cell(const nmbc::MatchingTable& table, double G) {
 std::vector<const nmbc::MatchingTable*> tables_of(const std::vector<unsigned>& horizons) {
     std::vector<const nmbc::MatchingTable*> found;
     for (const nmbc::MatchingTable* table : nmbc::generated::tables) {
-        if (table->family == "nopd1d" &&
-            std::ranges::count(horizons, unsigned(table->horizon)) > 0) {
+        if (table->lattice->family == "nopd1d" &&
+            std::ranges::count(horizons, unsigned(table->lattice->horizon)) > 0) {
             found.push_back(table);
         }
     }
     // Stable: of one lattice and condition the committed set has tau ascending.
     std::ranges::stable_sort(found, {}, [](const nmbc::MatchingTable* table) {
-        return std::array{table->horizon, table->order, table->stride,
+        return std::array{table->lattice->horizon, table->order, table->stride,
                           table->time_step == "0" ? 0 : 1};
     });
     return found;
@@ -52,9 +52,9 @@ std::string choices(const std::vector<unsigned>& horizons, const std::vector<dou
     }
     text += "\n" + rule + "\n";
     for (const nmbc::MatchingTable* table : tables_of(horizons)) {
-        text +=
-            fmt::format("| {} | {} | {} | {} | {} |", table->horizon, table->order, table->stride,
-                        table->tau, table->time_step == "0" ? "" : table->time_step);
+        text += fmt::format("| {} | {} | {} | {} | {} |", table->lattice->horizon, table->order,
+                            table->stride, table->lattice->tau,
+                            table->time_step == "0" ? "" : table->time_step);
         for (const double G : values) {
             text += fmt::format(" {} |", cell(*table, G));
         }

@@ -9,22 +9,14 @@
 #pragma once
 
 #include <nmbc/table.hpp>
+#include <nmbc/tables/chain1d_n1.hpp>
 
-static_assert(nmbc::table_schema == 4,
+static_assert(nmbc::table_schema == 5,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
 
 namespace chain1d_n1_order3_data {
-
-inline constexpr RationalFunction symbol[]{
-    {"2", "1"},
-    {"-1", "1"},
-};
-
-inline constexpr EnergySquare energy[]{
-    {EnergyPart::strain, {"1", "1"}, "0 -1 1", "1"},
-};
 
 inline constexpr RationalFunction taylor[]{
     {"1", "1"},
@@ -84,18 +76,13 @@ inline constexpr StableStep max_cfl_explicit[]{
 /// NMBC3, horizon 1 dX, stride 1.
 inline constexpr MatchingTable chain1d_n1_order3{
     .name = "chain1d_n1_order3",
-    .family = "chain1d",
-    .horizon = 1,
+    .lattice = &chain1d_n1,
     .order = 3,
     .stride = 1,
     .fixed_G = "",
-    .tau = "0",
     .time_step = "0",
-    .source = "Nicely 2018: chain (56); Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)",
+    .source = "Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)",
     .proved = "residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero",
-    .symbol = chain1d_n1_order3_data::symbol,
-    .damping = {},
-    .energy = chain1d_n1_order3_data::energy,
     .taylor = chain1d_n1_order3_data::taylor,
     .c = chain1d_n1_order3_data::c,
     .b = chain1d_n1_order3_data::b,

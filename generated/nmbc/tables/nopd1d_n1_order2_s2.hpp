@@ -9,25 +9,14 @@
 #pragma once
 
 #include <nmbc/table.hpp>
+#include <nmbc/tables/nopd1d_n1.hpp>
 
-static_assert(nmbc::table_schema == 4,
+static_assert(nmbc::table_schema == 5,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
 
 namespace nopd1d_n1_order2_s2_data {
-
-inline constexpr RationalFunction symbol[]{
-    {"1 6", "2"},
-    {"0 -2", "1"},
-    {"-1 2", "4"},
-};
-
-inline constexpr EnergySquare energy[]{
-    {EnergyPart::strain, {"1", "1"}, "-1 0 1", "2"},
-    {EnergyPart::stabilisation, {"0 1", "1"}, "1 -2 1", "2"},
-    {EnergyPart::stabilisation, {"0 1", "1"}, "1 -2 1", "2"},
-};
 
 inline constexpr RationalFunction taylor[]{
     {"1", "1"},
@@ -110,18 +99,13 @@ inline constexpr StableStep max_cfl_explicit[]{
 /// NMBC2, horizon 1 dX, stride 2.
 inline constexpr MatchingTable nopd1d_n1_order2_s2{
     .name = "nopd1d_n1_order2_s2",
-    .family = "nopd1d",
-    .horizon = 1,
+    .lattice = &nopd1d_n1,
     .order = 2,
     .stride = 2,
     .fixed_G = "",
-    .tau = "0",
     .time_step = "0",
-    .source = "Nicely 2018: strain (16), stabilisation (34), symbol (41); Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)",
+    .source = "Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)",
     .proved = "residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero",
-    .symbol = nopd1d_n1_order2_s2_data::symbol,
-    .damping = {},
-    .energy = nopd1d_n1_order2_s2_data::energy,
     .taylor = nopd1d_n1_order2_s2_data::taylor,
     .c = nopd1d_n1_order2_s2_data::c,
     .b = nopd1d_n1_order2_s2_data::b,

@@ -9,29 +9,14 @@
 #pragma once
 
 #include <nmbc/table.hpp>
+#include <nmbc/tables/nopd1d_n2.hpp>
 
-static_assert(nmbc::table_schema == 4,
+static_assert(nmbc::table_schema == 5,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
 
 namespace nopd1d_n2_order3_data {
-
-inline constexpr RationalFunction symbol[]{
-    {"8 35", "80"},
-    {"4 -15", "100"},
-    {"-8 -95", "800"},
-    {"-8 5", "200"},
-    {"-8 5", "200"},
-};
-
-inline constexpr EnergySquare energy[]{
-    {EnergyPart::strain, {"1", "1"}, "-2 -1 0 1 2", "10"},
-    {EnergyPart::stabilisation, {"0 1", "16"}, "3 -1 -5 1 2", "5"},
-    {EnergyPart::stabilisation, {"0 1", "16"}, "-2 9 -10 1 2", "10"},
-    {EnergyPart::stabilisation, {"0 1", "16"}, "2 1 -10 9 -2", "10"},
-    {EnergyPart::stabilisation, {"0 1", "16"}, "2 1 -5 -1 3", "5"},
-};
 
 inline constexpr RationalFunction taylor[]{
     {"1", "1"},
@@ -145,18 +130,13 @@ inline constexpr StableStep max_cfl_explicit[]{
 /// NMBC3, horizon 2 dX, stride 1.
 inline constexpr MatchingTable nopd1d_n2_order3{
     .name = "nopd1d_n2_order3",
-    .family = "nopd1d",
-    .horizon = 2,
+    .lattice = &nopd1d_n2,
     .order = 3,
     .stride = 1,
     .fixed_G = "",
-    .tau = "0",
     .time_step = "0",
-    .source = "Nicely 2018: strain (16), stabilisation (34), symbol (41); Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)",
+    .source = "Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)",
     .proved = "residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero",
-    .symbol = nopd1d_n2_order3_data::symbol,
-    .damping = {},
-    .energy = nopd1d_n2_order3_data::energy,
     .taylor = nopd1d_n2_order3_data::taylor,
     .c = nopd1d_n2_order3_data::c,
     .b = nopd1d_n2_order3_data::b,

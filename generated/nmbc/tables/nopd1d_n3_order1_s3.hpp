@@ -9,33 +9,14 @@
 #pragma once
 
 #include <nmbc/table.hpp>
+#include <nmbc/tables/nopd1d_n3.hpp>
 
-static_assert(nmbc::table_schema == 4,
+static_assert(nmbc::table_schema == 5,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
 
 namespace nopd1d_n3_order1_s3_data {
-
-inline constexpr RationalFunction symbol[]{
-    {"81 308", "2268"},
-    {"9 -14", "441"},
-    {"405 -1708", "63504"},
-    {"-81 -364", "15876"},
-    {"-405 140", "31752"},
-    {"-81 28", "5292"},
-    {"-81 28", "7056"},
-};
-
-inline constexpr EnergySquare energy[]{
-    {EnergyPart::strain, {"1", "1"}, "-3 -2 -1 0 1 2 3", "28"},
-    {EnergyPart::stabilisation, {"0 1", "81"}, "19 -6 -3 -28 3 6 9", "28"},
-    {EnergyPart::stabilisation, {"0 1", "81"}, "-3 12 -1 -14 1 2 3", "14"},
-    {EnergyPart::stabilisation, {"0 1", "81"}, "-3 -2 27 -28 1 2 3", "28"},
-    {EnergyPart::stabilisation, {"0 1", "81"}, "3 2 1 -28 27 -2 -3", "28"},
-    {EnergyPart::stabilisation, {"0 1", "81"}, "3 2 1 -14 -1 12 -3", "14"},
-    {EnergyPart::stabilisation, {"0 1", "81"}, "9 6 3 -28 -3 -6 19", "28"},
-};
 
 inline constexpr RationalFunction taylor[]{
     {"1", "1"},
@@ -148,18 +129,13 @@ inline constexpr StableStep max_cfl_explicit[]{
 /// NMBC1, horizon 3 dX, stride 3.
 inline constexpr MatchingTable nopd1d_n3_order1_s3{
     .name = "nopd1d_n3_order1_s3",
-    .family = "nopd1d",
-    .horizon = 3,
+    .lattice = &nopd1d_n3,
     .order = 1,
     .stride = 3,
     .fixed_G = "",
-    .tau = "0",
     .time_step = "0",
-    .source = "Nicely 2018: strain (16), stabilisation (34), symbol (41); Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)",
+    .source = "Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)",
     .proved = "residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero",
-    .symbol = nopd1d_n3_order1_s3_data::symbol,
-    .damping = {},
-    .energy = nopd1d_n3_order1_s3_data::energy,
     .taylor = nopd1d_n3_order1_s3_data::taylor,
     .c = nopd1d_n3_order1_s3_data::c,
     .b = nopd1d_n3_order1_s3_data::b,

@@ -9,49 +9,14 @@
 #pragma once
 
 #include <nmbc/table.hpp>
+#include <nmbc/tables/nopd1d_n4_tau1o10.hpp>
 
-static_assert(nmbc::table_schema == 4,
+static_assert(nmbc::table_schema == 5,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
 
 namespace nopd1d_n4_order2_s4_tau1o10_data {
-
-inline constexpr RationalFunction symbol[]{
-    {"64 225", "3840"},
-    {"16 -15", "1440"},
-    {"448 -705", "76800"},
-    {"64 -465", "57600"},
-    {"-64 -165", "23040"},
-    {"-64 15", "11520"},
-    {"-64 15", "9216"},
-    {"-64 15", "9600"},
-    {"-64 15", "14400"},
-};
-
-inline constexpr RationalFunction damping[]{
-    {"3", "512"},
-    {"-1", "960"},
-    {"-47", "51200"},
-    {"-31", "38400"},
-    {"-11", "15360"},
-    {"1", "7680"},
-    {"1", "6144"},
-    {"1", "6400"},
-    {"1", "9600"},
-};
-
-inline constexpr EnergySquare energy[]{
-    {EnergyPart::strain, {"1", "1"}, "-4 -3 -2 -1 0 1 2 3 4", "60"},
-    {EnergyPart::stabilisation, {"0 1", "256"}, "11 -3 -2 -1 -15 1 2 3 4", "15"},
-    {EnergyPart::stabilisation, {"0 1", "256"}, "-4 17 -2 -1 -20 1 2 3 4", "20"},
-    {EnergyPart::stabilisation, {"0 1", "256"}, "-4 -3 28 -1 -30 1 2 3 4", "30"},
-    {EnergyPart::stabilisation, {"0 1", "256"}, "-4 -3 -2 59 -60 1 2 3 4", "60"},
-    {EnergyPart::stabilisation, {"0 1", "256"}, "4 3 2 1 -60 59 -2 -3 -4", "60"},
-    {EnergyPart::stabilisation, {"0 1", "256"}, "4 3 2 1 -30 -1 28 -3 -4", "30"},
-    {EnergyPart::stabilisation, {"0 1", "256"}, "4 3 2 1 -20 -1 -2 17 -4", "20"},
-    {EnergyPart::stabilisation, {"0 1", "256"}, "4 3 2 1 -15 -1 -2 -3 11", "15"},
-};
 
 inline constexpr RationalFunction taylor[]{
     {"1", "1"},
@@ -101,18 +66,13 @@ inline constexpr StableStep max_cfl[]{
 /// NMBC2, horizon 4 dX, stride 4, tau = 1/10.
 inline constexpr MatchingTable nopd1d_n4_order2_s4_tau1o10{
     .name = "nopd1d_n4_order2_s4_tau1o10",
-    .family = "nopd1d",
-    .horizon = 4,
+    .lattice = &nopd1d_n4_tau1o10,
     .order = 2,
     .stride = 4,
     .fixed_G = "",
-    .tau = "1/10",
     .time_step = "0",
-    .source = "Nicely 2018: strain (16), stabilisation (34), symbol (41); damping: not in the paper; Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)",
+    .source = "Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)",
     .proved = "residual of (49) identically zero in G; symbol = sum of the energy's squares; damping = tau times those of stabilisation at G = 1; C(1) not identically zero",
-    .symbol = nopd1d_n4_order2_s4_tau1o10_data::symbol,
-    .damping = nopd1d_n4_order2_s4_tau1o10_data::damping,
-    .energy = nopd1d_n4_order2_s4_tau1o10_data::energy,
     .taylor = nopd1d_n4_order2_s4_tau1o10_data::taylor,
     .c = nopd1d_n4_order2_s4_tau1o10_data::c,
     .b = nopd1d_n4_order2_s4_tau1o10_data::b,

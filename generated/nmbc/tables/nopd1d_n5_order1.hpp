@@ -9,41 +9,14 @@
 #pragma once
 
 #include <nmbc/table.hpp>
+#include <nmbc/tables/nopd1d_n5.hpp>
 
-static_assert(nmbc::table_schema == 4,
+static_assert(nmbc::table_schema == 5,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
 
 namespace nopd1d_n5_order1_data {
-
-inline constexpr RationalFunction symbol[]{
-    {"125 418", "13750"},
-    {"100 -66", "15125"},
-    {"6375 -5962", "1512500"},
-    {"750 -1342", "378125"},
-    {"0 -2", "625"},
-    {"-25 -44", "15125"},
-    {"-875 154", "302500"},
-    {"-125 22", "34375"},
-    {"-2875 506", "756250"},
-    {"-250 44", "75625"},
-    {"-125 22", "60500"},
-};
-
-inline constexpr EnergySquare energy[]{
-    {EnergyPart::strain, {"1", "1"}, "-5 -4 -3 -2 -1 0 1 2 3 4 5", "110"},
-    {EnergyPart::stabilisation, {"0 1", "625"}, "17 -4 -3 -2 -1 -22 1 2 3 4 5", "22"},
-    {EnergyPart::stabilisation, {"0 1", "625"}, "-10 47 -6 -4 -2 -55 2 4 6 8 10", "55"},
-    {EnergyPart::stabilisation, {"0 1", "625"}, "-15 -12 101 -6 -3 -110 3 6 9 12 15", "110"},
-    {EnergyPart::stabilisation, {"0 1", "625"}, "-5 -4 -3 53 -1 -55 1 2 3 4 5", "55"},
-    {EnergyPart::stabilisation, {"0 1", "625"}, "-5 -4 -3 -2 109 -110 1 2 3 4 5", "110"},
-    {EnergyPart::stabilisation, {"0 1", "625"}, "5 4 3 2 1 -110 109 -2 -3 -4 -5", "110"},
-    {EnergyPart::stabilisation, {"0 1", "625"}, "5 4 3 2 1 -55 -1 53 -3 -4 -5", "55"},
-    {EnergyPart::stabilisation, {"0 1", "625"}, "15 12 9 6 3 -110 -3 -6 101 -12 -15", "110"},
-    {EnergyPart::stabilisation, {"0 1", "625"}, "10 8 6 4 2 -55 -2 -4 -6 47 -10", "55"},
-    {EnergyPart::stabilisation, {"0 1", "625"}, "5 4 3 2 1 -22 -1 -2 -3 -4 17", "22"},
-};
 
 inline constexpr RationalFunction taylor[]{
     {"1", "1"},
@@ -99,18 +72,13 @@ inline constexpr StableStep max_cfl[]{
 /// NMBC1, horizon 5 dX, stride 1.
 inline constexpr MatchingTable nopd1d_n5_order1{
     .name = "nopd1d_n5_order1",
-    .family = "nopd1d",
-    .horizon = 5,
+    .lattice = &nopd1d_n5,
     .order = 1,
     .stride = 1,
     .fixed_G = "",
-    .tau = "0",
     .time_step = "0",
-    .source = "Nicely 2018: strain (16), stabilisation (34), symbol (41); Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)",
+    .source = "Nicely 2018: Taylor coefficients (47), matching (49), ghost layers (60)",
     .proved = "residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero",
-    .symbol = nopd1d_n5_order1_data::symbol,
-    .damping = {},
-    .energy = nopd1d_n5_order1_data::energy,
     .taylor = nopd1d_n5_order1_data::taylor,
     .c = nopd1d_n5_order1_data::c,
     .b = nopd1d_n5_order1_data::b,

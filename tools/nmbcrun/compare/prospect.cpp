@@ -140,6 +140,12 @@ Length length_of(Scene& scene, const std::string& source) {
             is_sine};
 }
 
+/// The next number of two digits from a value on, or down from it.
+double two_digits(double value, bool down) {
+    const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
+    return digit * (down ? std::floor(value / digit) : std::ceil(value / digit));
+}
+
 constexpr double most_not_carried = 0.1;
 
 /// "; KEY = VALUE would do" or that none would: zero-energy modes answer to a single node at any
@@ -158,7 +164,7 @@ std::string what_would_do(const Simulation& simulation, const std::string& sourc
         for (const SourceSpectrum& other :
              source_spectra(scene, lattice, simulation.plan().time_step)) {
             if (other.name == source && not_carried(other, lattice, step) <= most_not_carried) {
-                return fmt::format("; {} = {:.2g} would do", key, *value);
+                return fmt::format("; {} = {:.2g} would do", key, two_digits(*value, is_inverse));
             }
         }
     }

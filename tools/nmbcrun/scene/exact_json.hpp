@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Exact numbers as the tables of nmbcgen have them in JSON (docs/json.md).
+/// Exact numbers as the tables of nmbcgen have them in JSON (docs/reference/json.md).
 #pragma once
 
 #include <nmbc/table.hpp>

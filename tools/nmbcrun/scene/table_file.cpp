@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
@@ -61,10 +62,21 @@ TableFile::TableFile(std::string text, std::string name)
     const nlohmann::json document = parsed(text_, name_);
     const JsonValue top(document, name_);
     top.at("schema").whole_number(nmbcgen::json_schema, nmbcgen::json_schema);
-    const std::vector<JsonValue> list =
-        top.has("tables") ? top.at("tables").elements() : std::vector<JsonValue>{top};
-    for (const JsonValue& each : list) {
-        tables_.push_back(read_table(each, storage_));
+    if (!top.has("tables")) {
+        tables_.push_back(read_table(top, read_lattice(top.at("lattice"), storage_), storage_));
+        return;
+    }
+    std::map<std::string_view, OwnLattice> lattices;
+    for (const JsonValue& each : top.at("lattices").elements()) {
+        const OwnLattice lattice = read_lattice(each, storage_);
+        lattices.insert({lattice.table->name, lattice});
+    }
+    for (const JsonValue& each : top.at("tables").elements()) {
+        const auto found = lattices.find(each.at("lattice").text());
+        if (found == lattices.end()) {
+            each.at("lattice").must_be("the name of one of the lattices");
+        }
+        tables_.push_back(read_table(each, found->second, storage_));
     }
 }
 

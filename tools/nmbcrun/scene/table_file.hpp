@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Tables that users make for their scenes with nmbcgen --format json (docs/json.md).
+/// Tables that users make for their scenes with nmbcgen --format json (docs/reference/json.md).
 #pragma once
 
 #include <cstdint>
@@ -7,15 +7,18 @@
 #include <filesystem>
 #include <nmbc/table.hpp>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
+
+#include "tools/nmbcrun/scene/exact_json.hpp"
 
 namespace nmbcrun {
 
 /// A table, and what the runtime's has no place for.
 struct OwnTable {
-    nmbc::MatchingTable table{};
-    std::vector<std::string> weights{};  ///< of the influence, as Scene has them
-    bool is_certified = false;           ///< not: written with --uncertified, without windows
+    nmbc::MatchingTable table;
+    bool is_certified;  ///< not: written with --uncertified, without windows
 };
 
 /// What the views of tables see. Each element stays where it is.
@@ -25,6 +28,12 @@ struct TableStorage {
     std::deque<std::vector<nmbc::EnergySquare>> squares;
     std::deque<std::vector<nmbc::Window>> windows;
     std::deque<std::vector<nmbc::StableStep>> steps;
+    std::deque<nmbc::LatticeTable> lattices;
+
+    std::string_view keep(std::string text) { return texts.emplace_back(std::move(text)); }
+    nmbc::RationalFunction keep(Fraction function) {
+        return {keep(std::move(function.numerator)), keep(std::move(function.denominator))};
+    }
 };
 
 /// The tables of one file, of whose strings it is the owner.
@@ -37,10 +46,10 @@ class TableFile {
     /// below and where it is too long.
     explicit TableFile(const std::filesystem::path& path);
 
-    /// Of a text: one table, or {"schema", "tables": [..]}. name: of its file, for messages.
-    /// Throws SceneError, with key and what is allowed, where it is no such JSON, a list has
-    /// another length than order, horizon or stencil say, a number is not written as docs/json.md
-    /// has it, or the symbol is not that of the energy.
+    /// Of a text: one table, or {"schema", "lattices": [..], "tables": [..]}. name: of its file,
+    /// for messages. Throws SceneError, with key and what is allowed, where it is no such JSON, a
+    /// list has another length than order, horizon or stencil say, a number is not written as
+    /// docs/reference/json.md has it, or the symbol is not that of the energy.
     TableFile(std::string text, std::string name);
 
     // The tables point into it.

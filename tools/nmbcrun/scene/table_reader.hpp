@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-/// One table of a JSON file (docs/json.md).
+/// One table of a JSON file (docs/reference/json.md).
 #pragma once
 
-#include "tools/nmbcrun/scene/json_value.hpp"
-#include "tools/nmbcrun/scene/table_file.hpp"
+#include "tools/nmbcrun/scene/lattice_reader.hpp"
 
 namespace nmbcrun {
 
-/// Views of what it puts into the storage. Throws SceneError as TableFile has it.
-OwnTable read_table(const JsonValue& json, TableStorage& storage);
+/// The table of this lattice: views of what it puts into the storage. Throws SceneError as
+/// TableFile has it.
+OwnTable read_table(const JsonValue& json, OwnLattice lattice, TableStorage& storage);
 
 }  // namespace nmbcrun

@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <nmbc/coefficients.hpp>
 #include <nmbc/tables/tables.hpp>
@@ -20,12 +19,13 @@ namespace nmbcrun {
 namespace {
 
 void require_stabilisation(const nmbc::MatchingTable& table, double G) {
-    const bool is_stabilised = std::ranges::find(table.energy, nmbc::EnergyPart::stabilisation,
-                                                 &nmbc::EnergySquare::part) != table.energy.end();
+    const auto energy = table.lattice->energy;
+    const bool is_stabilised = std::ranges::find(energy, nmbc::EnergyPart::stabilisation,
+                                                 &nmbc::EnergySquare::part) != energy.end();
     if (G != 0 && !is_stabilised) {
         throw SceneError(fmt::format(
             "the lattice of family {} has no stabilisation: model.G must be absent or 0, not {}",
-            table.family, G));
+            table.lattice->family, G));
     }
 }
 
@@ -33,9 +33,10 @@ void require_stabilisation(const nmbc::MatchingTable& table, double G) {
 /// they have its influence.
 template <class Use>
 void for_each_of_the_influence(const Scene& scene, Use use) {
+    const std::string weights = fmt::format("{}", fmt::join(scene.weights, ","));
     for (const auto& file : scene.own_tables) {
         for (const OwnTable& own : file->tables()) {
-            if (own.weights == scene.weights) {
+            if (own.table.lattice->weights == weights) {
                 use(own.table);
             }
         }
@@ -48,8 +49,8 @@ void for_each_of_the_influence(const Scene& scene, Use use) {
 }
 
 bool is_for(const nmbc::MatchingTable& table, const Scene& scene) {
-    return table.family == scene.family && table.horizon == scene.horizon &&
-           table.tau == scene.tau &&
+    return table.lattice->family == scene.family && table.lattice->horizon == scene.horizon &&
+           table.lattice->tau == scene.tau &&
            (table.fixed_G.empty() || nmbc::detail::nearest_to_fraction(table.fixed_G) == scene.G);
 }
 
@@ -59,18 +60,12 @@ bool is_same_choice(const nmbc::MatchingTable& one, const nmbc::MatchingTable& o
            one.time_step == other.time_step;
 }
 
-/// Throws SceneError where they differ by more than the roundings of G.
-void require_one_lattice(const nmbc::MatchingTable& one, const nmbc::MatchingTable& other,
-                         double G) {
-    const nmbc::Lattice left = nmbc::make_lattice(one, G);
-    const nmbc::Lattice right = nmbc::make_lattice(other, G);
-    const double roundings = 1e-14 * std::ranges::max(left.symbol);
-    const auto is_near = [&](double a, double b) { return std::abs(a - b) <= roundings; };
-    if (!std::ranges::equal(left.symbol, right.symbol, is_near) ||
-        !std::ranges::equal(left.damping, right.damping, is_near)) {
+void require_one_lattice(const nmbc::MatchingTable& one, const nmbc::MatchingTable& other) {
+    if (!is_same_lattice(*one.lattice, *other.lattice)) {
         throw SceneError(fmt::format(
-            "the tables {} and {} are of different lattices: at G = {} their symbols differ",
-            one.name, other.name, G));
+            "the tables {} and {} are of different lattices: their symbols differ, though both are "
+            "of {}",
+            one.name, other.name, one.lattice->name));
     }
 }
 
@@ -88,8 +83,8 @@ std::string what_there_is(const Scene& scene) {
     std::string names;
     std::map<std::string_view, std::set<int>> horizons;
     for_each_of_the_influence(scene, [&](const nmbc::MatchingTable& table) {
-        horizons[table.family].insert(table.horizon);
-        if (table.family == scene.family && table.horizon == scene.horizon) {
+        horizons[table.lattice->family].insert(table.lattice->horizon);
+        if (table.lattice->family == scene.family && table.lattice->horizon == scene.horizon) {
             names += (names.empty() ? "" : ", ") + std::string(table.name);
         }
     });
@@ -119,7 +114,7 @@ std::vector<const nmbc::MatchingTable*> tables_of(const Scene& scene) {
         if (tables.empty()) {
             require_stabilisation(table, scene.G);
         } else if (!scene.own_tables.empty()) {
-            require_one_lattice(*tables.front(), table, scene.G);
+            require_one_lattice(*tables.front(), table);
         }
         tables.push_back(&table);
     });
@@ -129,8 +124,8 @@ std::vector<const nmbc::MatchingTable*> tables_of(const Scene& scene) {
 std::vector<int> horizons_of(const Scene& scene) {
     std::set<int> horizons;
     for_each_of_the_influence(scene, [&](const nmbc::MatchingTable& table) {
-        if (table.family == scene.family && table.tau == scene.tau) {
-            horizons.insert(table.horizon);
+        if (table.lattice->family == scene.family && table.lattice->tau == scene.tau) {
+            horizons.insert(table.lattice->horizon);
         }
     });
     return {horizons.begin(), horizons.end()};
