@@ -84,7 +84,8 @@ void require_condition(const SpecificationOptions& options, const std::string& o
 /// nmbcgen reflect, with the same options for the condition.
 CLI::App* add_reflect(CLI::App& app, Request& request, Pending& pending) {
     auto* const reflect = app.add_subcommand(
-        "reflect", "print the true reflection over the band as CSV (docs/reflection.md)");
+        "reflect",
+        "print the true reflection over the band as CSV (docs/explanation/reflection.md)");
     const SpecificationOptions options = add_specification(*reflect, request, pending);
     options.G->required();
     reflect->parse_complete_callback([options] { require_condition(options, ""); });
@@ -96,7 +97,8 @@ CLI::App* add_reflect(CLI::App& app, Request& request, Pending& pending) {
 /// nmbcgen dispersion.
 CLI::App* add_dispersion(CLI::App& app, Curves& curves, Pending& pending) {
     auto* const dispersion = app.add_subcommand(
-        "dispersion", "print dispersion relations over the band as CSV (docs/dispersion.md)");
+        "dispersion",
+        "print dispersion relations over the band as CSV (docs/explanation/dispersion.md)");
     add_parsed(*dispersion, "--family", curves.family, parse_family,
                "lattice model: " + family_names() + " (default nopd1d)");
     add_parsed(*dispersion, "--horizon", curves.horizons, parse_counts,
@@ -186,7 +188,7 @@ CLI::App* add_optimise(CLI::App& app, Request& request, Pending& pending) {
     auto* const optimise =
         app.add_subcommand("optimise",
                            "find the matching points that reflect least over a band (docs/"
-                           "matching-points.md)");
+                           "how-to/match-inside-a-band.md)");
     const SpecificationOptions options = add_specification(*optimise, request, pending);
     for (CLI::Option* other : {options.match, options.order, options.stride}) {
         optimise->remove_option(other);
@@ -208,7 +210,7 @@ CLI::App* add_optimise(CLI::App& app, Request& request, Pending& pending) {
 CLI::App* add_closed_forms(CLI::App& app, Request& request) {
     auto* const closed_forms = app.add_subcommand(
         "closed-forms",
-        "print the Taylor coefficients for all horizons at once (docs/closed-forms.md)");
+        "print the Taylor coefficients for all horizons at once (docs/reference/closed-forms.md)");
     add_parsed(*closed_forms, "--order", request.specification.order, parse_closed_order,
                "N: a_1 to a_{2N+1}, 1 to 12")
         ->required();

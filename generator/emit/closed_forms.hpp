@@ -25,7 +25,7 @@ std::string closed_forms_text(const FamilyClosedForms& forms);
 /// The same for a paper; needs amsmath.
 std::string closed_forms_latex(const FamilyClosedForms& forms);
 
-/// For programs; docs/closed-forms.md says every key.
+/// For programs; docs/reference/closed-forms.md says every key.
 std::string closed_forms_json(const FamilyClosedForms& forms);
 
 }  // namespace nmbcgen

@@ -110,7 +110,7 @@ Model nopd1d(unsigned horizon, std::span<const Rational> weights) {
 }
 
 SquaredFrequency nopd1d_limit(unsigned horizon, const Real& G, const Real& xi) {
-    // (42) with both of its misprints corrected (docs/errata.md), d = delta xi:
+    // (42) with both of its misprints corrected (docs/evidence/errata.md), d = delta xi:
     //     omega^2 = xi^2 p^2 - (4 G/delta^3) h,
     //     p = 3 (sin d - d cos d)/d^3,   h = sin d/d - 1 + d^2 p^2/6 = F/(2 d^4).
     // At dX = 1 the printed G, which the limit holds fixed, is G and delta is n.

@@ -82,8 +82,8 @@ std::size_t second_field(std::size_t nodes) {
 /// for a processor to fetch the next one from memory while it works on this one.
 inline constexpr std::size_t block_nodes = 192;
 
-/// With OpenMP, nodes from which on its threads share a sweep (docs/speed.md has the measurement).
-/// A variable, so that tests and measurements can have it otherwise.
+/// With OpenMP, nodes from which on its threads share a sweep (docs/evidence/speed.md has the
+/// measurement). A variable, so that tests and measurements can have it otherwise.
 inline std::size_t threaded_nodes = 16384;
 
 /// How many pieces a sweep over so many nodes is shared in.

@@ -157,7 +157,7 @@ double size_of(const Candidate& candidate) {
     return double(candidate.steps) * (4 * candidate.horizon + 1);
 }
 
-/// Values of G up to twice the one that is best for long waves (docs/dispersion.md).
+/// Values of G up to twice the one that is best for long waves (docs/explanation/dispersion.md).
 std::vector<double> many_G(const Scene& scene, int horizon) {
     if (!scene.auto_G) {
         return {scene.G};

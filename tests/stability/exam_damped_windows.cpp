@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// Windows of damped lattices, with the condition matched to the damped symbol, as tables have it,
-/// and with the one matched to the undamped symbol (docs/damping.md).
+/// and with the one matched to the undamped symbol (docs/explanation/damping.md).
 #include <doctest/doctest.h>
 
 #include <vector>

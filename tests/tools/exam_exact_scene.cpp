@@ -167,7 +167,7 @@ TEST_CASE("an end that amplifies waves is stable where none of them comes back")
 }
 
 TEST_CASE("a growing mode is refused, whatever is opposite") {
-    // s = 18.1 in continuous time (docs/stability.md).
+    // s = 18.1 in continuous time (docs/explanation/stability.md).
     auto scene = scene_of(2, 1, BoundaryKind::nmbc, 0.4);
     scene.left.order = 2;
     for (const auto kind : {BoundaryKind::exact, BoundaryKind::extended, BoundaryKind::fixed}) {

@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
     app.footer(exit_codes);  // of the subcommands, too, which are added below
     const auto add_command = [&](const std::string& name, const std::string& description) {
         auto* const command = app.add_subcommand(name, description);
-        command->add_option("SCENE", arguments.scene, "scene file (TOML, docs/scenes.md)")
+        command->add_option("SCENE", arguments.scene, "scene file (TOML, docs/reference/scene.md)")
             ->required()
             ->check(not_empty);
         command
@@ -136,15 +136,15 @@ int main(int argc, char** argv) {
                     "scene's ends")
         ->check(nmbcgen::number_between(1e-16, 1e16))
         ->excludes(resume);
-    auto* const verify =
-        add_command("verify", "compare a scene with the same one without ends (docs/verify.md)");
+    auto* const verify = add_command(
+        "verify", "compare a scene with the same one without ends (docs/how-to/verify.md)");
     verify
         ->add_option("--tolerance", arguments.tolerance,
                      "largest max |u - u_ref| / max |u_ref| that is right")
         ->required()
         ->check(nmbcgen::number_between(1e-16, 1e16));
     auto* const chart = add_command(
-        "chart", "cost and error of every boundary there is for a scene (docs/chart.md)");
+        "chart", "cost and error of every boundary there is for a scene (docs/evidence/chart.md)");
     chart->add_option("--out", arguments.folder, "folder for the results (default results)")
         ->check(not_empty);
     chart
@@ -152,8 +152,8 @@ int main(int argc, char** argv) {
                      "steps that each boundary that could add energy is followed through, for its "
                      "long-time stability (default 1000000, fewer above 500 nodes)")
         ->check(CLI::Range(std::size_t{4000}, std::size_t{1'000'000'000}));
-    auto* const advise =
-        add_command("advise", "the smallest model that meets a tolerance (docs/advise.md)");
+    auto* const advise = add_command(
+        "advise", "the smallest model that meets a tolerance (docs/how-to/meet-a-tolerance.md)");
     advise
         ->add_option("--tolerance", arguments.tolerance, "largest error over max |u| that is right")
         ->required()

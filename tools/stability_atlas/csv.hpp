@@ -9,8 +9,8 @@
 
 namespace stability_atlas {
 
-/// A row for each condition and G; docs/stability.md says what the columns are. from, to: what a
-/// picture colours as it is at this G.
+/// A row for each condition and G; docs/evidence/stability-atlas.md says what the columns are.
+/// from, to: what a picture colours as it is at this G.
 std::string points_csv(const std::vector<Method>& methods);
 
 /// A row for each window; a window without an end has no `high`.

@@ -46,7 +46,7 @@ struct Outgoing {
 };
 
 /// A scene without ends, and without a preload, which does not move. What comes in is there as the
-/// waves it is made of (docs/scenes.md).
+/// waves it is made of (docs/reference/scene.md).
 class EndlessScene {
   public:
     /// The scene's own step and cfl do not count. `pause` lives as long as this. Throws as

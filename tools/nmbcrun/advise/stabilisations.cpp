@@ -18,7 +18,8 @@
 namespace nmbcrun {
 namespace {
 
-/// In continuous time the error of long waves' speed is of order xi^4 here (docs/dispersion.md).
+/// In continuous time the error of long waves' speed is of order xi^4 here
+/// (docs/explanation/dispersion.md).
 double best_of_long_waves(int horizon) {
     const double n = horizon;
     return 4 * n * n * n / ((n + 1) * (2 * n + 1));

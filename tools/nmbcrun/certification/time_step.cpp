@@ -206,7 +206,7 @@ std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice) 
         }
     }
     return choices.empty() ? "No other order or stride that there is a table of is certified here: "
-                             "try another G (docs/stability.md)"
+                             "try another G (docs/explanation/stability.md)"
                            : "Certified in its place at this G: " + choices;
 }
 

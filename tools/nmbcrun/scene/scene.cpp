@@ -144,7 +144,8 @@ double read_G(SceneReader& reader, const Scene& scene) {
     const auto G = reader.number("model.G", not_negative);
     if (!G && scene.family != "chain1d" && scene.family != "bond1d") {
         const long n = scene.horizon;
-        const nmbcgen::Rational best(4 * n * n * n, (n + 1) * (2 * n + 1));  // docs/dispersion.md
+        const nmbcgen::Rational best(4 * n * n * n,
+                                     (n + 1) * (2 * n + 1));  // docs/explanation/dispersion.md
         reader.fail("model.G",
                     fmt::format("is missing: 0 is standard NOPD, whose zero-energy modes no end "
                                 "absorbs; \"{}\" makes the dispersion of long waves least at "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A scene: what nmbcrun runs, read from TOML. Keys, units and defaults: docs/scenes.md.
+/// A scene: what nmbcrun runs, read from TOML. Keys, units and defaults: docs/reference/scene.md.
 #pragma once
 
 #include <cmath>

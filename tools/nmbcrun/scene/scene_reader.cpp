@@ -306,8 +306,9 @@ void SceneReader::fail_unknown(const std::string& key,
         known, {}, [&](const auto& other) { return edit_distance(key, other); });
     // One that shares less than half its letters is no help.
     const bool near = 2 * edit_distance(key, *nearest) <= key.size();
-    fail(key, "is not a key of a scene" + (near ? "; the nearest one is " + *nearest
-                                                : std::string("; docs/scenes.md lists them")));
+    fail(key,
+         "is not a key of a scene" + (near ? "; the nearest one is " + *nearest
+                                           : std::string("; docs/reference/scene.md lists them")));
 }
 
 void SceneReader::refuse_other_tables(const std::vector<std::string>& tables) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a scene can start and be driven by. Keys, units and defaults: docs/scenes.md.
+/// What a scene can start and be driven by. Keys, units and defaults: docs/reference/scene.md.
 #pragma once
 
 #include <filesystem>

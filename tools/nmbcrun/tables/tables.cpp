@@ -71,10 +71,11 @@ void require_one_lattice(const nmbc::MatchingTable& one, const nmbc::MatchingTab
 
 void require_settled(const Scene& scene) {
     if (scene.auto_horizon || scene.auto_G) {
-        throw SceneError(fmt::format(
-            "{} is \"auto\", which advise and run --tolerance choose (docs/advise.md): give a "
-            "number, such as one of the settings that advise prints",
-            scene.auto_horizon ? "model.horizon" : "model.G"));
+        throw SceneError(
+            fmt::format("{} is \"auto\", which advise and run --tolerance choose "
+                        "(docs/how-to/meet-a-tolerance.md): give a "
+                        "number, such as one of the settings that advise prints",
+                        scene.auto_horizon ? "model.horizon" : "model.G"));
     }
 }
 
