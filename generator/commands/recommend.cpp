@@ -88,7 +88,7 @@ std::string recommendation(const Question& question, const Progress& progress) {
         matched ? "matched in " : "", best.cfl, best.what.horizon, to_string(question.G),
         regenerating_command(best.what),
         damped ? fmt::format("in chains of {} interior nodes and more", least_damped_nodes)
-               : std::string("in chains of any length (docs/stability.md: short ones)"),
+               : std::string("in chains of any length (docs/explanation/stability.md: short ones)"),
         matched ? "these steps, of which it takes no others"
                 : fmt::format("steps of cfl {:.2f} or less", best.certified_cfl),
         best.reflected, best.cfl, best.time_step, best.loss, table_of(all, question, tolerance));
