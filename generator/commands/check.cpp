@@ -2,14 +2,11 @@
 #include "generator/commands/check.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
 #include <sstream>
-
-#include "generator/emit/emit.hpp"
-#include "generator/names/names.hpp"
-#include "generator/pipeline.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -58,39 +55,6 @@ std::string compare(const std::string& name, const std::string& found, const std
     return found == fresh ? "" : fmt::format("differs: {}\n{}", name, changed_lines(found, fresh));
 }
 
-/// The format of the files that end so; nullptr where there is none.
-const Format* format_of(const std::string& ending) {
-    const auto format = std::ranges::find(formats(), ending, &Format::ending);
-    return format == formats().end() ? nullptr : &*format;
-}
-
-/// A table outside the set, which a user wrote: stale where it is not what its name asks for.
-/// It may have been written with --uncertified.
-std::string compare_own_table(const std::filesystem::path& file, const MakeTable& certified) {
-    const std::string name = file.filename().string();
-    std::string left_over = "left over: " + name + " (no table has this name: delete it)\n";
-    try {
-        const auto what = specification_named(file.stem().string());
-        const Format* const format = format_of(file.extension().string());
-        if (!what || format == nullptr) {
-            return left_over;
-        }
-        const std::string found = read_file(file).value_or("");
-        if (found == format->emit(derive(*what))) {
-            return "";
-        }
-        const std::string report = compare(name, found, format->emit(certified(*what)));
-        return report.empty() ? ""
-                              : report + "  outside the committed set; to write it anew: " +
-                                    regenerating_command(*what) + " --format " +
-                                    std::string(format->name) + "\n";
-    } catch (const NoSuchBoundary&) {
-        return left_over;
-    } catch (const std::invalid_argument&) {  // a family or a number that does not exist
-        return left_over;
-    }
-}
-
 }  // namespace
 
 void require_folder(const std::filesystem::path& folder) {
@@ -99,32 +63,30 @@ void require_folder(const std::filesystem::path& folder) {
     }
 }
 
-std::string staleness(const std::filesystem::path& folder, const std::vector<TextFile>& fresh,
-                      const MakeTable& certified) {
+std::string staleness(const std::filesystem::path& folder, const std::vector<TextFile>& fresh) {
     std::string report;
-    std::set<std::string> expected;
     for (const TextFile& file : fresh) {
         const std::string name = file.path.filename().string();
-        expected.insert(name);
         const auto found = read_file(folder / name);
         report += found ? compare(name, *found, file.text) : "missing: " + name + "\n";
     }
+    return report;
+}
 
-    std::set<std::filesystem::path> others;  // in order: a folder lists its files in any
+std::string other_files(const std::filesystem::path& folder, const std::vector<TextFile>& fresh) {
+    std::set<std::string> others;  // in order: a folder lists its files in any
     std::error_code error;
     for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error)) {
-        if (!expected.contains(entry->path().filename().string())) {
-            others.insert(entry->path());
-        }
+        others.insert(entry->path().filename().string());
     }
     if (error) {
         throw FileError("cannot read " + folder.string() + ": " + error.message());
     }
-    for (const std::filesystem::path& other : others) {
-        report += compare_own_table(other, certified);
+    for (const TextFile& file : fresh) {
+        others.erase(file.path.filename().string());
     }
-    return report;
+    return fmt::format("{}", fmt::join(others, ", "));
 }
 
 }  // namespace nmbcgen

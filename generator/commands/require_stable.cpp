@@ -79,7 +79,7 @@ void require_stable(const Table& table) {
         only_too_long
             ? fmt::format("certified in these steps, of cfl {:.3f}: {:.2f} is the largest one",
                           cfl_of(half_space, nearest_double(what.time_step)),
-                          largest_cfl(half_space, GhostRule::midpoint))
+                          stable_range(half_space).largest)
             : "stable: " + how_it_fails(table, G));
     if (only_too_long || !what.points.empty()) {
         throw NotStable(message);

@@ -27,7 +27,7 @@ std::string emit_header(const Table& table);
 /// tables.hpp: includes the headers of all tables, and lists them in nmbc::generated::tables.
 std::string emit_registry(std::span<const Table> tables);
 
-/// One table as JSON, schema 3 (docs/json.md).
+/// One table as JSON, schema 4 (docs/json.md).
 std::string emit_json(const Table& table);
 
 /// A C99 header without anything else: at a fixed G its coefficients, else functions of G in
@@ -43,7 +43,7 @@ std::string emit_latex(const Table& table);
 /// A module of Python 3, standard library only, exact: fractions.Fraction.
 std::string emit_python(const Table& table);
 
-/// tables.json: {"schema": 3, "tables": [...]}.
+/// tables.json: {"schema": 4, "tables": [...]}.
 std::string emit_json(std::span<const Table> tables);
 
 }  // namespace nmbcgen

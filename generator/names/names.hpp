@@ -2,7 +2,6 @@
 /// Tables by name: of files, and on the command line that makes them.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "generator/table/table.hpp"
@@ -12,10 +11,6 @@ namespace nmbcgen {
 /// FAMILY_nH[_w_PoQ_PoQ ..]_orderN[_sS][_tauPoQ][_dtPoQ][_at[pi]PoQxM ..][_GPoQ], the name of the
 /// table and of its files.
 std::string table_name(const Specification& specification);
-
-/// The other way; nothing where it is no such name. Throws std::invalid_argument for a number that
-/// parse_rational() refuses.
-std::optional<Specification> specification_named(const std::string& name);
 
 /// The wave number as on the command line: 6/5, pi, 2pi/3.
 std::string to_string(const MatchingPoint& point);

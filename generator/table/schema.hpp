@@ -5,6 +5,6 @@
 namespace nmbcgen {
 
 /// Raised by any change of the JSON that an old reader would misread.
-inline constexpr int json_schema = 3;
+inline constexpr int json_schema = 4;
 
 }  // namespace nmbcgen

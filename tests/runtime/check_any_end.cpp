@@ -17,9 +17,9 @@
 
 namespace {
 
-using nmbc::GhostRule;
 using nmbc::MatchingTable;
 using nmbc::Opposite;
+using nmbcgen::EndKind;
 using nmbcgen::HalfSpace;
 using nmbcgen::LatticeEnd;
 using nmbcgen::Rational;
@@ -43,8 +43,8 @@ Ends ends_at(const MatchingTable& table, const Rational& G, double cfl) {
 double radius(const Ends& ends, const LatticeEnd& opposite) {
     double largest = 0;
     for (const std::size_t nodes : {60U, 61U}) {
-        largest = std::max(largest, spectral_radius(ends.matching, opposite, nodes, ends.time_step,
-                                                    GhostRule::midpoint));
+        largest =
+            std::max(largest, spectral_radius(ends.matching, opposite, nodes, ends.time_step));
     }
     return largest;
 }
@@ -54,7 +54,7 @@ double radius(const Ends& ends, const LatticeEnd& opposite) {
 constexpr double roundings = 1e-7;
 
 double certified(const MatchingTable& table, double G, Opposite opposite) {
-    return nmbc::certified_cfl(table, G, GhostRule::midpoint, opposite);
+    return nmbc::certified_cfl(table, G, opposite);
 }
 
 TEST_CASE("n = 3, N = 2, stride 3, G = 4: contractive, and yet not at the step for like ends") {

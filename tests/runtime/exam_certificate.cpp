@@ -75,26 +75,21 @@ TEST_CASE("the largest certified time step") {
 }
 
 TEST_CASE("an end of another kind needs a smaller time step, or has none") {
-    using nmbc::GhostRule;
     using nmbc::Opposite;
     // A contractive window is one of continuous time: against a fixed end this grows by 9 % per
     // round trip at cfl 0.55, which is certified for like ends.
     constexpr double G = 4;
     REQUIRE(nmbc::certified_grade(nopd1d_n3_order2_s3, G) == nmbc::Grade::contractive);
     const double like = nmbc::certified_cfl(nopd1d_n3_order2_s3, G);
-    const double any =
-        nmbc::certified_cfl(nopd1d_n3_order2_s3, G, GhostRule::midpoint, Opposite::any);
+    const double any = nmbc::certified_cfl(nopd1d_n3_order2_s3, G, Opposite::any);
     CHECK(any > 0);
     CHECK(any < 0.5 * like);
     CHECK(nmbc::stable_time_step(nopd1d_n3_order2_s3, G, 1, 1, Opposite::any) ==
           doctest::Approx(any / like * nmbc::stable_time_step(nopd1d_n3_order2_s3, G, 1, 1))
               .epsilon(1e-14));
-    // With explicit ghosts none is sought, though there is one for like ends.
-    CHECK(nmbc::certified_cfl(nopd1d_n1_order1, 0.5, GhostRule::explicit_rule) > 0);
-    CHECK(nmbc::certified_cfl(nopd1d_n1_order1, 0.5, GhostRule::explicit_rule, Opposite::any) == 0);
     // Paired only: none.
     REQUIRE(nmbc::certified_cfl(nopd1d_n1_order1, 0.1) > 0);
-    CHECK(nmbc::certified_cfl(nopd1d_n1_order1, 0.1, GhostRule::midpoint, Opposite::any) == 0);
+    CHECK(nmbc::certified_cfl(nopd1d_n1_order1, 0.1, Opposite::any) == 0);
     CHECK_THROWS_WITH_AS(nmbc::stable_time_step(nopd1d_n1_order1, 0.1, 1, 1, Opposite::any),
                          doctest::Contains("with any opposite end"), nmbc::NotCertified);
 }

@@ -118,7 +118,7 @@ TEST_CASE("at the largest cfl of the header no chain grows") {
         const double time_step = 2 * cfl / maximum_frequency(h);
         const auto least = std::max<std::size_t>(60, std::size_t(table.least_nodes));
         for (const std::size_t nodes : {least, least + 1}) {
-            const auto map = one_step_map(end, end, nodes, time_step, nmbc::GhostRule::midpoint);
+            const auto map = one_step_map(end, end, nodes, time_step);
             for (const auto factor : eigenvalues_by_parity(map, map.rows() / 2)) {
                 RC_ASSERT(std::abs(factor) < 1 + roundings);
             }

@@ -225,10 +225,9 @@ Table read_table(const Json& from) {
     require(keys ==
                 "schema family order horizon stride G tau time_step symbol damping energy taylor c "
                 "b source "
-                "proved windows least_nodes poles max_cfl max_cfl_contractive max_cfl_explicit "
-                "certificate ",
-            "the keys of schema 3, in order");
-    require(from.at("schema") == 3, "schema 3");
+                "proved windows least_nodes poles max_cfl max_cfl_contractive certificate ",
+            "the keys of schema 4, in order");
+    require(from.at("schema") == 4, "schema 4");
     const auto count = [&from](const char* key) {
         require(from.at(key).is_number_integer(), std::string(key) + " is a whole number");
         return read_count(from.at(key).get<long long>());
@@ -274,7 +273,7 @@ std::string objection(const Json& from) {
 
 std::string file_objection(const Json& file) {
     return message_of([&file] {
-        require(file.size() == 2 && file.at("schema") == 3, "schema 3 and tables");
+        require(file.size() == 2 && file.at("schema") == 4, "schema 4 and tables");
         const auto set = committed_set();
         require(file.at("tables").size() == set.size(), "as many tables as the committed set");
         for (std::size_t i = 0; i < set.size(); ++i) {

@@ -131,8 +131,8 @@ file 2 "scenes/own.toml is no JSON: parse error at line 1" own.toml
 table=scenes/nopd1d_n2_w_1o1_1o2_order1_G1o1.json
 head -c 500 "$table" >scenes/cut.json
 file 2 "scenes/cut.json is no JSON: parse error at line" cut.json
-sed 's/"schema": 3/"schema": 4/' "$table" >scenes/schema.json
-file 2 "scenes/schema.json: schema must be 3, not 4" schema.json
+sed 's/"schema": 4/"schema": 5/' "$table" >scenes/schema.json
+file 2 "scenes/schema.json: schema must be 4, not 5" schema.json
 sed 's/"horizon": 2/"horizon": "2"/' "$table" >scenes/type.json
 file 2 'scenes/type.json: horizon must be a whole number from 1 to 99, not "2"' type.json
 : >scenes/empty.json

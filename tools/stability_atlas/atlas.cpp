@@ -110,8 +110,7 @@ double growth(const HalfSpace& half_space) {
     const nmbcgen::LatticeEnd end{.half_space = half_space};
     double rate = 0;
     for (const std::size_t nodes : {40U, 61U}) {
-        const double radius =
-            spectral_radius(end, end, nodes, time_step, nmbc::GhostRule::midpoint);
+        const double radius = spectral_radius(end, end, nodes, time_step);
         rate = std::max(rate, std::log(radius) / time_step);
     }
     return rate < least ? 0 : rate;
