@@ -66,13 +66,13 @@ std::optional<HalfSpace> examine(Contender& contender, const Aim& aim) {
 
 std::string why_not(const Contender& contender) {
     switch (contender.verdict.failure) {
-        case ModalFailure::growing_mode:
+        case Failure::growing_mode:
             return "a boundary mode grows";
-        case ModalFailure::resonance:
+        case Failure::resonance:
             return "it sends out a wave of its own";
-        case ModalFailure::amplified_wave:
+        case Failure::amplified_wave:
             return "waves are amplified";
-        case ModalFailure::none:
+        default:
             break;
     }
     return "not certified in such steps";

@@ -74,6 +74,24 @@ TEST_CASE("the largest certified time step") {
                          doctest::Contains("no time step at G = 1"), nmbc::NotCertified);
 }
 
+TEST_CASE("certified steps may begin above 0, and where two pieces meet the longer ones hold") {
+    constexpr nmbc::StableStep steps[]{{{0, 1}, 0.5, 0.125}, {{1, 2}, 0.75}};
+    nmbc::MatchingTable table = nopd1d_n1_order1;
+    table.max_cfl = steps;
+    table.max_cfl_contractive = {};
+    const nmbc::StableStep found = nmbc::certified_steps(table, 0.5);
+    CHECK(found.cfl == 0.5);
+    CHECK(found.from == 0.125);
+    CHECK(found.allows(0.125));
+    CHECK(found.allows(0.5));
+    CHECK_FALSE(found.allows(0.1249));
+    CHECK_FALSE(found.allows(0.5001));
+    CHECK(nmbc::certified_steps(table, 1).cfl == 0.75);
+    CHECK(nmbc::certified_steps(table, 1).from == 0);
+    CHECK(nmbc::certified_steps(table, 3).cfl == 0);
+    CHECK(nmbc::certified_steps(table, 0.5, nmbc::Opposite::any).cfl == 0);
+}
+
 TEST_CASE("an end of another kind needs a smaller time step, or has none") {
     using nmbc::Opposite;
     // A contractive window is one of continuous time: against a fixed end this grows by 9 % per

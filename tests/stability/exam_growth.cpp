@@ -19,7 +19,7 @@
 
 namespace {
 
-using nmbcgen::ModalFailure;
+using nmbcgen::Failure;
 using nmbcgen::test::Boundary;
 using nmbcgen::test::relative;
 
@@ -105,7 +105,7 @@ TEST_CASE("a growing boundary mode grows at its half space's s, whatever the len
     for (const Boundary& boundary : {Boundary{2, 2, 1, 1}, Boundary{2, 3, 1, 1.2}}) {
         CAPTURE(boundary.order);
         const auto h = half_space(boundary);
-        REQUIRE(nmbcgen::modal_verdict(h).failure == ModalFailure::growing_mode);
+        REQUIRE(nmbcgen::modal_verdict(h).failure == Failure::growing_mode);
         const double predicted = nmbcgen::growing_mode(h).value().real();
         const double time_step = 0.01 * 2 / nmbcgen::maximum_frequency(h);
         for (const std::size_t nodes : {20U, 41U}) {
@@ -123,14 +123,14 @@ TEST_CASE("a growing boundary mode grows at its half space's s, whatever the len
 TEST_CASE("amplified waves grow at the rate of the finite chain's largest eigenvalue") {
     struct Case {
         Boundary boundary;
-        ModalFailure failure;
+        Failure failure;
         std::vector<std::size_t> lengths;
     };
     const std::vector<Case> cases{
-        {{1, 2, 1, 0.1}, ModalFailure::amplified_wave, {20, 41}},  // in the backward band
-        {{1, 2, 1, 1.1}, ModalFailure::resonance, {20, 41}},
-        {{1, 3, 1, 0.8}, ModalFailure::resonance, {20, 21}},
-        {{2, 2, 1, 2}, ModalFailure::resonance, {20, 41}},
+        {{1, 2, 1, 0.1}, Failure::amplified_wave, {20, 41}},  // in the backward band
+        {{1, 2, 1, 1.1}, Failure::resonance, {20, 41}},
+        {{1, 3, 1, 0.8}, Failure::resonance, {20, 21}},
+        {{2, 2, 1, 2}, Failure::resonance, {20, 41}},
     };
     for (const Case& each : cases) {
         const Boundary& boundary = each.boundary;
@@ -157,8 +157,8 @@ TEST_CASE("NMBC1 against a fixed end grows at the rate of the finite chain's lar
         const auto h = half_space(boundary);
         const nmbcgen::LatticeEnd matching{nmbcgen::LatticeEnd::Kind::matching, h};
         const nmbcgen::LatticeEnd fixed = nmbcgen::fixed_end(h);
-        CHECK(nmbcgen::round_trip_verdict(matching, matching).failure == ModalFailure::none);
-        CHECK(nmbcgen::round_trip_verdict(matching, fixed).failure == ModalFailure::amplified_wave);
+        CHECK(nmbcgen::round_trip_verdict(matching, matching).failure == Failure::none);
+        CHECK(nmbcgen::round_trip_verdict(matching, fixed).failure == Failure::amplified_wave);
         constexpr std::size_t nodes = 40;
         const double time_step = 0.2 * 2 / nmbcgen::maximum_frequency(h);
         const double radius = nmbcgen::spectral_radius(matching, fixed, nodes, time_step);

@@ -95,15 +95,15 @@ std::string place_of(const Scene& scene, double cfl) {
 }
 
 /// What an end does by itself, in words; empty where it does nothing.
-std::string objection_to_one(const Boundary& boundary, nmbcgen::ModalFailure failure,
+std::string objection_to_one(const Boundary& boundary, nmbcgen::Failure failure,
                              std::complex<double> growth, double wave_number,
                              const std::string& place, double step, double time_step) {
     const std::string alone = name_of(boundary) + " is not stable" + place;
     switch (failure) {
-        case nmbcgen::ModalFailure::growing_mode:
+        case nmbcgen::Failure::growing_mode:
             return alone + fmt::format("a mode at that end grows as exp({:.3g} t)",
                                        growth_per_step(growth, step) / time_step);
-        case nmbcgen::ModalFailure::resonance:
+        case nmbcgen::Failure::resonance:
             return alone + fmt::format("that end sends out a wave of xi dX = {:.3g} by itself",
                                        wave_number);
         default:
@@ -230,7 +230,7 @@ std::string PairOfEnds::objection(double time_step, double cfl) {
                                            "{} on the left and {} on the right are not "
                                            "stable together",
                                            name_of(scene.left), name_of(scene.right));
-    if (verdict.failure == nmbcgen::ModalFailure::amplified_wave) {
+    if (verdict.failure == nmbcgen::Failure::amplified_wave) {
         return together + place +
                fmt::format(
                    "waves of the frequency of xi dX = {:.3g} can grow by {:.3g} % per round "
