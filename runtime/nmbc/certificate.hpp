@@ -57,12 +57,6 @@ constexpr double certified_cfl(const MatchingTable& table, double G,
     return certified_steps(table, G, opposite).cfl;
 }
 
-/// The certified steps at G, midpoint ghosts, as cfl; of cfl 0 where there are none.
-constexpr StableStep certified_steps(const MatchingTable& table, double G,
-                                     Opposite opposite = Opposite::like) {
-    return {{G, G}, certified_cfl(table, G, GhostRule::midpoint, opposite)};
-}
-
 /// A table that is not certified to be stable was asked for. what() names what is.
 struct NotCertified : std::domain_error {
     using std::domain_error::domain_error;
@@ -108,8 +102,7 @@ inline std::string certified_choices(const MatchingTable& table, double G,
     std::string same_G;
     for (const MatchingTable* other : others) {
         if (other->family == table.family && other->horizon == table.horizon &&
-            other->tau == table.tau &&
-            certified_cfl(*other, G, GhostRule::midpoint, opposite) > 0) {
+            other->tau == table.tau && certified_cfl(*other, G, opposite) > 0) {
             same_G += (same_G.empty() ? "" : ", ") + detail::name_of(*other);
         }
     }

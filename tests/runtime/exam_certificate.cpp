@@ -90,6 +90,18 @@ TEST_CASE("certified steps may begin above 0, and where two pieces meet the long
     CHECK(nmbc::certified_steps(table, 1).from == 0);
     CHECK(nmbc::certified_steps(table, 3).cfl == 0);
     CHECK(nmbc::certified_steps(table, 0.5, nmbc::Opposite::any).cfl == 0);
+    // At n = 1, G = 1/2 omega_max is 2 c/dX, so that dt c/dX is cfl.
+    const auto coefficients = nmbc::boundary_coefficients(table, 0.5);
+    const auto boundary_in = [&](double time_step) {
+        return nmbc::MatchingBoundary(
+            coefficients,
+            {.ghost_layers = 2, .wave_speed = 1, .spacing = 1, .time_step = time_step});
+    };
+    CHECK_NOTHROW(boundary_in(0.125));
+    CHECK_NOTHROW(boundary_in(0.5));
+    CHECK_THROWS_WITH_AS(boundary_in(0.12), doctest::Contains("it may be 0.125 at least and 0.5"),
+                         nmbc::NotCertified);
+    CHECK_THROWS_AS(boundary_in(0.51), nmbc::NotCertified);
 }
 
 TEST_CASE("an end of another kind needs a smaller time step, or has none") {
