@@ -19,7 +19,6 @@ namespace {
 
 using nmbc::MatchingTable;
 using nmbc::Opposite;
-using nmbcgen::EndKind;
 using nmbcgen::HalfSpace;
 using nmbcgen::LatticeEnd;
 using nmbcgen::Rational;
