@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// nmbcgen: exact mathematics to text. The stages are in pipeline.hpp.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <functional>
 #include <iostream>
 #include <new>
 #include <stdexcept>
@@ -21,6 +21,7 @@
 #include "generator/support/certificate_cache.hpp"
 #include "generator/support/exit_code.hpp"
 #include "generator/support/files.hpp"
+#include "generator/support/progress_line.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -40,10 +41,9 @@ std::vector<Table> certified(const std::vector<Specification>& specifications,
     }
     const bool all_known = std::ranges::all_of(
         tables, [](const Table& table) { return table.certificate.has_value(); });
-    if (!all_known && isatty(STDERR_FILENO) != 0) {
-        std::cerr << "nmbcgen: certifying (--uncertified leaves it out) ...\n";
-    }
-    certify_all(tables);
+    ProgressLine line(tables.size() > 1 ? "certifying, minutes in all"
+                                        : "certifying (--uncertified leaves it out)");
+    certify_all(tables, std::ref(line));
     if (cache_folder && !all_known) {
         CertificateCache(*cache_folder).keep(tables);
     }
@@ -113,7 +113,11 @@ int write_one(const Request& request) {
 int check(const Request& request) {
     const std::filesystem::path& folder = request.folder;
     require_folder(folder);  // the fresh set takes a minute
-    const std::string report = staleness(folder, committed_files(request));
+    const std::vector<TextFile> fresh = committed_files(request);
+    if (const std::string others = other_files(folder, fresh); !others.empty()) {
+        std::cerr << "not of the committed set, and not compared: " << others << "\n";
+    }
+    const std::string report = staleness(folder, fresh);
     if (report.empty()) {
         std::cerr << "up to date: " << folder.string() << "\n";
         return done;
@@ -123,14 +127,11 @@ int check(const Request& request) {
     return does_not_hold;
 }
 
-/// One line on a terminal's stderr, gone at the end; nothing elsewhere.
-void show_progress(std::size_t done_so_far, std::size_t all) {
-    if (isatty(STDERR_FILENO) != 0) {
-        std::cerr << "\r\033[K";
-        if (done_so_far < all) {
-            std::cerr << "nmbcgen: examining " << done_so_far + 1 << " of " << all << std::flush;
-        }
-    }
+/// A command's text, with its progress on a terminal.
+template <class Command>
+std::string with_progress(const Command& command) {
+    ProgressLine line("examining");
+    return command(std::ref(line));
 }
 
 /// Curve by curve: all of them may be more than fits into memory.
@@ -164,10 +165,14 @@ int run(const Request& request) {
             write_and_name(committed_files(request));
             return done;
         case Action::recommend:
-            print(recommendation(request.question, show_progress));
+            print(with_progress([&request](const Progress& progress) {
+                return recommendation(request.question, progress);
+            }));
             return done;
         case Action::optimise:
-            print(optimisation(request.aim, show_progress));
+            print(with_progress([&request](const Progress& progress) {
+                return optimisation(request.aim, progress);
+            }));
             return done;
         case Action::dispersion:
             print_curves(request.curves);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/family.hpp"
 #include "generator/lattice/symbol.hpp"
@@ -108,12 +110,17 @@ Table derive(const Specification& specification) {
     return table;
 }
 
-void certify_all(std::vector<Table>& tables) {
-    on_all_cores(tables.size(), [&tables](std::size_t i) {
+void certify_all(std::vector<Table>& tables,
+                 const std::function<void(std::size_t, std::size_t)>& progress) {
+    std::atomic<std::size_t> done = 0;
+    on_all_cores(tables.size(), [&](std::size_t i) {
         // The last tables of a set, of large horizons, take longest: nobody is to wait for them.
         Table& table = tables[tables.size() - 1 - i];
         if (!table.certificate) {
             table.certificate = certify(table);
+        }
+        if (progress) {
+            progress(++done, tables.size());
         }
     });
 }

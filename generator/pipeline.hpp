@@ -20,6 +20,8 @@
 ///   text               written by main.cpp, nothing before all is proved
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <vector>
 
@@ -39,8 +41,9 @@ struct NoSuchBoundary : std::runtime_error {
 Table derive(const Specification& specification);
 
 /// Certifies the tables that have no certificate, on all cores. Takes seconds a table at horizons
-/// and orders above 3, and minutes beyond order 5.
-void certify_all(std::vector<Table>& tables);
+/// and orders above 3, and minutes beyond order 5. progress: so many of so many are certified.
+void certify_all(std::vector<Table>& tables,
+                 const std::function<void(std::size_t, std::size_t)>& progress = {});
 
 /// The tables kept in generated/, in the order of the registry.
 std::vector<Specification> committed_set();

@@ -2,14 +2,14 @@
 #include "generator/cli/command_line.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
-#include <optional>
-#include <stdexcept>
+#include <sstream>
 
 #include "generator/cli/option_values.hpp"
 #include "generator/cli/parsed_option.hpp"
+#include "generator/cli/settle.hpp"
 #include "generator/exact/rational.hpp"
+#include "generator/support/files.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -25,12 +25,6 @@ struct SpecificationOptions {
     CLI::Option* time_step;
     CLI::Option* cfl;
     CLI::Option* G;
-};
-
-/// What becomes part of the request when all is read.
-struct Pending {
-    std::optional<Matching> matching;
-    std::optional<WeightChoice> weights;
 };
 
 CLI::Option* add_weights(CLI::App& app, std::optional<WeightChoice>& weights) {
@@ -70,8 +64,8 @@ SpecificationOptions add_specification(CLI::App& app, Request& request, Pending&
                         "fix the stabilisation G, an exact number such as 1/2 or 0.3 "
                         "(default: coefficients are functions of G)"),
     };
-    options.cfl->needs(options.G)->excludes(options.time_step);
-    options.match->needs(options.G)->excludes(options.order);
+    options.cfl->excludes(options.time_step);
+    options.match->excludes(options.order);
     return options;
 }
 
@@ -87,7 +81,6 @@ CLI::App* add_reflect(CLI::App& app, Request& request, Pending& pending) {
         "reflect",
         "print the true reflection over the band as CSV (docs/explanation/reflection.md)");
     const SpecificationOptions options = add_specification(*reflect, request, pending);
-    options.G->required();
     reflect->parse_complete_callback([options] { require_condition(options, ""); });
     add_parsed(*reflect, "--samples", request.samples, parse_samples,
                "wave numbers in (0, pi) (default 200)");
@@ -106,55 +99,13 @@ CLI::App* add_dispersion(CLI::App& app, Curves& curves, Pending& pending) {
         ->required();
     add_weights(*dispersion, pending.weights);
     add_parsed(*dispersion, "--G", curves.G, parse_rationals,
-               "values of the stabilisation G, exact numbers with commas between, such as 0,1/2,1")
-        ->required();
+               "values of the stabilisation G, exact numbers with commas between, such as 0,1/2,1");
     add_parsed(*dispersion, "--samples", curves.samples, parse_samples,
                "wave numbers in 0 < xi <= pi (default 200)");
     dispersion
         ->add_flag("--limit", curves.limit, "add the continuum limit at the same horizon, dX -> 0")
         ->disable_flag_override();
     return dispersion;
-}
-
-void require_limit_of(const Curves& curves) {
-    const bool constant = std::ranges::all_of(curves.weights, &std::vector<Rational>::empty);
-    if (!constant) {
-        throw CLI::ValidationError("--limit", "it is stated for constant influence only");
-    }
-    try {
-        require_limit(find_family(curves.family));
-    } catch (const std::invalid_argument& error) {
-        throw CLI::ValidationError("--limit", error.what());
-    }
-}
-
-std::vector<Rational> settled_weights(const WeightChoice& choice, unsigned horizon) {
-    try {
-        return weights_at(choice, horizon);
-    } catch (const std::invalid_argument& error) {
-        throw CLI::ValidationError("--weights", error.what());
-    }
-}
-
-/// What could not be told before everything was read.
-void settle(Request& request, const Pending& pending) {
-    if (pending.matching) {
-        request.specification.order = pending.matching->order;
-        request.specification.points = pending.matching->points;
-    }
-    if (pending.weights && request.action == Action::dispersion) {
-        for (const unsigned horizon : request.curves.horizons) {
-            request.curves.weights.push_back(settled_weights(*pending.weights, horizon));
-        }
-    } else if (pending.weights && request.action == Action::recommend) {
-        request.question.weights = settled_weights(*pending.weights, request.question.horizon);
-    } else if (pending.weights) {
-        request.specification.weights =
-            settled_weights(*pending.weights, request.specification.horizon);
-    }
-    if (request.curves.limit) {
-        require_limit_of(request.curves);
-    }
 }
 
 /// nmbcgen recommend.
@@ -168,8 +119,7 @@ CLI::App* add_recommend(CLI::App& app, Question& question, Pending& pending) {
         ->required();
     add_weights(*recommend, pending.weights);
     add_parsed(*recommend, "--G", question.G, parse_rational,
-               "stabilisation G of the model, an exact number such as 1/2 or 0.3")
-        ->required();
+               "stabilisation G of the model, an exact number such as 1/2 or 0.3");
     add_parsed(*recommend, "--order", question.order, parse_recommended_order,
                "this order only (default: 1 to 4)");
     add_parsed(*recommend, "--tolerance", question.tolerance, parse_fraction,
@@ -202,7 +152,6 @@ CLI::App* add_optimise(CLI::App& app, Request& request, Pending& pending) {
                "wave numbers LO..HI in 1/dX over which the reflected energy is averaged")
         ->required();
     options.horizon->required();
-    options.G->required();
     return optimise;
 }
 
@@ -266,7 +215,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     }
     all_flag->excludes(check_flag);
     to_stdout->excludes(folder);
-    require_stable->needs(single.G)->excludes(uncertified);
+    require_stable->excludes(uncertified);
     auto* const reflect = add_reflect(app, request, pending);
     auto* const recommend = add_recommend(app, request.question, pending);
     auto* const optimise = add_optimise(app, request, pending);
@@ -278,6 +227,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         "could not "
         "be read or written.");
 
+    app.require_subcommand(0, 1);
     try {
         app.parse(argc, argv);
         if (!all && !check && app.get_subcommands().empty()) {
@@ -299,9 +249,12 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         } else if (closed_forms->parsed()) {
             request.action = Action::closed_forms;
         }
-        settle(request, pending);
+        settle(request, pending, app);
     } catch (const CLI::Success& help) {
-        return app.exit(help, std::cout, std::cerr);
+        std::ostringstream text;
+        const int exit_code = app.exit(help, text, text);
+        print(text.str());
+        return exit_code;
     } catch (const CLI::ParseError& error) {
         std::cerr << "nmbcgen: " << error.what() << "\nSee nmbcgen --help.\n";
         return 2;

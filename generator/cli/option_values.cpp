@@ -12,6 +12,7 @@
 #include "generator/commands/matching_search.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/families/family.hpp"
+#include "generator/matching/real.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -31,32 +32,28 @@ unsigned parse_whole_number(const std::string& text, unsigned highest) {
 
 constexpr unsigned highest_count = 99;
 
-double approximate_wave_number(const MatchingPoint& point) {
-    return nearest_double(point.wave_number) * (point.of_pi ? std::numbers::pi : 1.0);
-}
-
 /// 0, 6/5, 1.2, pi/3, 2pi/3, 0.4pi
 MatchingPoint parse_point(const std::string& text) {
-    const std::size_t pi = text.find("pi");
+    const std::size_t letters = text.find("pi");
     MatchingPoint point;
     try {
-        if (pi == std::string::npos) {
+        if (letters == std::string::npos) {
             point.wave_number = parse_rational(text);
         } else {
-            const std::string rest = text.substr(pi + 2);
+            const std::string rest = text.substr(letters + 2);
             if (!rest.empty() && rest.front() != '/') {
                 throw std::invalid_argument(rest);
             }
             point.of_pi = true;
-            point.wave_number = (pi == 0 ? Rational(1) : parse_rational(text.substr(0, pi))) *
-                                (rest.empty() ? Rational(1) : parse_rational("1" + rest));
+            point.wave_number =
+                (letters == 0 ? Rational(1) : parse_rational(text.substr(0, letters))) *
+                (rest.empty() ? Rational(1) : parse_rational("1" + rest));
         }
     } catch (const std::invalid_argument&) {
         throw std::invalid_argument("'" + text.substr(0, 60) +
                                     "' is not a wave number such as 6/5, 1.2 or 2pi/3");
     }
-    if (approximate_wave_number(point) >= std::numbers::pi ||
-        (point.of_pi && point.wave_number == 0)) {
+    if (wave_number(point) >= pi() || (point.of_pi && point.wave_number == 0)) {
         throw std::invalid_argument("'" + text.substr(0, 60) +
                                     "' is not a wave number from 0 to below pi, in 1/dX");
     }
@@ -215,8 +212,8 @@ Matching parse_matching(const std::string& text) {
                         "rows of the others",
                         text.substr(0, 60), matching.order, highest_count));
     }
-    std::ranges::sort(matching.points, {}, approximate_wave_number);
-    const auto twice = std::ranges::adjacent_find(matching.points, {}, approximate_wave_number);
+    std::ranges::sort(matching.points, {}, wave_number);
+    const auto twice = std::ranges::adjacent_find(matching.points, {}, wave_number);
     if (twice != matching.points.end()) {
         throw std::invalid_argument("a matching point is given twice: " + to_string(*twice));
     }

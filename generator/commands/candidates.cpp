@@ -28,11 +28,11 @@ Certified least_damped(Specification what) {
     for (const Rational& damping : damping_ladder(what.family)) {
         what.damping = damping;
         Certified found = certified(what);
-        if (found.cfl >= smallest_cfl) {
+        if (found.steps.largest >= smallest_cfl) {
             return found;
         }
     }
-    return {what, 0, std::nullopt};
+    return {what, {}, std::nullopt};
 }
 
 /// The same condition matched in time steps: with the least damping that certifies it in the
@@ -48,11 +48,13 @@ std::vector<Certified> matched_in_steps(Specification what, double top,
         return what.time_step > 0 ? certified(what) : Certified{};
     };
     std::vector<Certified> found;
-    for (const Rational& damping : damping_ladder(what.family)) {
+    const auto& dampings = damping_ladder(what.family);
+    const auto least = std::ranges::find_if(dampings, [&](const Rational& damping) {
         what.damping = damping;
-        if (matched(ladder.back()).cfl > 0) {
-            break;
-        }
+        return matched(ladder.back()).steps.largest > 0;
+    });
+    if (least == dampings.end()) {
+        return found;
     }
     constexpr std::size_t enough = 2;
     for (const double steps : ladder) {
@@ -60,7 +62,7 @@ std::vector<Certified> matched_in_steps(Specification what, double top,
             break;
         }
         Certified one = matched(steps);
-        if (one.cfl > 0) {
+        if (one.steps.largest > 0) {
             found.push_back(std::move(one));
         }
     }
@@ -73,7 +75,7 @@ std::vector<Certified> matched_in_steps(Specification what, double top,
 Candidate in_steps(const Certified& certified, const Question& question, double tolerance) {
     Candidate candidate;
     candidate.what = certified.what;
-    candidate.certified_cfl = certified.cfl;
+    candidate.certified = certified.steps;
     if (!certified.half_space) {
         candidate.lost =
             fmt::format("not certified with cfl {} or more and any tau up to {}", smallest_cfl,
@@ -89,16 +91,18 @@ Candidate in_steps(const Certified& certified, const Question& question, double 
     candidate.loss = loss_per_wavelength(half_space, faded_wavelength);
     const Rational& time_step = certified.what.time_step;
     const bool may_shorten = time_step == 0 && !question.cfl;
-    candidate.cfl =
-        time_step == 0 ? question.cfl.value_or(certified.cfl) : nearest_double(time_step) * top / 2;
-    if (candidate.cfl > certified.cfl) {
+    candidate.cfl = time_step == 0 ? question.cfl.value_or(certified.steps.largest)
+                                   : nearest_double(time_step) * top / 2;
+    if (!certified.steps.contains(candidate.cfl)) {
         candidate.lost = "not certified in such steps";
         return candidate;
     }
     candidate.reflected = reflected_at(candidate.cfl);
     constexpr double coarse = 0.05;
     for (int step = int(std::ceil(candidate.cfl / coarse)) - 1;
-         may_shorten && step > 0 && candidate.reflected > tolerance; --step) {
+         may_shorten && step > 0 && certified.steps.contains(coarse * step) &&
+         candidate.reflected > tolerance;
+         --step) {
         const double reflected = reflected_at(coarse * step);
         if (reflected < candidate.reflected) {
             candidate.cfl = coarse * step;
@@ -152,20 +156,25 @@ const std::vector<Rational>& damping_ladder(const std::string& family) {
 Certified certified(const Specification& what) {
     try {
         HalfSpace half_space = make_half_space(derive(what), what.stabilisation.value());
-        const double cfl = certified_cfl(half_space, nearest_double(what.time_step));
-        return {what, cfl, std::move(half_space)};
+        const StepRange steps = certified_steps(half_space, nearest_double(what.time_step));
+        return {what, steps, std::move(half_space)};
     } catch (const NoSuchBoundary&) {
-        return {what, 0, std::nullopt};
+        return {what, {}, std::nullopt};
     }
 }
 
-double certified_cfl(const HalfSpace& half_space, double time_step) {
+std::string in_words(const StepRange& steps) {
+    return steps.from > 0 ? fmt::format("steps of cfl {:.3f} to {:.2f}", steps.from, steps.largest)
+                          : fmt::format("steps of cfl {:.2f} or less", steps.largest);
+}
+
+StepRange certified_steps(const HalfSpace& half_space, double time_step) {
     const double own_cfl = cfl_of(half_space, time_step);
     const bool stable = own_cfl < 1 &&
                         stability_grade(stepped(half_space, time_step)) != Grade::none &&
                         stability_grade(half_space) != Grade::none;
-    const double cfl = stable ? largest_cfl(half_space, GhostRule::midpoint) : 0;
-    return own_cfl > cfl ? 0 : cfl;
+    const StepRange steps = stable ? stable_range(half_space) : StepRange{};
+    return time_step == 0 || steps.contains(own_cfl) ? steps : StepRange{};
 }
 
 std::vector<Certified> all_certified(const Question& question, const Progress& progress) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "generator/commands/recommend.hpp"
-#include "generator/stability/half_space.hpp"
+#include "generator/stability/discrete.hpp"
 
 namespace nmbcgen {
 
@@ -16,20 +16,22 @@ inline constexpr double faded_wavelength = 20;  ///< [dX], of the loss that is s
 /// A condition with the least damping of the ladder that certifies it at the G of the question.
 struct Certified {
     Specification what;
-    double cfl = 0;                       ///< the largest one; 0: not certified with any damping
+    StepRange steps{};                    ///< certified; none with any damping: largest is 0
     std::optional<HalfSpace> half_space;  ///< where it is certified
 };
 
 /// The values of tau that are tried, ascending from 0; 0 alone for a family without stabilisation.
 const std::vector<Rational>& damping_ladder(const std::string& family);
 
-/// The largest cfl of one condition with its G and tau, whatever it is; 0 where it is unstable, and
-/// where it is matched in longer steps. Without a half space where there is no such condition.
+/// The steps of one condition with its G and tau, whatever they are; none where it is unstable, and
+/// where it is matched in others. Without a half space where there is no such condition.
 Certified certified(const Specification& what);
 
-/// The largest certified cfl of a condition for steps of time_step [dX/c], or for any where that is
-/// 0; 0 where it is not certified, also where these steps are longer.
-double certified_cfl(const HalfSpace& half_space, double time_step);
+/// "steps of cfl .. or less", or "from .. to ..".
+std::string in_words(const StepRange& steps);
+
+/// The certified steps of a condition; time_step [dX/c] is to be one of them, unless that is 0.
+StepRange certified_steps(const HalfSpace& half_space, double time_step);
 
 /// Orders 1 to 4, or the one asked for, with strides 1 to n + 2; those above order 1 also matched
 /// in time steps, of the two largest cfl of a ladder in which they are certified, or of the
@@ -40,7 +42,7 @@ std::vector<Certified> all_certified(const Question& question, const Progress& p
 /// steps in which it meets the tolerance or reflects least.
 struct Candidate {
     Specification what;
-    double certified_cfl = 0;
+    StepRange certified{};
     double cfl = 0;        ///< of the steps
     double time_step = 0;  ///< [dX/c]
     double reflected = 0;  ///< mean reflected energy over the band, in these steps

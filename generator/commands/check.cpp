@@ -2,6 +2,7 @@
 #include "generator/commands/check.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>
@@ -69,6 +70,22 @@ std::string staleness(const std::filesystem::path& folder, const std::vector<Tex
         report += found ? compare(name, *found, file.text) : "missing: " + name + "\n";
     }
     return report;
+}
+
+std::string other_files(const std::filesystem::path& folder, const std::vector<TextFile>& fresh) {
+    std::set<std::string> others;  // in order: a folder lists its files in any
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        others.insert(entry->path().filename().string());
+    }
+    if (error) {
+        throw FileError("cannot read " + folder.string() + ": " + error.message());
+    }
+    for (const TextFile& file : fresh) {
+        others.erase(file.path.filename().string());
+    }
+    return fmt::format("{}", fmt::join(others, ", "));
 }
 
 }  // namespace nmbcgen

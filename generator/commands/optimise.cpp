@@ -66,13 +66,13 @@ std::optional<HalfSpace> examine(Contender& contender, const Aim& aim) {
 
 std::string why_not(const Contender& contender) {
     switch (contender.verdict.failure) {
-        case ModalFailure::growing_mode:
+        case Failure::growing_mode:
             return "a boundary mode grows";
-        case ModalFailure::resonance:
+        case Failure::resonance:
             return "it sends out a wave of its own";
-        case ModalFailure::amplified_wave:
+        case Failure::amplified_wave:
             return "waves are amplified";
-        case ModalFailure::none:
+        default:
             break;
     }
     return "not certified in such steps";
@@ -89,10 +89,10 @@ std::string row(const Contender& contender, const Contender* best, std::size_t w
         return text + fmt::format(" {:>9} {:>9} {:>9}  no such condition\n", "-", "-", "-");
     }
     text += fmt::format(" {:>9.1e} {:>9.1e}", contender.mean, contender.largest);
-    if (contender.certified_cfl == 0) {
+    if (contender.certified.largest == 0) {
         return text + fmt::format(" {:>9}  {}\n", "-", why_not(contender));
     }
-    return text + fmt::format(" {:>9.2f}{}\n", contender.certified_cfl,
+    return text + fmt::format(" {:>9.2f}{}\n", contender.certified.largest,
                               &contender == best ? "  the best" : "");
 }
 
@@ -177,8 +177,8 @@ std::vector<Contender> contenders(const Aim& aim, const Progress& progress) {
     on_all_cores(all.size(), [&](std::size_t i) {
         tell();
         if (half_spaces[i]) {
-            all[i].certified_cfl = certified_cfl(*half_spaces[i], own_step);
-            if (all[i].certified_cfl == 0) {
+            all[i].certified = certified_steps(*half_spaces[i], own_step);
+            if (all[i].certified.largest == 0) {
                 all[i].verdict = modal_verdict(*half_spaces[i]);
             }
         }
@@ -193,7 +193,7 @@ const Contender* best_of(const std::vector<Contender>& all) {
         const auto rank = [](const Contender& some) {
             return std::pair(some.mean, some.what.points.size());
         };
-        if (one.certified_cfl > 0 && (best == nullptr || rank(one) < rank(*best))) {
+        if (one.certified.largest > 0 && (best == nullptr || rank(one) < rank(*best))) {
             best = &one;
         }
     }
@@ -216,7 +216,7 @@ std::string optimisation(const Aim& aim, const Progress& progress) {
     const bool damped = aim.what.damping != 0;
     const Rational& time_step = aim.what.time_step;
     const std::string steps =
-        time_step == 0 ? fmt::format("steps of cfl {:.2f} or less", best->certified_cfl)
+        time_step == 0 ? in_words(best->certified)
                        : fmt::format("these steps, of cfl {:.2f}",
                                      nearest_double(time_step) * maximum_frequency(best->what) / 2);
     return fmt::format(

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "generator/commands/recommend.hpp"
-#include "generator/stability/modal.hpp"
+#include "generator/stability/discrete.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
@@ -24,10 +24,10 @@ struct Aim {
 struct Contender {
     Specification what;
     bool exists = false;
-    double mean = 0;           ///< reflected energy over the band, by band_reflection.hpp, of the
-    double largest = 0;        ///< exact table, in continuous time or in the aim's steps
-    double certified_cfl = 0;  ///< the largest; 0: not certified
-    ModalVerdict verdict{};    ///< why not
+    double mean = 0;         ///< reflected energy over the band, by band_reflection.hpp, of the
+    double largest = 0;      ///< exact table, in continuous time or in the aim's steps
+    StepRange certified{};   ///< largest is 0: not certified
+    ModalVerdict verdict{};  ///< why not
 };
 
 /// By stride, then by number of points, from none, the standard condition, to the order.

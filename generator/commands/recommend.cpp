@@ -17,15 +17,15 @@ namespace {
 std::string row(const Candidate& candidate) {
     const Specification& what = candidate.what;
     std::string text = fmt::format("{:>5} {:>6}", what.order, what.stride);
-    if (candidate.certified_cfl > 0) {
+    if (candidate.certified.largest > 0) {
         // In steps that are not certified nothing was examined.
-        const std::string reflected = candidate.cfl > candidate.certified_cfl
-                                          ? "-"
-                                          : fmt::format("{:.1e}", candidate.reflected);
+        const std::string reflected = candidate.certified.contains(candidate.cfl)
+                                          ? fmt::format("{:.1e}", candidate.reflected)
+                                          : "-";
         text +=
             fmt::format(" {:>6} {:>9} {:>9.2f} {:>5.2f} {:>10} {:>8.1e}", to_string(what.damping),
                         what.time_step == 0 ? "-" : to_string(what.time_step),
-                        candidate.certified_cfl, candidate.cfl, reflected, candidate.loss);
+                        candidate.certified.largest, candidate.cfl, reflected, candidate.loss);
     } else {
         text += fmt::format(" {:>6} {:>9} {:>9} {:>5} {:>10} {:>8}", "-", "-", "-", "-", "-", "-");
     }
@@ -89,8 +89,7 @@ std::string recommendation(const Question& question, const Progress& progress) {
         regenerating_command(best.what),
         damped ? fmt::format("in chains of {} interior nodes and more", least_damped_nodes)
                : std::string("in chains of any length (docs/explanation/stability.md: short ones)"),
-        matched ? "these steps, of which it takes no others"
-                : fmt::format("steps of cfl {:.2f} or less", best.certified_cfl),
+        matched ? "these steps, of which it takes no others" : in_words(best.certified),
         best.reflected, best.cfl, best.time_step, best.loss, table_of(all, question, tolerance));
 }
 

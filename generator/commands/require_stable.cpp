@@ -19,9 +19,9 @@ namespace {
 std::string how_it_fails(const Table& table, const Rational& G) {
     const ModalVerdict verdict = modal_verdict(make_half_space(table, G));
     switch (verdict.failure) {
-        case ModalFailure::growing_mode:
+        case Failure::growing_mode:
             return fmt::format("a boundary mode grows, Re s = {:.3g} c/dX", verdict.growth.real());
-        case ModalFailure::resonance:
+        case Failure::resonance:
             return fmt::format("it sends out a wave of its own at xi = {:.3g}/dX",
                                verdict.wave_number);
         default:
@@ -66,7 +66,7 @@ void require_stable(const Table& table) {
         return;
     }
     const Specification& what = table.specification;
-    const Rational& G = *what.stabilisation;
+    const Rational G = what.stabilisation.value_or(0);  // of a family without it
     const HalfSpace half_space = make_half_space(table, G);
     const bool only_too_long = what.time_step != 0 && stability_grade(half_space) != Grade::none;
     std::string message = fmt::format(
@@ -79,7 +79,7 @@ void require_stable(const Table& table) {
         only_too_long
             ? fmt::format("certified in these steps, of cfl {:.3f}: {:.2f} is the largest one",
                           cfl_of(half_space, nearest_double(what.time_step)),
-                          largest_cfl(half_space, GhostRule::midpoint))
+                          stable_range(half_space).largest)
             : "stable: " + how_it_fails(table, G));
     if (only_too_long || !what.points.empty()) {
         throw NotStable(message);

@@ -56,9 +56,10 @@ std::string constants(const std::string& table, const CoefficientList& list) {
     return text + "};\n\n";
 }
 
-std::string largest_cfl(const std::string& table, const std::vector<StableStep>& steps) {
+std::string certified_steps(const std::string& table, const std::string& which,
+                            const std::vector<StableStep>& steps, double StableStep::*cfl) {
     std::string text =
-        fmt::format("static inline double {}_largest_cfl(double G) {{\n    (void)G;\n", table);
+        fmt::format("static inline double {}_{}_cfl(double G) {{\n    (void)G;\n", table, which);
     // Where two pieces meet, both hold.
     std::vector<StableStep> descending = steps;
     std::ranges::stable_sort(descending, std::ranges::greater(), &StableStep::cfl);
@@ -66,7 +67,7 @@ std::string largest_cfl(const std::string& table, const std::vector<StableStep>&
         text += fmt::format(
             "    if ({} <= G{}) return {};\n", literal(step.window.low),
             std::isinf(step.window.high) ? std::string() : " && G <= " + literal(step.window.high),
-            step.cfl);
+            step.*cfl);
     }
     return text + "    return 0;\n}\n\n";
 }
@@ -102,7 +103,8 @@ std::string emit_c(const Table& table) {
         "// The largest certified cfl = dt omega_max / 2 at G, both ends alike, midpoint ghosts; "
         "0:\n"
         "// none.\n";
-    return text + largest_cfl(name, certificate.max_cfl) + "#endif\n";
+    return text + certified_steps(name, "largest", certificate.max_cfl, &StableStep::cfl) +
+           certified_steps(name, "smallest", certificate.max_cfl, &StableStep::from) + "#endif\n";
 }
 
 }  // namespace nmbcgen

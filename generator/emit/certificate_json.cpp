@@ -124,7 +124,8 @@ std::vector<StableStep> read_steps(const Json& array) {
         steps.push_back(
             {{step.at("low").get<double>(),
               step.at("high").is_null() ? nmbc::unbounded : step.at("high").get<double>()},
-             step.at("cfl").get<double>()});
+             step.at("cfl").get<double>(),
+             step.at("from").get<double>()});
     }
     return steps;
 }
@@ -151,7 +152,8 @@ Json steps_array(const std::vector<StableStep>& steps) {
         array.push_back(
             {{"low", step.window.low},
              {"high", std::isinf(step.window.high) ? Json(nullptr) : Json(step.window.high)},
-             {"cfl", step.cfl}});
+             {"cfl", step.cfl},
+             {"from", step.from}});
     }
     return array;
 }
@@ -163,8 +165,7 @@ Certificate read_certificate(const Json& object) {
                             .modal = read_windows<StabilityWindow>(windows.at("modal")),
                             .contractive = read_windows<StabilityWindow>(windows.at("contractive")),
                             .max_cfl = read_steps(object.at("max_cfl")),
-                            .max_cfl_contractive = read_steps(object.at("max_cfl_contractive")),
-                            .max_cfl_explicit = read_steps(object.at("max_cfl_explicit"))};
+                            .max_cfl_contractive = read_steps(object.at("max_cfl_contractive"))};
     for (const Json& pole : object.at("poles")) {
         certificate.poles.push_back(read_number(pole));
     }

@@ -16,8 +16,8 @@ nlohmann::ordered_json windows_object(const Certificate& certificate, bool dampe
 nlohmann::ordered_json poles_array(const Certificate& certificate);
 nlohmann::ordered_json steps_array(const std::vector<StableStep>& steps);
 
-/// The certificate of an object with the keys windows, poles, max_cfl, max_cfl_contractive and
-/// max_cfl_explicit, as written by the functions above. Throws nlohmann::json::exception or
+/// The certificate of an object with the keys windows, poles, max_cfl and max_cfl_contractive,
+/// as written by the functions above. Throws nlohmann::json::exception or
 /// std::invalid_argument where it is not.
 Certificate read_certificate(const nlohmann::ordered_json& object);
 

@@ -56,8 +56,9 @@ std::string entry(const StabilityWindow& window) {
 }
 
 std::string entry(const StableStep& step) {
-    return fmt::format("    {{{{{}, {}}}, {}}},\n", double_literal(step.window.low),
-                       double_literal(step.window.high), step.cfl);
+    return fmt::format("    {{{{{}, {}}}, {}{}}},\n", double_literal(step.window.low),
+                       double_literal(step.window.high), step.cfl,
+                       step.from > 0 ? fmt::format(", {}", step.from) : "");
 }
 
 constexpr auto line_of = [](const auto& item) { return entry(item); };
@@ -69,8 +70,7 @@ std::string window_arrays(const Certificate& certificate) {
            array("Window", "modal", certificate.modal, line_of) +
            array("Window", "contractive", certificate.contractive, line_of) +
            array("StableStep", "max_cfl", certificate.max_cfl, line_of) +
-           array("StableStep", "max_cfl_contractive", certificate.max_cfl_contractive, line_of) +
-           array("StableStep", "max_cfl_explicit", certificate.max_cfl_explicit, line_of);
+           array("StableStep", "max_cfl_contractive", certificate.max_cfl_contractive, line_of);
 }
 
 std::string window_members(const std::string& table_name, const Certificate& certificate,
@@ -87,8 +87,7 @@ std::string window_members(const std::string& table_name, const Certificate& cer
            member("modal", certificate.modal.empty()) +
            undamped_member("contractive", certificate.contractive.empty()) +
            member("max_cfl", certificate.max_cfl.empty()) +
-           undamped_member("max_cfl_contractive", certificate.max_cfl_contractive.empty()) +
-           member("max_cfl_explicit", certificate.max_cfl_explicit.empty());
+           undamped_member("max_cfl_contractive", certificate.max_cfl_contractive.empty());
 }
 
 namespace {
@@ -97,9 +96,9 @@ std::string undamped_statement() {
     return "reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and "
            "sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for "
            "decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in "
-           "continuous time, so that the other end may be any that adds no energy; max_cfl and "
-           "max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; "
-           "max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; "
+           "continuous time, so that the other end may be any that adds no energy; max_cfl: as "
+           "modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, "
+           "of the leapfrog scheme; "
            "modal edges are exact where an exact value is given, else in the bracket";
 }
 
@@ -125,9 +124,7 @@ std::string certificate_statement(const Table& table) {
     return (what.damping > 0 ? damped_statement() : undamped_statement()) +
            (what.time_step > 0
                 ? "; matched in time steps: modal, contractive and steps are for the G at which "
-                  "its own step is certified; max_cfl_explicit: not sought, since it is matched "
-                  "with "
-                  "midpoint ghosts"
+                  "its own step is certified"
                 : "");
 }
 

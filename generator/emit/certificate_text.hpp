@@ -8,8 +8,8 @@
 
 namespace nmbcgen {
 
-/// The arrays `reflection`, `modal`, `contractive`, `max_cfl`, `max_cfl_contractive` and
-/// `max_cfl_explicit`, as far as they are not empty, with a comment on both ends of every window.
+/// The arrays `reflection`, `modal`, `contractive`, `max_cfl` and `max_cfl_contractive`,
+/// as far as they are not empty, with a comment on both ends of every window.
 std::string window_arrays(const Certificate& certificate);
 
 /// The initialisers of the table's members of these names; those that are not sought of a damped

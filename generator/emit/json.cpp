@@ -115,7 +115,6 @@ Json table_object(const Table& table, Json lattice) {
         {"poles", poles_array(certificate)},
         {"max_cfl", steps_array(certificate.max_cfl)},
         {"max_cfl_contractive", steps_array(certificate.max_cfl_contractive)},
-        {"max_cfl_explicit", steps_array(certificate.max_cfl_explicit)},
         {"certificate", table.certificate ? Json(certificate_statement(table)) : Json(nullptr)}};
     add_points(object, table);
     return object;

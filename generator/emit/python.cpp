@@ -41,8 +41,8 @@ std::string entry(const StabilityWindow& window) {
 }
 
 std::string entry(const StableStep& step) {
-    return fmt::format("({}, {}, {})", number(step.window.low), number(step.window.high),
-                       number(step.cfl));
+    return fmt::format("({}, {}, {}, {})", number(step.window.low), number(step.window.high),
+                       number(step.cfl), number(step.from));
 }
 
 template <class Item>
@@ -79,7 +79,14 @@ def coefficients(G=FIXED_G):
 def largest_cfl(G, steps=MAX_CFL):
     """The largest certified cfl = dt omega_max / 2 at G, given as in evaluate(); 0: none is."""
     G = float(Fraction(G))  # as the ends of the windows are
-    return max((cfl for low, high, cfl in steps if low <= G <= high), default=0)
+    return max((cfl for low, high, cfl, _ in steps if low <= G <= high), default=0)
+
+
+def smallest_cfl(G, steps=MAX_CFL):
+    """The least cfl from which all steps to the largest are certified; 0: all shorter ones are."""
+    G = float(Fraction(G))
+    found = (step for step in steps if step[0] <= G <= step[1])
+    return max(found, key=lambda step: step[2], default=(0, 0, 0, 0))[3]
 )";
 
 }  // namespace
@@ -111,11 +118,10 @@ std::string emit_python(const Table& table) {
         }
         text += "]\n";
     }
-    text += "# Windows of G, (low, high), and steps, (low, high, cfl).\n";
+    text += "# Windows of G, (low, high), and steps, (low, high, cfl, from).\n";
     text += list("REFLECTION", certificate.reflection) + list("MODAL", certificate.modal) +
             list("CONTRACTIVE", certificate.contractive) + list("MAX_CFL", certificate.max_cfl) +
-            list("MAX_CFL_CONTRACTIVE", certificate.max_cfl_contractive) +
-            list("MAX_CFL_EXPLICIT", certificate.max_cfl_explicit);
+            list("MAX_CFL_CONTRACTIVE", certificate.max_cfl_contractive);
     return text + functions;
 }
 

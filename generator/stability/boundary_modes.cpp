@@ -26,8 +26,8 @@ Polynomial power_of_one_minus_w(std::size_t power) {
     return result;
 }
 
-/// sigma^2 C^2 - B^2 of an undamped lattice with midpoint ghosts, up to a factor, in w. Matching
-/// puts zeros at w = 0 (k = 1).
+/// sigma^2 C^2 - B^2 of an undamped lattice, up to a factor, in w. Matching puts zeros at w = 0
+/// (k = 1).
 Polynomial boundary_mode_polynomial(const HalfSpace& h) {
     const Polynomial w(std::vector<Rational>{0, 1});
     const Rational half_step = Rational(h.time_step) / 2;
@@ -69,17 +69,13 @@ Polynomial B_in_y(const HalfSpace& h) {
     return in_y(h.H) + Polynomial(std::vector<Rational>{0, 1}) * in_y(h.O);
 }
 
-/// The same of any lattice and ghosts, in y: with zeta from B/C = sigma, the interior's equation is
-///     midpoint  B^2 + tau sigma B (C - B dt/2) + omega^2 (C^2 - B^2 dt^2/4) = 0
-///     explicit  B^2 + tau sigma B C + omega^2 (C^2 + dt B C) = 0
+/// The same of a damped one, in y: with zeta from B/C = sigma, the interior's equation is
+///     B^2 + tau sigma B (C - B dt/2) + omega^2 (C^2 - B^2 dt^2/4) = 0
 Polynomial boundary_mode_polynomial_in_y(const HalfSpace& h) {
     const Polynomial dt = constant(Rational(h.time_step));
     const Polynomial C = C_in_y(h);
     const Polynomial B = B_in_y(h);
     const Polynomial whole = in_y(power_of_one_minus_w(h.reach())) * B * B;
-    if (h.ghosts == GhostRule::explicit_rule) {
-        return whole + in_y(h.D) * B * C - in_y(h.L) * C * (C + dt * B);
-    }
     const Polynomial half_step = constant(Rational(1, 2)) * dt * B;
     return whole + in_y(h.D) * B * (C - half_step) - in_y(h.L) * (C - half_step) * (C + half_step);
 }
@@ -87,7 +83,7 @@ Polynomial boundary_mode_polynomial_in_y(const HalfSpace& h) {
 /// The y = (k-1)/(k+1), |k| < 1, of all waves that obey the boundary condition for a zeta.
 std::vector<Complex> evanescent_solutions(const HalfSpace& h) {
     std::vector<Complex> solutions;
-    if (!h.is_damped() && h.ghosts == GhostRule::midpoint) {
+    if (!h.is_damped()) {
         for (const Complex w : nonzero_roots(boundary_mode_polynomial(h))) {
             if (!on_unit_circle(w)) {
                 solutions.push_back(-std::sqrt(w));
@@ -129,22 +125,21 @@ std::vector<double> zeros_near_unit_circle(const HalfSpace& h) {
     return wave_numbers;
 }
 
-/// Growth [c/dX] per time of a wave with this sigma; > 0 where |zeta| > 1.
+/// ln |zeta| of one step, in continuous time Re s: modes compared with each other.
 double growth_of(const HalfSpace& h, Complex sigma) {
-    return h.ghosts == GhostRule::midpoint
-               ? sigma.real()
-               : std::log(std::abs(1.0 + h.time_step * sigma)) / h.time_step;
+    const Complex half = sigma * h.time_step / 2.0;
+    return h.time_step > 0 ? std::log(std::abs((1.0 + half) / (1.0 - half))) : sigma.real();
 }
 
 }  // namespace
 
 std::optional<Complex> growing_mode(const HalfSpace& half_space) {
+    constexpr double roundings = 1e-9;
     std::optional<Complex> fastest;
-    double most = 1e-9;
     for (const Complex y : evanescent_solutions(half_space)) {
         const Complex sigma = rate_at(half_space, y);
-        if (growth_of(half_space, sigma) > most) {
-            most = growth_of(half_space, sigma);
+        if (sigma.real() > roundings &&
+            (!fastest || growth_of(half_space, sigma) > growth_of(half_space, *fastest))) {
             fastest = sigma;
         }
     }
@@ -152,9 +147,8 @@ std::optional<Complex> growing_mode(const HalfSpace& half_space) {
 }
 
 std::optional<double> resonance(const HalfSpace& h) {
-    if (h.ghosts == GhostRule::explicit_rule || h.is_damped()) {
-        // B/C is imaginary on the unit circle, sigma is not; what is damped has no waves there.
-        return std::nullopt;
+    if (h.is_damped()) {
+        return std::nullopt;  // its waves are not on the unit circle
     }
     for (const Complex w : nonzero_roots(boundary_mode_polynomial(h))) {
         if (!on_unit_circle(w)) {

@@ -27,18 +27,15 @@ Certificate certify_at(const Table& table, const Rational& G) {
     const Grade grade = stability_grade(half_space);
     if (grade != Grade::none) {
         certificate.modal = {{edge, edge}};
-        const auto step_with = [&](GhostRule ghosts, Grade least) {
-            const double cfl = largest_cfl(half_space, ghosts, least);
-            return cfl > 0 ? std::vector{StableStep{{edge.inner, edge.inner}, cfl}}
-                           : std::vector<StableStep>();
+        const auto steps_of = [&](Grade least) {
+            const auto [from, cfl] = stable_range(half_space, least);
+            return cfl > from ? std::vector{StableStep{{edge.inner, edge.inner}, cfl, from}}
+                              : std::vector<StableStep>();
         };
-        certificate.max_cfl = step_with(GhostRule::midpoint, Grade::paired);
-        if (!half_space.is_damped() && table.specification.time_step == 0) {
-            certificate.max_cfl_explicit = step_with(GhostRule::explicit_rule, Grade::paired);
-        }
+        certificate.max_cfl = steps_of(Grade::paired);
         if (grade == Grade::contractive) {
             certificate.contractive = {{edge, edge}};
-            certificate.max_cfl_contractive = step_with(GhostRule::midpoint, Grade::contractive);
+            certificate.max_cfl_contractive = steps_of(Grade::contractive);
         }
     }
     return certificate;
@@ -48,15 +45,11 @@ Certificate certify_open(const Table& table) {
     Certificate certificate;
     certificate.poles = poles(even_and_odd_parts(table));
     ModalWindows modal = modal_windows(table);
-    certificate.max_cfl = stable_steps(table, modal.modal, GhostRule::midpoint, Grade::paired);
+    certificate.max_cfl = stable_steps(table, modal.modal, Grade::paired);
     if (table.model.damping.empty()) {
         certificate.reflection = scalar_windows(table);
         certificate.max_cfl_contractive =
-            stable_steps(table, modal.contractive, GhostRule::midpoint, Grade::contractive);
-        if (table.specification.time_step == 0) {
-            certificate.max_cfl_explicit =
-                stable_steps(table, modal.modal, GhostRule::explicit_rule, Grade::paired);
-        }
+            stable_steps(table, modal.contractive, Grade::contractive);
     }
     certificate.modal = std::move(modal.modal);
     certificate.contractive = std::move(modal.contractive);
@@ -73,8 +66,7 @@ void widen(Certificate& certificate) {
             window.high.reset();
         }
     }
-    for (auto* const steps :
-         {&certificate.max_cfl, &certificate.max_cfl_contractive, &certificate.max_cfl_explicit}) {
+    for (auto* const steps : {&certificate.max_cfl, &certificate.max_cfl_contractive}) {
         for (StableStep& step : *steps) {
             step.window.high = std::numeric_limits<double>::infinity();
         }

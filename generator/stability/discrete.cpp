@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace nmbcgen {
@@ -70,10 +71,37 @@ void add_stencil(Eigen::MatrixXd::RowXpr row, Eigen::Index centre, double factor
     }
 }
 
+/// StepRange::from, below a stable cfl. Only boundary modes change their character in short steps:
+/// the whole grade is asked for once, at about 0.01, and about the edge. dt = unit * cfl.
+template <class Stable>
+double first_without_growth(const HalfSpace& half_space, double unit, double stable,
+                            const Stable& stable_in) {
+    constexpr double smallest = 1e-5;
+    constexpr double ratio = 1.5;
+    constexpr int in_full = 4;
+    for (int i = 1; stable > smallest; ++i) {
+        double unstable = stable / ratio;
+        const bool holds = i == in_full
+                               ? stable_in(unit * unstable)
+                               : !growing_mode(stepped(half_space, unit * unstable)).has_value();
+        if (holds) {
+            stable = unstable;
+            continue;
+        }
+        constexpr double resolved = 1.01;
+        while (stable > resolved * unstable) {
+            const double middle = std::sqrt(stable * unstable);
+            (stable_in(unit * middle) ? stable : unstable) = middle;
+        }
+        return std::ceil(1000 * stable) / 1000;
+    }
+    return 0;
+}
+
 }  // namespace
 
 Eigen::MatrixXd one_step_map(const LatticeEnd& left, const LatticeEnd& right, std::size_t nodes,
-                             double time_step, GhostRule level) {
+                             double time_step) {
     const HalfSpace& lattice = left.half_space;
     const auto ghosts = Eigen::Index(lattice.reach());
     const auto interior = Eigen::Index(nodes);
@@ -89,9 +117,8 @@ Eigen::MatrixXd one_step_map(const LatticeEnd& left, const LatticeEnd& right, st
         add_stencil(velocity.row(i), i, -time_step, lattice.symbol);
         add_stencil(velocity.row(i), all + i, -time_step, lattice.damping);
     }
-    const double implicit_time = level == GhostRule::midpoint ? time_step / 2 : 0;
-    add_ghosts(velocity, left, {true, all}, implicit_time);
-    add_ghosts(velocity, right, {false, all}, implicit_time);
+    add_ghosts(velocity, left, {true, all}, time_step / 2);
+    add_ghosts(velocity, right, {false, all}, time_step / 2);
     Eigen::MatrixXd map = Eigen::MatrixXd::Zero(2 * all, 2 * all);
     map.topLeftCorner(all, all).setIdentity();
     map.topRows(all) += time_step * velocity;
@@ -102,8 +129,8 @@ Eigen::MatrixXd one_step_map(const LatticeEnd& left, const LatticeEnd& right, st
 }
 
 double spectral_radius(const LatticeEnd& left, const LatticeEnd& right, std::size_t nodes,
-                       double time_step, GhostRule level) {
-    return one_step_map(left, right, nodes, time_step, level).eigenvalues().cwiseAbs().maxCoeff();
+                       double time_step) {
+    return one_step_map(left, right, nodes, time_step).eigenvalues().cwiseAbs().maxCoeff();
 }
 
 double maximum_frequency(const HalfSpace& half_space) {
@@ -114,13 +141,13 @@ double cfl_of(const HalfSpace& half_space, double time_step) {
     return time_step * maximum_frequency(half_space) / 2;
 }
 
-double largest_cfl(const HalfSpace& half_space, GhostRule level, Grade least) {
+StepRange stable_range(const HalfSpace& half_space, Grade least) {
     const double top = maximum_frequency(half_space);
     KnownModes modes(half_space);
-    const auto stable_at = [&](int hundredths) {
-        const double time_step = 2 * hundredths / (100 * top);
-        return stability_grade(stepped(half_space, time_step, level), modes) >= least;
+    const auto stable_in = [&](double time_step) {
+        return stability_grade(stepped(half_space, time_step), modes) >= least;
     };
+    const auto stable_at = [&](int hundredths) { return stable_in(2 * hundredths / (100 * top)); };
     constexpr int coarse = 5;
     int largest = 0;
     while (largest + coarse < 100 && stable_at(largest + coarse)) {
@@ -129,7 +156,8 @@ double largest_cfl(const HalfSpace& half_space, GhostRule level, Grade least) {
     while (largest + 1 < 100 && stable_at(largest + 1)) {
         ++largest;
     }
-    return largest / 100.0;
+    const double shortest_known = std::min(coarse, largest) / 100.0;
+    return {first_without_growth(half_space, 2 / top, shortest_known, stable_in), largest / 100.0};
 }
 
 }  // namespace nmbcgen

@@ -145,17 +145,15 @@ EvenAndOddParts even_and_odd_parts(const Table& table) {
     return {every_second_in_y(c, stride, 0), every_second_in_y(b, stride, 1), denominator};
 }
 
-HalfSpace stepped(HalfSpace half_space, double time_step, GhostRule ghosts) {
+HalfSpace stepped(HalfSpace half_space, double time_step) {
     half_space.time_step = time_step;
-    half_space.ghosts = ghosts;
     return half_space;
 }
 
 std::complex<double> boundary_rate(const HalfSpace& half_space, double omega) {
     const double sine = omega * half_space.time_step / 2;  // of half the angle of zeta
     const double cosine = std::sqrt(1 - sine * sine);
-    return half_space.ghosts == GhostRule::midpoint ? std::complex<double>(0, omega / cosine)
-                                                    : omega * std::complex<double>(-sine, cosine);
+    return {0, omega / cosine};
 }
 
 std::complex<double> damped_rate(const HalfSpace& half_space, double omega) {

@@ -11,13 +11,12 @@
 /// Where the lattice is damped, s^2 + tau sigma(k) s + omega^2(k) = 0 in the interior with
 ///     tau sigma = D(w) / (1-w)^r,   C = (E + y F) / (1-y)^{Ns},   B = (y O + H) / (1-y)^{Ns}.
 ///
-/// Leapfrog steps change one thing: s in the boundary condition becomes sigma. With zeta the factor
-/// of one step, the interior has (zeta - 2 + 1/zeta)/dt^2 = -omega^2(k), and the ghosts have
-/// sigma C(k) = B(k) with
-///     midpoint  sigma = (2/dt) (zeta-1)/(zeta+1) = i omega / sqrt(1 - omega^2 dt^2/4)
-///     explicit  sigma = (zeta-1)/dt = i omega (sqrt(1 - omega^2 dt^2/4) + i omega dt/2)
-/// What grows is |zeta| > 1; with midpoint ghosts that is Re sigma > 0. Damping acts on the old
-/// velocity, (zeta - 2 + 1/zeta)/dt^2 = -omega^2(k) - tau sigma(k) (1 - 1/zeta)/dt.
+/// Leapfrog steps with midpoint ghosts change one thing: s in the boundary condition becomes sigma.
+/// With zeta the factor of one step, the interior has (zeta - 2 + 1/zeta)/dt^2 = -omega^2(k), and
+/// the ghosts have sigma C(k) = B(k) with
+///     sigma = (2/dt) (zeta-1)/(zeta+1) = i omega / sqrt(1 - omega^2 dt^2/4)
+/// What grows is |zeta| > 1, which is Re sigma > 0. Damping acts on the old velocity,
+/// (zeta - 2 + 1/zeta)/dt^2 = -omega^2(k) - tau sigma(k) (1 - 1/zeta)/dt.
 /// The frequency omega of a wave in steps is (2/dt) sin(theta/2), zeta = exp(i theta); undamped,
 /// that is omega(k).
 #pragma once
@@ -28,8 +27,6 @@
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
-
-using nmbc::GhostRule;
 
 struct HalfSpace {
     Polynomial L;  ///< in w, exact; see above
@@ -44,7 +41,6 @@ struct HalfSpace {
     std::vector<double> b;        ///< b_0 .. b_N, rounded
     int stride = 1;
     double time_step = 0;  ///< dt [dX/c] of leapfrog; 0: continuous time
-    GhostRule ghosts = GhostRule::midpoint;
 
     std::size_t reach() const { return symbol.size() - 1; }
     bool is_damped() const { return !D.is_zero(); }
@@ -65,7 +61,7 @@ struct EvenAndOddParts {
 EvenAndOddParts even_and_odd_parts(const Table& table);
 
 /// The same half space in steps of time_step [dX/c].
-HalfSpace stepped(HalfSpace half_space, double time_step, GhostRule ghosts = GhostRule::midpoint);
+HalfSpace stepped(HalfSpace half_space, double time_step);
 
 /// sigma [c/dX] of a wave of frequency omega; omega dt/2 < 1 is assumed.
 std::complex<double> boundary_rate(const HalfSpace& half_space, double omega);

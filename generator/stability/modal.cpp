@@ -34,13 +34,13 @@ double norm(const Reflection& reflection) {
 /// Of a damped lattice, without boundary modes. The search ends at an amplification above `enough`.
 ModalVerdict damped_verdict(const HalfSpace& half_space, double enough) {
     if (!interior_is_stable(half_space)) {
-        return {.failure = ModalFailure::amplified_wave};
+        return {.failure = Failure::amplified_wave};
     }
     const Peak highest = damped_amplification(half_space, half_space, least_damped_nodes, enough);
     ModalVerdict verdict;
     verdict.supremum = std::sqrt(highest.value);
     if (verdict.supremum > amplification_limit) {
-        verdict.failure = ModalFailure::amplified_wave;
+        verdict.failure = Failure::amplified_wave;
         const auto modes = outgoing_modes(half_space, highest.omega);
         const Mode& wave = least_fading(modes);
         verdict.wave_number = std::abs(std::arg(wave.k));
@@ -57,11 +57,11 @@ Grade stability_grade(const HalfSpace& half_space) {
 }
 
 Grade stability_grade(const HalfSpace& half_space, KnownModes& modes) {
-    if (verdict_without_incident_waves(half_space).failure != ModalFailure::none) {
+    if (verdict_without_incident_waves(half_space).failure != Failure::none) {
         return Grade::none;
     }
     if (half_space.is_damped()) {
-        return damped_verdict(half_space, amplification_limit).failure == ModalFailure::none
+        return damped_verdict(half_space, amplification_limit).failure == Failure::none
                    ? Grade::paired
                    : Grade::none;
     }
@@ -81,17 +81,17 @@ Grade stability_grade(const HalfSpace& half_space, KnownModes& modes) {
 
 ModalVerdict verdict_without_incident_waves(const HalfSpace& half_space) {
     if (const auto growth = growing_mode(half_space)) {
-        return {.failure = ModalFailure::growing_mode, .growth = *growth};
+        return {.failure = Failure::growing_mode, .growth = *growth};
     }
     if (const auto xi = resonance(half_space)) {
-        return {.failure = ModalFailure::resonance, .wave_number = *xi};
+        return {.failure = Failure::resonance, .wave_number = *xi};
     }
     return {};
 }
 
 ModalVerdict modal_verdict(const HalfSpace& half_space) {
     const ModalVerdict alone = verdict_without_incident_waves(half_space);
-    if (alone.failure != ModalFailure::none) {
+    if (alone.failure != Failure::none) {
         return alone;
     }
     if (half_space.is_damped()) {
@@ -108,7 +108,7 @@ ModalVerdict modal_verdict(const HalfSpace& half_space) {
     verdict.supremum = highest.value;
     verdict.contractive = largest_norm <= amplification_limit;
     if (highest.value > amplification_limit) {
-        verdict.failure = ModalFailure::amplified_wave;
+        verdict.failure = Failure::amplified_wave;
     }
     if (highest.omega > 0) {
         const auto modes = outgoing_modes(half_space, highest.omega);

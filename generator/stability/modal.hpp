@@ -17,22 +17,22 @@
 
 namespace nmbcgen {
 
-enum class ModalFailure {
-    none,
-    growing_mode,    ///< a boundary mode with Re s > 0
-    resonance,       ///< an outgoing travelling wave that needs no incident one: Delta(k_o) = 0
-    amplified_wave,  ///< sup rho > 1 at some wave number
-};
-
 struct ModalVerdict {
-    ModalFailure failure = ModalFailure::none;
-    double supremum = 0;  ///< of rho(R D) over the band, 0 where a mode decides
+    Failure failure = Failure::none;  ///< growing_mode; resonance, Delta(k_o) = 0 of a travelling
+                                      ///< wave; amplified_wave, sup rho > 1
+    double supremum = 0;              ///< of rho(R D) over the band, 0 where a mode decides
     double wave_number =
         0;  ///< the least |xi| of the frequency where it is reached; of the resonance
     bool backward = false;            ///< waves of opposed group and phase velocity travel there
     bool contractive = false;         ///< sigma_max(R) <= 1 on the whole band
     std::complex<double> growth = 0;  ///< s [c/dX] of the fastest growing mode
 };
+
+/// Its failure, which tells amplified backward waves from others.
+inline Failure failure_of(const ModalVerdict& verdict) {
+    return verdict.failure == Failure::amplified_wave && verdict.backward ? Failure::backward_band
+                                                                          : verdict.failure;
+}
 
 /// A supremum above this counts as more than 1: the exact 1 of NMBC1 is found to 1e-13 or better up
 /// to horizon 5.

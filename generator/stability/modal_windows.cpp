@@ -196,22 +196,13 @@ class Search {
     void describe(Edge& edge, double outside, bool opens) const {
         constexpr double farther = 1e-4;
         ModalVerdict verdict = verdict_at(std::max(0.0, outside + (opens ? -farther : farther)));
-        if (verdict.failure == ModalFailure::none) {
+        if (verdict.failure == Failure::none) {
             verdict = verdict_at(outside);
         }
-        switch (verdict.failure) {
-            case ModalFailure::none:  // it is stable there, of a lower grade
-                return;
-            case ModalFailure::growing_mode:
-                edge.beyond = Failure::growing_mode;
-                break;
-            case ModalFailure::resonance:
-                edge.beyond = Failure::resonance;
-                break;
-            case ModalFailure::amplified_wave:
-                edge.beyond = verdict.backward ? Failure::backward_band : Failure::amplified_wave;
-                break;
+        if (verdict.failure == Failure::none) {
+            return;  // it is stable there, of a lower grade
         }
+        edge.beyond = failure_of(verdict);
         edge.wave_number = std::round(100 * verdict.wave_number) / 100;
     }
 

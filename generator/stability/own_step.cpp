@@ -36,10 +36,11 @@ class OwnStep {
     HalfSpace half_space_at(double G) const { return make_half_space(table_, Rational(G)); }
 
     /// The largest G of the piece where the step is no longer than its cfl allows; omega_max grows
-    /// with G, the energy being a sum of squares. Less than its low where there is none.
+    /// with G, the energy being a sum of squares. Less than its low where the step is not certified
+    /// there.
     double last_within(const StableStep& step) const {
         double inside = step.window.low;
-        if (cfl_at(inside) > step.cfl) {
+        if (cfl_at(inside) > step.cfl || cfl_at(inside) < step.from) {
             return -1;
         }
         double outside =
@@ -111,7 +112,7 @@ std::vector<StableStep> within(const std::vector<StabilityWindow>& windows,
             const double low = std::max(piece.window.low, window.low.inner);
             const double high = std::min(piece.window.high, window.high->inner);
             if (low <= high) {
-                found.push_back({{low, high}, piece.cfl});
+                found.push_back({{low, high}, piece.cfl, piece.from});
             }
         }
     }

@@ -121,7 +121,7 @@ RoundTripVerdict round_trip_verdict(const LatticeEnd& left, const LatticeEnd& ri
     require_one_chain(left.half_space, right.half_space, nodes);
     for (const LatticeEnd* end : {&left, &right}) {
         RoundTripVerdict verdict = verdict_of_one(*end);
-        if (verdict.failure != ModalFailure::none) {
+        if (verdict.failure != Failure::none) {
             verdict.left = end == &left;
             return verdict;
         }
@@ -134,7 +134,7 @@ RoundTripVerdict round_trip_verdict(const LatticeEnd& left, const LatticeEnd& ri
     RoundTripVerdict verdict;
     verdict.amplification = highest.value;
     if (highest.value > amplification_limit * amplification_limit) {
-        verdict.failure = ModalFailure::amplified_wave;
+        verdict.failure = Failure::amplified_wave;
     }
     if (highest.omega > 0) {
         verdict.wave_number = wave_number_at(left.half_space, highest.omega);

@@ -24,7 +24,7 @@
 namespace nmbcgen {
 
 struct RoundTripVerdict {
-    ModalFailure failure = ModalFailure::none;
+    Failure failure = Failure::none;
     bool left = false;                ///< the left end has the growing mode or the resonance
     double amplification = 0;         ///< of amplitudes per round trip, sup rho; 0: a mode decides
     double wave_number = 0;           ///< where it is reached, or of the resonance

@@ -11,16 +11,47 @@
 namespace nmbcgen {
 namespace {
 
-/// largest_cfl() at one G.
+/// stable_range() at one G.
 struct Sample {
     double G;
-    double cfl;
+    StepRange steps;
+};
+
+/// The range that all of several ranges have, and how far apart they are.
+class Common {
+  public:
+    explicit Common(const std::vector<StepRange>& ranges) {
+        for (const StepRange& steps : ranges) {
+            least_ = std::min(least_, steps.largest);
+            most_ = std::max(most_, steps.largest);
+            lowest_ = std::min(lowest_, steps.from);
+            highest_ = std::max(highest_, steps.from);
+        }
+    }
+
+    bool is_resolved() const {
+        constexpr double resolved = 0.06;
+        return most_ - least_ <= resolved && highest_ - lowest_ <= hundredth;
+    }
+
+    /// Less for what may lie between the samples.
+    StepRange with_margins() const {
+        const double margin = std::max(hundredth, highest_ - lowest_);
+        return {highest_ > 0 ? std::ceil(100 * (highest_ + margin)) / 100 : 0,
+                std::round(100 * least_ - 1) / 100};
+    }
+
+  private:
+    static constexpr double hundredth = 0.01;
+    double least_ = 1;
+    double most_ = 0;
+    double lowest_ = 1;
+    double highest_ = 0;
 };
 
 class Steps {
   public:
-    Steps(const Table& table, GhostRule ghosts, Grade least)
-        : table_(table), ghosts_(ghosts), least_(least) {}
+    Steps(const Table& table, Grade least) : table_(table), least_(least) {}
 
     void cover(const StabilityWindow& window) {
         constexpr double far = 8;
@@ -28,64 +59,63 @@ class Steps {
         constexpr int pieces = 8;
         const double low = window.low.inner;
         if (window.high && window.high->inner == low) {
-            append(low, low, cfl_at(low));
+            append(low, low, Common({steps_at(low)}));
             return;
         }
         const double high = window.high ? window.high->inner : std::max(far, 2 * low);
-        Sample begin{low, cfl_at(inside(low, high))};
+        Sample begin{low, steps_at(inside(low, high))};
         for (int piece = 1; piece <= pieces; ++piece) {
             const double G = piece == pieces ? high : low + (high - low) * piece / pieces;
-            const Sample end{G, cfl_at(piece == pieces ? inside(high, low) : G)};
+            const Sample end{G, steps_at(piece == pieces ? inside(high, low) : G)};
             cover(begin, end, 0);
             begin = end;
         }
         if (!window.high) {
-            double least = begin.cfl;
+            std::vector<StepRange> beyond{begin.steps};
             for (double G = 2 * high; G < farthest * high; G *= 2) {
-                least = std::min(least, cfl_at(G));
+                beyond.push_back(steps_at(G));
             }
-            append(high, std::numeric_limits<double>::infinity(), least);
+            append(high, std::numeric_limits<double>::infinity(), Common(beyond));
         }
     }
 
     std::vector<StableStep> take() { return std::move(steps_); }
 
   private:
-    double cfl_at(double G) const {
-        return largest_cfl(make_half_space(table_, Rational(G)), ghosts_, least_);
+    StepRange steps_at(double G) const {
+        return stable_range(make_half_space(table_, Rational(G)), least_);
     }
 
     /// At an edge sup rho is 1 or there is a pole; a millionth of the window off, neither.
     static double inside(double edge, double other) { return edge + 1e-6 * (other - edge); }
 
     void cover(const Sample& begin, const Sample& end, int depth) {
-        constexpr double resolved = 0.06;
         constexpr int deepest = 4;
         const double middle_G = begin.G + (end.G - begin.G) / 2;
-        const Sample middle{middle_G, cfl_at(middle_G)};
-        const auto [least, most] = std::minmax({begin.cfl, middle.cfl, end.cfl});
-        if (most - least > resolved && depth < deepest) {
+        const Sample middle{middle_G, steps_at(middle_G)};
+        const Common common({begin.steps, middle.steps, end.steps});
+        if (!common.is_resolved() && depth < deepest) {
             cover(begin, middle, depth + 1);
             cover(middle, end, depth + 1);
         } else {
-            append(begin.G, end.G, least);
+            append(begin.G, end.G, common);
         }
     }
 
-    void append(double low, double high, double least) {
-        const double cfl = std::round(100 * least - 1) / 100;
-        if (cfl <= 0) {
+    void append(double low, double high, const Common& common) {
+        const auto [from, cfl] = common.with_margins();
+        if (cfl <= from) {
             return;
         }
-        if (!steps_.empty() && steps_.back().window.high == low && steps_.back().cfl == cfl) {
+        if (!steps_.empty() && steps_.back().window.high == low && steps_.back().cfl == cfl &&
+            steps_.back().from == from) {
             steps_.back().window.high = high;
         } else {
-            steps_.push_back({{low, high}, cfl});
+            steps_.push_back({{low, high}, cfl, from});
         }
     }
 
     const Table& table_;
-    GhostRule ghosts_;
     Grade least_;
     std::vector<StableStep> steps_;
 };
@@ -93,9 +123,8 @@ class Steps {
 }  // namespace
 
 std::vector<StableStep> stable_steps(const Table& table,
-                                     const std::vector<StabilityWindow>& windows, GhostRule ghosts,
-                                     Grade least) {
-    Steps steps(table, ghosts, least);
+                                     const std::vector<StabilityWindow>& windows, Grade least) {
+    Steps steps(table, least);
     for (const StabilityWindow& window : windows) {
         steps.cover(window);
     }

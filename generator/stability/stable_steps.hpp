@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The largest time step over whole windows of G.
+/// The stable time steps over whole windows of G.
 #pragma once
 
 #include <vector>
@@ -11,12 +11,13 @@
 
 namespace nmbcgen {
 
-/// Pieces of G within the windows, ascending, each with a cfl that has this grade in all of it; a
-/// piece without one is left out. The cfl is that of largest_cfl() at both ends and in the middle,
-/// where they differ by more than 0.06 for smaller pieces, and 0.01 less than the least of them for
-/// what may lie between. A window without an end is sampled to 1000 times where it begins.
+/// Pieces of G within the windows, ascending, each with steps that have this grade in all of it; a
+/// piece without them is left out. They are those of stable_range() at both ends and in the middle,
+/// where their largest cfl differ by more than 0.06, or their `from` by more than 0.01, for smaller
+/// pieces. For what may lie between, cfl is 0.01 less than the least of the three, and `from`,
+/// where one of them has it, as much more than the largest as they differ, 0.01 at least. A window
+/// without an end is sampled to 1000 times where it begins.
 std::vector<StableStep> stable_steps(const Table& table,
-                                     const std::vector<StabilityWindow>& windows, GhostRule ghosts,
-                                     Grade least);
+                                     const std::vector<StabilityWindow>& windows, Grade least);
 
 }  // namespace nmbcgen

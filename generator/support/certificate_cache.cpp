@@ -49,8 +49,7 @@ void CertificateCache::keep(const std::vector<Table>& tables) const {
             {"windows", windows_object(*table.certificate, table.specification.damping > 0)},
             {"poles", poles_array(*table.certificate)},
             {"max_cfl", steps_array(table.certificate->max_cfl)},
-            {"max_cfl_contractive", steps_array(table.certificate->max_cfl_contractive)},
-            {"max_cfl_explicit", steps_array(table.certificate->max_cfl_explicit)}};
+            {"max_cfl_contractive", steps_array(table.certificate->max_cfl_contractive)}};
         files.push_back({file_of(folder_, table), kept.dump(1) + "\n"});
     }
     write_files(files);

@@ -96,10 +96,8 @@ struct Certificate {
     std::vector<AlgebraicNumber> poles;   ///< where a coefficient has a pole
     std::vector<StabilityWindow> modal;   ///< stable with both ends alike
     std::vector<StabilityWindow> contractive;  ///< and with any other contractive end
-    std::vector<StableStep> max_cfl;  ///< with both ends alike; midpoint ghosts; most of the modal
-                                      ///< windows
-    std::vector<StableStep> max_cfl_contractive;  ///< contractive in steps; midpoint ghosts
-    std::vector<StableStep> max_cfl_explicit;     ///< both ends alike; explicit ghosts
+    std::vector<StableStep> max_cfl;           ///< with both ends alike; most of the modal windows
+    std::vector<StableStep> max_cfl_contractive;  ///< contractive in steps
 };
 
 }  // namespace nmbcgen

@@ -144,13 +144,18 @@ class BasicMatchingBoundary {
         const double unit = 2 * p.spacing / p.wave_speed /
                             maximum_frequency(make_lattice(*certificate.lattice, certificate.G));
         const double longest = certificate.steps.cfl * unit;
+        const double shortest = certificate.steps.from * unit;
         // A step that was cfl, or has been in other units, is off by some roundings.
         constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
-        if (coefficients.matched_time_step == 0 && p.time_step > longest * (1 + roundings)) {
+        const bool certified =
+            p.time_step <= longest * (1 + roundings) && p.time_step >= shortest * (1 - roundings);
+        if (coefficients.matched_time_step == 0 && !certified) {
             throw NotCertified(
                 "a time step of " + detail::to_text(p.time_step) + " is not certified: " +
                 (longest > 0
-                     ? "it may be " + detail::to_text(longest) + " at most, in the units given"
+                     ? "it may be " +
+                           (shortest > 0 ? detail::to_text(shortest) + " at least and " : "") +
+                           detail::to_text(longest) + " at most, in the units given"
                      : "none is at this G") +
                 detail::how_to_run_it);
         }

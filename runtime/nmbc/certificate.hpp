@@ -14,7 +14,7 @@ namespace nmbc {
 
 /// The end at the other side of the chain.
 enum class Opposite {
-    like,  ///< the same condition, with the same ghost rule
+    like,  ///< the same condition
     any,   ///< any that adds no energy: fixed, free, or another condition at a step where it, too,
            ///< is certified for any other end
 };
@@ -31,33 +31,30 @@ constexpr Grade certified_grade(const MatchingTable& table, double G) {
     return holds(table.contractive) ? Grade::contractive : Grade::paired;
 }
 
-/// The largest certified cfl = dt omega_max / 2 at G, omega_max that of the lattice without its
-/// damping, which the certified value allows for; 0 where no time step is certified, as for any
-/// other end with explicit ghosts and with a damped table.
-constexpr double certified_cfl(const MatchingTable& table, double G,
-                               GhostRule rule = GhostRule::midpoint,
-                               Opposite opposite = Opposite::like) {
-    const auto largest = [G](std::span<const StableStep> steps) {
-        double cfl = 0;
-        for (const StableStep& step : steps) {
-            if (step.window.contains(G)) {  // where two of them meet, both hold
-                cfl = std::max(cfl, step.cfl);
-            }
-        }
-        return cfl;
-    };
-    if (rule == GhostRule::explicit_rule) {
-        return opposite == Opposite::like ? largest(table.max_cfl_explicit) : 0;
-    }
-    const double any = largest(table.max_cfl_contractive);
-    // Any end may be a like one, and the two lists were sought in different pieces of G.
-    return opposite == Opposite::like ? std::max(any, largest(table.max_cfl)) : any;
-}
-
-/// The certified steps at G, midpoint ghosts, as cfl; of cfl 0 where there are none.
+/// The certified steps at G, midpoint ghosts, those that go furthest where there are several; of
+/// cfl 0 where none is certified, as with a damped table opposite any other end. omega_max is that
+/// of the lattice without its damping, which the certified value allows for.
 constexpr StableStep certified_steps(const MatchingTable& table, double G,
                                      Opposite opposite = Opposite::like) {
-    return {{G, G}, certified_cfl(table, G, GhostRule::midpoint, opposite)};
+    StableStep longest{{G, G}, 0};
+    // Any end may be a like one, and the two lists were sought in different pieces of G.
+    for (const auto& steps : {table.max_cfl_contractive, table.max_cfl}) {
+        for (const StableStep& step : steps) {
+            if (step.window.contains(G) && step.cfl > longest.cfl) {
+                longest = step;  // where two of them meet, both hold
+            }
+        }
+        if (opposite == Opposite::any) {
+            break;
+        }
+    }
+    return longest;
+}
+
+/// The largest certified cfl = dt omega_max / 2 at G; 0 where no time step is certified.
+constexpr double certified_cfl(const MatchingTable& table, double G,
+                               Opposite opposite = Opposite::like) {
+    return certified_steps(table, G, opposite).cfl;
 }
 
 /// A table that is not certified to be stable was asked for. what() names what is.
@@ -105,7 +102,7 @@ inline std::string certified_choices(const MatchingTable& table, double G,
     std::string same_G;
     for (const MatchingTable* other : others) {
         if (is_same_lattice(*other->lattice, *table.lattice) &&
-            certified_cfl(*other, G, GhostRule::midpoint, opposite) > 0) {
+            certified_cfl(*other, G, opposite) > 0) {
             same_G += (same_G.empty() ? "" : ", ") + detail::name_of(*other);
         }
     }

@@ -141,7 +141,8 @@ inline double interior_cfl(const Lattice& lattice) {
 }
 
 /// The largest time step [spacing/wave_speed] with which a chain between an end of this table and
-/// the opposite one is certified to be stable, midpoint ghosts; of a damped table, from
+/// the opposite one is certified to be stable, midpoint ghosts (shorter ones are, too, unless
+/// certified_steps() has a `from`); of a damped table, from
 /// table.least_nodes nodes on. Of a table that is matched in time steps it is that step.
 /// Throws NotCertified where there is none, as at the very edge of some windows, and
 /// std::invalid_argument for a bad G, and where wave_speed or spacing is not positive and finite.
@@ -153,7 +154,7 @@ inline double stable_time_step(const MatchingTable& table, double G, double wave
             throw std::invalid_argument("wave speed and spacing must be positive and finite");
         }
     }
-    const double cfl = certified_cfl(table, G, GhostRule::midpoint, opposite);
+    const double cfl = certified_cfl(table, G, opposite);
     if (cfl == 0) {
         const bool like = opposite == Opposite::like;
         throw NotCertified(std::string(table.name) +

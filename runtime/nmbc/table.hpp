@@ -69,14 +69,18 @@ enum class Grade {
 /// Time level of u in (60) when the ghost velocities at k+1/2 are found.
 enum class GhostRule {
     midpoint,      ///< the mean of levels k and k+1; costs one division, done once
-    explicit_rule  ///< level k: for comparison; its stable time step is much smaller
+    explicit_rule  ///< level k: for comparison, without a certificate
 };
 
-/// At every G of the window leapfrog is stable in steps of this cfl and less,
-/// cfl = dt omega_max / 2.
+/// At every G of the window leapfrog with midpoint ghosts is stable in all steps from `from` to
+/// `cfl`, both as dt omega_max / 2. A `from` above 0: in some shorter steps an end's own mode
+/// grows.
 struct StableStep {
     Window window;
     double cfl;
+    double from = 0;
+
+    constexpr bool allows(double other_cfl) const { return from <= other_cfl && other_cfl <= cfl; }
 };
 
 /// A lattice at every G: a family's model at one horizon, with its influence and damping.
@@ -135,11 +139,10 @@ struct MatchingTable {
     /// that the other end may be any that does not add energy, a fixed or a free one too. In time
     /// steps that holds up to max_cfl_contractive only. Not sought where tau > 0, and empty.
     std::span<const Window> contractive;
-    std::span<const StableStep> max_cfl;  ///< of `modal`: both ends alike; midpoint ghosts
-    /// Of `contractive`: the other end may be any that adds no energy; midpoint ghosts. At some G
-    /// much less than max_cfl, or none. Not sought where tau > 0, and empty.
+    std::span<const StableStep> max_cfl;  ///< of `modal`: both ends alike
+    /// Of `contractive`: the other end may be any that adds no energy. At some G much less than
+    /// max_cfl, or none. Not sought where tau > 0, and empty.
     std::span<const StableStep> max_cfl_contractive;
-    std::span<const StableStep> max_cfl_explicit;  ///< both ends alike; explicit ghosts
     /// Interior nodes a chain needs for `modal` and the steps to hold where tau > 0: what an end
     /// amplifies is damped away on the way to the other. 0 where tau = 0.
     int least_nodes;

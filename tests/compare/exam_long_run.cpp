@@ -108,7 +108,7 @@ TEST_CASE("a growing mode has the rate of the analysis") {
     const Scene scene = with_ends(chain_of(1, 0.5, 200, 0.8), {.order = 3});
     const auto verdict = modal_verdict(stepped(
         nmbcrun::half_space_of(nmbc::generated::nopd1d_n1_order3, scene.G), scene.step.value()));
-    REQUIRE(verdict.failure == nmbcgen::ModalFailure::growing_mode);
+    REQUIRE(verdict.failure == nmbcgen::Failure::growing_mode);
     const std::complex<double> half = verdict.growth * scene.step.value() / 2.0;
     const double rate = std::log(std::abs((1.0 + half) / (1.0 - half))) / scene.step.value();
     const LongTimeStability shown = stability(scene, scene.left, 4000);

@@ -63,7 +63,6 @@ TEST_CASE("the registry is the committed set, and holds the same data as tables.
         CHECK(header.reflection.size() == other.certificate->reflection.size());
         CHECK(header.max_cfl.size() == other.certificate->max_cfl.size());
         CHECK(header.max_cfl_contractive.size() == other.certificate->max_cfl_contractive.size());
-        CHECK(header.max_cfl_explicit.size() == other.certificate->max_cfl_explicit.size());
         CHECK(Json::parse(text) == one);
     }
 }

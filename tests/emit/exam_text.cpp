@@ -42,7 +42,7 @@ Certificate certificate_from_0_to_2() {
     };
     Certificate certificate;
     certificate.modal = {{edge(0), edge(2)}};
-    certificate.max_cfl = {{{0, 2}, 0.5}};
+    certificate.max_cfl = {{{0, 2}, 0.5, 0.125}};
     return certificate;
 }
 
@@ -74,7 +74,7 @@ std::vector<Table> some_tables() {
 TEST_CASE("JSON: the keys of schema 4 in order") {
     const std::string schema_4 =
         "schema lattice order stride G time_step taylor c b source proved windows least_nodes "
-        "poles max_cfl max_cfl_contractive max_cfl_explicit certificate";
+        "poles max_cfl max_cfl_contractive certificate";
     for (const Table& table : some_tables()) {
         const Json json = Json::parse(emit_json(table));
         CHECK(keys(json) == schema_4);
@@ -133,7 +133,9 @@ TEST_CASE("JSON of a damped table") {
     REQUIRE(found);
     CHECK(found->modal.size() == 1);
     CHECK(found->contractive.empty());
-    CHECK(found->max_cfl.size() == 1);
+    REQUIRE(found->max_cfl.size() == 1);
+    CHECK(found->max_cfl[0].cfl == 0.5);
+    CHECK(found->max_cfl[0].from == 0.125);
     CHECK(json["certificate"].get<std::string>().find("chains of 100 interior nodes and more") !=
           std::string::npos);
     // No reader may take it for an undamped one, or for one of another damping.
@@ -163,6 +165,7 @@ TEST_CASE("the header of a damped table") {
              "omega, tau and b_j in c/dX", "horizon 1 dX, stride 1, tau = 1/4.\n", damping,
              "    .tau = \"1/4\",\n", "_data::damping,\n", "    .least_nodes = 100,\n",
              "    .reflection = {},  // not sought of a damped lattice\n", "_data::modal,\n",
+             "    {{0, 2}, 0.5, 0.125},\n",
              "    .contractive = {},  // not sought of a damped lattice\n",
              "    .max_cfl_contractive = {},  // not sought of a damped lattice\n"}) {
         CAPTURE(line);

@@ -115,7 +115,7 @@ TEST_CASE("wrong requests") {
     CHECK_NOTHROW(damp(strain_only, 0));
     CHECK_THROWS_AS(make_model("nopd3d", 1), std::invalid_argument);
     CHECK_THROWS_AS(make_model("", 1), std::invalid_argument);
-    CHECK_THROWS_AS(symbol_of({}), std::logic_error);
+    CHECK_THROWS_AS(symbol_of(std::vector<ExactSquare>{}), std::logic_error);
     REQUIRE_FALSE(families().empty());
     CHECK(families().front().name == "nopd1d");  // the default of the command line
 }

@@ -53,14 +53,14 @@ TEST_CASE("never worse than the certified standard conditions, and certified its
             if (one.what.points.empty()) {
                 ++standards;
                 CHECK(one.what.stride == standards);
-                CHECK((one.certified_cfl == 0 || best->mean <= one.mean));
-                improved += one.certified_cfl > 0 && best->mean < one.mean / 2 ? 1 : 0;
+                CHECK((one.certified.largest == 0 || best->mean <= one.mean));
+                improved += one.certified.largest > 0 && best->mean < one.mean / 2 ? 1 : 0;
             }
         }
         CHECK(standards == std::max(2 * aim.what.horizon, 4U));
         const HalfSpace half_space = make_half_space(derive(best->what), *best->what.stabilisation);
         CHECK(stability_grade(half_space) != Grade::none);
-        CHECK(largest_cfl(half_space, GhostRule::midpoint) == best->certified_cfl);
+        CHECK(stable_range(half_space).largest == best->certified.largest);
         CHECK(mean_of(best->what, aim.band) == best->mean);
         CHECK(best->largest >= best->mean);
     }

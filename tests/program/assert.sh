@@ -51,9 +51,9 @@ expect_stderr_lines() {
     expect "1 to $1 lines on stderr" test "$lines" -ge 1 -a "$lines" -le "$1"
 }
 
-# The working folder is empty: nothing was written.
+# The working folder has no file: nothing was written.
 expect_nothing_written() {
-    expect "nothing written" test -z "$(ls -A "$scratch/work")"
+    expect "nothing written" test "$(files_in "$scratch/work")" -eq 0
 }
 
 files_in() { find "$1" -type f | wc -l; }

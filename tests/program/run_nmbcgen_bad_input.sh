@@ -4,6 +4,7 @@
 # Wrong arguments: exit code 2, two lines of error that name the option and say what is allowed,
 # nothing on stdout, nothing written. Usage: run_nmbcgen_bad_input.sh NMBCGEN
 source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+mkdir -p generated/nmbc  # as in the project
 
 # refuses NAMED.. -- ARGUMENT..: each NAMED text is on stderr.
 refuses() {
@@ -63,7 +64,8 @@ refuses --match "makes the order 1000" -- --horizon 1 --G 1/2 --match "0:3$(prin
 for bad in "0" "0:3,1:0" "0:3,1:-1" "0:3,1:1:1" "0:3,1:" "0:3,1" "0:3,1:200" "0:3,1:one"; do
     refuses --match "whole number from 1 to 199" -- --horizon 1 --G 1/2 --match "$bad"
 done
-for bad in "0:3,4:1" "0:3,pi:1" "0:3,0pi:1" "0:3,355/113:1"; do
+# The double nearest to 3.1415926535897932385 is that of pi, which is less.
+for bad in "0:3,4:1" "0:3,pi:1" "0:3,0pi:1" "0:3,355/113:1" "0:3,3.1415926535897932385:1"; do
     refuses --match "from 0 to below pi" -- --horizon 1 --G 1/2 --match "$bad"
 done
 refuses --match "'0:2'" "odd number of rows" -- --horizon 1 --G 1/2 --match 0:2
@@ -134,13 +136,25 @@ refuses --all --G excludes -- --all --G 1
 refuses --all --damping excludes -- --all --damping 1/10
 refuses --check --damping excludes -- --check --damping 0
 refuses --all --time-step excludes -- --all --time-step 1/2
-refuses --cfl "requires --G" -- --all --cfl 1/2
+refuses --cfl excludes -- --all --cfl 1/2
 refuses --cfl "requires --G" -- --order 2 --horizon 1 --cfl 1/2
 refuses --cfl --time-step excludes -- --order 2 --horizon 1 --G 1 --cfl 1/2 --time-step 1
 for bad in 0 1 1.5; do
     refuses --cfl "'$bad'" "between 0 and 1" -- --order 2 --horizon 1 --G 1 --cfl $bad
 done
 refuses --cfl "'x'" "non-negative exact number" -- --order 2 --horizon 1 --G 1 --cfl x
+refuses --G "requires --G" -- --order 1 --horizon 1 --require-stable
+for command in recommend reflect dispersion; do
+    refuses --G "$command requires --G" -- $command --horizon 1 $([ $command != reflect ] || echo --order 1)
+done
+refuses --G "bond1d has no stabilisation: leave it out, or give 0" -- \
+    --family bond1d --order 1 --horizon 1 --G 1/2
+refuses --G "chain1d has no stabilisation" -- recommend --family chain1d --horizon 1 --G 1
+refuses --G "chain1d has no stabilisation" -- dispersion --family chain1d --horizon 1 --G 0,1
+refuses --order "options go behind the subcommand: nmbcgen recommend --order" -- \
+    --order 3 recommend --horizon 1 --G 1
+refuses --out "options go behind the subcommand: nmbcgen reflect --out" -- \
+    --out x reflect --order 1 --horizon 1 --G 1
 refuses --all --check excludes -- --all --check
 refuses --all --check excludes -- --check --all
 refuses --check --order excludes -- --check --order 1

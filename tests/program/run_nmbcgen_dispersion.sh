@@ -48,7 +48,7 @@ refuses() {
     expect_stderr "$text"
 }
 refuses "--horizon is required" --G 1
-refuses "--G is required" --horizon 1
+refuses "dispersion requires --G" --horizon 1
 for list in "" "," "1," ",1" "1,,2"; do
     refuses "--horizon: '$list' has an empty item" --G 1 --horizon "$list"
     refuses "--G: '$list' has an empty item" --horizon 1 --G "$list"

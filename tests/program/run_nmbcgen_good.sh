@@ -4,6 +4,7 @@
 # Requests that are met: what is written where, under which name, and what is printed.
 # Usage: run_nmbcgen_good.sh NMBCGEN RUNTIME_FOLDER
 source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+mkdir -p generated/nmbc  # as in the project
 
 # writes PATH ARGUMENT..: exactly this file is written, and before a header that of its lattice;
 # their paths are all that is printed.
@@ -11,7 +12,7 @@ writes() {
     local path=$1 lattice
     shift
     lattice=$(sed -E 's/_order[0-9]+(_s[0-9]+)?//; s/(_dt[0-9o]+)?(_at(pi)?[0-9o]+x[0-9]+)*(_G[0-9o]+)?\.hpp$/.hpp/' <<<"$path")
-    rm -rf generated out
+    rm -rf generated/nmbc/tables out
     try "$@"
     expect_exit 0
     expect_no_stderr
@@ -69,7 +70,7 @@ expect_same out/nopd1d_n1_order2_G1o2.hpp "$scratch/order"
 writes out/nopd1d_n1_order1_G2o1.json --order 1 --horizon 1 --G 2 --format json --out out
 writes out/a/b/nopd1d_n1_order1.hpp --order 1 --horizon 1 --out out/a/b
 writes "out/with space/nopd1d_n1_order1.hpp" --order 1 --horizon 1 --out "out/with space"
-rm -rf generated out
+rm -rf generated/nmbc/tables out
 
 # --stdout prints the very bytes of the file, and writes nothing.
 for request in "--order 3 --horizon 2 --format c" "--order 3 --horizon 2 --format json" \
@@ -134,6 +135,30 @@ expect_exit 0
 cp "$scratch/stdout" "$scratch/first"
 try reflect --order 1 --horizon 1 --G 1 --samples 3 --damping 0
 expect_same "$scratch/stdout" "$scratch/first"
+
+# A family without stabilisation has no G, or 0.
+for request in "--order 2 --horizon 2" "--match 0:3,1:1 --horizon 2" \
+    "--order 1 --horizon 2 --require-stable" "--order 1 --horizon 2 --cfl 1/2 --G 0 --uncertified"; do
+    # shellcheck disable=SC2086
+    try --family bond1d $request --stdout
+    expect_exit 0
+done
+try dispersion --family chain1d --horizon 1 --samples 3
+expect_exit 0
+
+# Outside the project no folder is made unasked.
+rm -r generated
+try --order 1 --horizon 1
+expect_exit 2
+expect_stderr "--out: a folder is needed: there is no generated/nmbc here"
+expect_nothing_written
+
+try --help
+expect_exit 0
+code=0
+"$program" --help >/dev/full 2>"$scratch/stderr" || code=$?
+expect_exit 5
+expect_stderr "cannot write standard output"
 
 try --version
 expect_exit 0

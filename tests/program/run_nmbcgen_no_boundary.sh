@@ -4,6 +4,7 @@
 # A boundary condition that does not exist: exit code 3, one line with the reason and what to do
 # instead, nothing on stdout, nothing written. Usage: run_nmbcgen_no_boundary.sh NMBCGEN
 source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+mkdir -p generated/nmbc  # as in the project
 
 # does_not_exist ORDER HORIZON G REASON..: in each format, and with --stdout.
 does_not_exist() {

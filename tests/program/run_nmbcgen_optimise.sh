@@ -4,6 +4,7 @@
 # nmbcgen optimise: what it prints, and that the command in it makes a certified table.
 # Usage: run_nmbcgen_optimise.sh NMBCGEN
 source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+mkdir -p generated/nmbc  # as in the project
 
 # row TEXT: a row of the table begins so, whatever the columns' widths.
 row() { expect "the row '$1'" grep -qE "^ *${1// / +}" "$scratch/stdout"; }
@@ -17,7 +18,7 @@ recommended() {
     try "${made[@]}" --require-stable
     expect_exit 0
     expect_file "generated/nmbc/tables/$1"
-    rm -r generated
+    rm -r generated/nmbc/tables
 }
 
 request=(optimise --order 2 --horizon 2 --G 1 --band 0.05..0.3)
@@ -96,7 +97,7 @@ refused() {
 all=(--order 1 --horizon 1 --G 1 --band 0.3..0.8)
 refused "--order is required" --horizon 1 --G 1 --band 0.3..0.8
 refused "--horizon is required" --order 1 --G 1 --band 0.3..0.8
-refused "--G is required" --order 1 --horizon 1 --band 0.3..0.8
+refused "optimise requires --G" --order 1 --horizon 1 --band 0.3..0.8
 refused "--band is required" --order 1 --horizon 1 --G 1
 for order in 0 9 99999999999 -1 1.5 nan ""; do
     refused "is not a whole number from 1 to 8" --horizon 1 --G 1 --band 0.3..0.8 --order "$order"

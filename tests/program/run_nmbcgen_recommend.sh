@@ -4,6 +4,7 @@
 # nmbcgen recommend: what it recommends, why the others lost, and that it can be had.
 # Usage: run_nmbcgen_recommend.sh NMBCGEN
 source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+mkdir -p generated/nmbc  # as in the project
 
 # row TEXT: a row of the table begins so, whatever the columns' widths.
 row() { expect "the row '$1'" grep -qE "^ *${1// / +}" "$scratch/stdout"; }
@@ -28,7 +29,7 @@ read -ra made < <(sed -n 's/^  command    nmbcgen //p' "$scratch/stdout")
 try "${made[@]}" --require-stable
 expect_exit 0
 expect_file generated/nmbc/tables/nopd1d_n2_order2_s2_dt1697o1000_G1o1.hpp
-rm -r generated
+rm -r generated/nmbc/tables
 
 # In steps of one's own what counts is the reflection.
 try recommend --horizon 2 --G 1 --cfl 0.2
@@ -49,7 +50,7 @@ expect_stdout_line "  loss       5.8e-03 of the energy"
 try --order 2 --horizon 2 --stride 4 --damping 1/20 --G 0 --require-stable
 expect_exit 0
 expect_file generated/nmbc/tables/nopd1d_n2_order2_s4_tau1o20_G0o1.hpp
-rm -r generated
+rm -r generated/nmbc/tables
 
 # A band of longer waves reflects less.
 try recommend --horizon 2 --G 1 --order 2 --band 0.05..0.1 --tolerance 1e-6
@@ -73,7 +74,7 @@ refused() {
     expect_stderr "$text"
 }
 refused "--horizon is required" --G 1
-refused "--G is required" --horizon 1
+refused "recommend requires --G" --horizon 1
 refused "is not a whole number from 1 to 99" --horizon 0 --G 1
 for tolerance in 0 1 -1 nan inf 1e-4x ""; do
     refused "is not a number between 0 and 1" --horizon 1 --G 1 --tolerance "$tolerance"

@@ -4,6 +4,7 @@
 # Certificates: --require-stable, --uncertified, --cache.
 # Usage: run_nmbcgen_stable.sh NMBCGEN
 source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+mkdir -p generated/nmbc  # as in the project
 unset NMBCGEN_CACHE
 
 # unstable TEXT ARGUMENT..: exit code 4, the text on stderr, nothing written.
@@ -29,7 +30,7 @@ unstable "stride 1: 0.25 to 0.6666666; 2 and above" --order 3 --horizon 1 --G 0.
 try --require-stable --order 2 --horizon 2 --stride 2 --G 1
 expect_exit 0
 expect_file generated/nmbc/tables/nopd1d_n2_order2_s2_G1o1.hpp
-rm -r generated
+rm -r generated/nmbc/tables
 
 # Matched in time steps: these steps are to be certified, too.
 unstable "G = 2 is not certified in these steps, of cfl 0.625: 0.28 is the largest one" --order 3 \

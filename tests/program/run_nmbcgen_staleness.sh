@@ -94,8 +94,11 @@ is_up_to_date
 sed -i 's/"4 -15"/"4 -16"/' tables/nopd1d_n2.hpp
 is_stale "differs: nopd1d_n2.hpp" '-    {"4 -16", "100"},' '+    {"4 -15", "100"},'
 mend
-"$program" --order 5 --horizon 2 --uncertified --out tables >/dev/null
-echo something >tables/notes.txt
+
+# Other files beside the set are named, and may stay.
+"$program" --order 2 --horizon 1 --G 1/2 --uncertified --out tables >/dev/null
+echo "something" >tables/notes.txt
 is_up_to_date
+expect_stderr "not of the committed set, and not compared: nopd1d_n1_order2_G1o2.hpp, notes.txt"
 
 finish

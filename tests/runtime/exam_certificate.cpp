@@ -77,27 +77,52 @@ TEST_CASE("the largest certified time step") {
                          doctest::Contains("no time step at G = 1"), nmbc::NotCertified);
 }
 
+TEST_CASE("certified steps may begin above 0, and where two pieces meet the longer ones hold") {
+    constexpr nmbc::StableStep steps[]{{{0, 1}, 0.5, 0.125}, {{1, 2}, 0.75}};
+    nmbc::MatchingTable table = nopd1d_n1_order1;
+    table.max_cfl = steps;
+    table.max_cfl_contractive = {};
+    const nmbc::StableStep found = nmbc::certified_steps(table, 0.5);
+    CHECK(found.cfl == 0.5);
+    CHECK(found.from == 0.125);
+    CHECK(found.allows(0.125));
+    CHECK(found.allows(0.5));
+    CHECK_FALSE(found.allows(0.1249));
+    CHECK_FALSE(found.allows(0.5001));
+    CHECK(nmbc::certified_steps(table, 1).cfl == 0.75);
+    CHECK(nmbc::certified_steps(table, 1).from == 0);
+    CHECK(nmbc::certified_steps(table, 3).cfl == 0);
+    CHECK(nmbc::certified_steps(table, 0.5, nmbc::Opposite::any).cfl == 0);
+    // At n = 1, G = 1/2 omega_max is 2 c/dX, so that dt c/dX is cfl.
+    const auto coefficients = nmbc::boundary_coefficients(table, 0.5);
+    const auto boundary_in = [&](double time_step) {
+        return nmbc::MatchingBoundary(
+            coefficients,
+            {.ghost_layers = 2, .wave_speed = 1, .spacing = 1, .time_step = time_step});
+    };
+    CHECK_NOTHROW(boundary_in(0.125));
+    CHECK_NOTHROW(boundary_in(0.5));
+    CHECK_THROWS_WITH_AS(boundary_in(0.12), doctest::Contains("it may be 0.125 at least and 0.5"),
+                         nmbc::NotCertified);
+    CHECK_THROWS_AS(boundary_in(0.51), nmbc::NotCertified);
+}
+
 TEST_CASE("an end of another kind needs a smaller time step, or has none") {
-    using nmbc::GhostRule;
     using nmbc::Opposite;
     // A contractive window is one of continuous time: against a fixed end this grows by 9 % per
     // round trip at cfl 0.55, which is certified for like ends.
     constexpr double G = 4;
     REQUIRE(nmbc::certified_grade(nopd1d_n3_order2_s3, G) == nmbc::Grade::contractive);
     const double like = nmbc::certified_cfl(nopd1d_n3_order2_s3, G);
-    const double any =
-        nmbc::certified_cfl(nopd1d_n3_order2_s3, G, GhostRule::midpoint, Opposite::any);
+    const double any = nmbc::certified_cfl(nopd1d_n3_order2_s3, G, Opposite::any);
     CHECK(any > 0);
     CHECK(any < 0.5 * like);
     CHECK(nmbc::stable_time_step(nopd1d_n3_order2_s3, G, 1, 1, Opposite::any) ==
           doctest::Approx(any / like * nmbc::stable_time_step(nopd1d_n3_order2_s3, G, 1, 1))
               .epsilon(1e-14));
-    // With explicit ghosts none is sought, though there is one for like ends.
-    CHECK(nmbc::certified_cfl(nopd1d_n1_order1, 0.5, GhostRule::explicit_rule) > 0);
-    CHECK(nmbc::certified_cfl(nopd1d_n1_order1, 0.5, GhostRule::explicit_rule, Opposite::any) == 0);
     // Paired only: none.
     REQUIRE(nmbc::certified_cfl(nopd1d_n1_order1, 0.1) > 0);
-    CHECK(nmbc::certified_cfl(nopd1d_n1_order1, 0.1, GhostRule::midpoint, Opposite::any) == 0);
+    CHECK(nmbc::certified_cfl(nopd1d_n1_order1, 0.1, Opposite::any) == 0);
     CHECK_THROWS_WITH_AS(nmbc::stable_time_step(nopd1d_n1_order1, 0.1, 1, 1, Opposite::any),
                          doctest::Contains("with any opposite end"), nmbc::NotCertified);
 }

@@ -9,6 +9,8 @@
 #include <nmbc/tables/tables.hpp>
 #include <vector>
 
+#include "generator/pipeline.hpp"
+#include "generator/stability/certify.hpp"
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/modal.hpp"
 #include "tests/stability/spectra.hpp"
@@ -18,8 +20,8 @@ namespace {
 
 using nmbc::MatchingTable;
 using nmbc::Window;
+using nmbcgen::Failure;
 using nmbcgen::HalfSpace;
-using nmbcgen::ModalFailure;
 using nmbcgen::Rational;
 using nmbcgen::test::eigenvalues_by_parity;
 using nmbcgen::test::spectral_abscissa;
@@ -98,14 +100,25 @@ TEST_CASE("outside of the windows some chain grows") {
         }));
         const HalfSpace h = half_space(table, G);
         const auto verdict = modal_verdict(h);
-        RC_ASSERT(verdict.failure != ModalFailure::none);
-        RC_PRE(verdict.failure != ModalFailure::amplified_wave || verdict.supremum > 1.02);
+        RC_ASSERT(verdict.failure != Failure::none);
+        RC_PRE(verdict.failure != Failure::amplified_wave || verdict.supremum > 1.02);
         std::size_t nodes = shortest;
         while (nodes <= longest && spectral_abscissa(h, nodes) <= roundings) {
             nodes += 3;
         }
         RC_ASSERT(nodes <= longest);
     }));
+}
+
+/// The largest factor of a step of this cfl in a chain with two such ends.
+double largest_factor(const HalfSpace& h, double cfl, std::size_t nodes) {
+    const nmbcgen::LatticeEnd end{nmbcgen::LatticeEnd::Kind::matching, h};
+    const auto map = one_step_map(end, end, nodes, 2 * cfl / maximum_frequency(h));
+    double largest = 0;
+    for (const auto factor : eigenvalues_by_parity(map, map.rows() / 2)) {
+        largest = std::max(largest, std::abs(factor));
+    }
+    return largest;
 }
 
 TEST_CASE("at the largest cfl of the header no chain grows") {
@@ -115,16 +128,56 @@ TEST_CASE("at the largest cfl of the header no chain grows") {
         const double cfl = nmbc::certified_cfl(table, G.convert_to<double>());
         RC_PRE(cfl > 0);
         const HalfSpace h = half_space(table, G);
-        const nmbcgen::LatticeEnd end{nmbcgen::LatticeEnd::Kind::matching, h};
-        const double time_step = 2 * cfl / maximum_frequency(h);
         const auto least = std::max<std::size_t>(60, std::size_t(table.least_nodes));
         for (const std::size_t nodes : {least, least + 1}) {
-            const auto map = one_step_map(end, end, nodes, time_step, nmbc::GhostRule::midpoint);
-            for (const auto factor : eigenvalues_by_parity(map, map.rows() / 2)) {
-                RC_ASSERT(std::abs(factor) < 1 + roundings);
-            }
+            RC_ASSERT(largest_factor(h, cfl, nodes) < 1 + roundings);
         }
     }));
+}
+
+/// A certified cfl, from 1e-5 on, all orders of magnitude alike.
+double cfl_in(const nmbc::StableStep& steps) {
+    const double low = std::max(steps.from, 1e-5);
+    const double cfl = low * std::pow(steps.cfl / low, whole_number(0, 1001) / 1000.0);
+    RC_LOG() << "cfl " << cfl << '\n';
+    return cfl;
+}
+
+/// In steps this short the double factor 1 of a constant and of a uniform velocity splits by the
+/// square root of roundings.
+constexpr double root_of_roundings = 1e-7;
+
+TEST_CASE("in no certified step a damped chain of the committed tables grows") {
+    auto damped = tables(true);
+    std::erase_if(damped, [](const MatchingTable* table) { return table->least_nodes == 0; });
+    CHECK(rc::check([&damped] {
+        const auto& table = *element_of(damped);
+        const Rational G = value_in(element_of(table.max_cfl).window);
+        const nmbc::StableStep steps = nmbc::certified_steps(table, G.convert_to<double>());
+        RC_PRE(steps.cfl > 0);
+        const double cfl = table.time_step == "0" ? cfl_in(steps) : steps.cfl;
+        const auto nodes = std::size_t(table.least_nodes + whole_number(0, 20));
+        RC_ASSERT(largest_factor(half_space(table, G), cfl, nodes) < 1 + root_of_roundings);
+    }));
+}
+
+TEST_CASE("nor do chains of tables with a pole near which modes grow in short steps") {
+    for (const nmbcgen::Specification& what :
+         {nmbcgen::Specification{.horizon = 2, .order = 3, .stride = 2, .damping = Rational(1, 10)},
+          nmbcgen::Specification{.horizon = 1, .order = 2, .damping = Rational(1, 50)}}) {
+        const nmbcgen::Table table = nmbcgen::derive(what);
+        const auto pieces = nmbcgen::certify(table).max_cfl;
+        REQUIRE(std::ranges::any_of(pieces, [](const auto& steps) { return steps.from > 0; }));
+        CHECK(rc::check([&] {
+            const nmbc::StableStep steps = element_of(pieces);
+            const double part = whole_number(1, 1000) / 1000.0;
+            const double G = steps.window.low + part * (steps.window.high - steps.window.low);
+            RC_LOG() << "G " << G << ", from " << steps.from << '\n';
+            const auto nodes = std::size_t(100 + whole_number(0, 20));
+            const HalfSpace h = make_half_space(table, Rational(G));
+            RC_ASSERT(largest_factor(h, cfl_in(steps), nodes) < 1 + root_of_roundings);
+        }));
+    }
 }
 
 }  // namespace

@@ -16,7 +16,6 @@
 
 namespace {
 
-using nmbc::GhostRule;
 using nmbcgen::HalfSpace;
 using nmbcgen::Rational;
 using nmbcgen::test::relative;
@@ -194,17 +193,47 @@ TEST_CASE("in steps the interior's own limit is that of the quadratic in zeta") 
 TEST_CASE("at the largest cfl a damped chain does not grow, and a tenth above it can") {
     for (const Damped& what : {examples[2], examples[4], examples[6]}) {
         const HalfSpace h = half_space(what);
-        const double cfl = largest_cfl(h, GhostRule::midpoint);
+        const double cfl = stable_range(h).largest;
         const nmbcgen::LatticeEnd end{nmbcgen::LatticeEnd::Kind::matching, h};
         const auto radius_at = [&](double part, std::size_t nodes) {
             const double time_step = 2 * part * cfl / nmbcgen::maximum_frequency(h);
-            return spectral_radius(end, end, nodes, time_step, GhostRule::midpoint);
+            return spectral_radius(end, end, nodes, time_step);
         };
         CHECK(cfl > 0.15);
         for (const std::size_t nodes : {100U, 101U}) {
             CHECK(radius_at(1, nodes) < 1 + 1e-7);  // as above
         }
         CHECK(radius_at(1.15, 100) > 1 + 1e-6);
+    }
+}
+
+TEST_CASE(
+    "near a pole of the coefficients a chain grows in short steps, and `from` says up to which") {
+    struct Known {
+        Damped what;
+        double from = 0;  // found by assembled spectra of 104 nodes, within 0.002
+    };
+    for (const auto& [what, from] :
+         {Known{{2, 3, 2, Rational(1, 50), Rational(1, 10)}, 0.035},
+          Known{{2, 3, 2, 0, Rational(1, 10)}, 0.034},
+          Known{{2, 3, 2, Rational(3, 10), Rational(1, 10)}, 0.047},
+          Known{{1, 2, 1, Rational(9, 200), Rational(1, 50)}, 0.047}, Known{examples[2], 0}}) {
+        const HalfSpace h = half_space(what);
+        const nmbcgen::StepRange steps = stable_range(h);
+        CAPTURE(from);
+        CHECK(steps.from >= from);
+        CHECK(steps.from < from + 0.0025);
+        CHECK(steps.largest > steps.from);
+        const nmbcgen::LatticeEnd end{nmbcgen::LatticeEnd::Kind::matching, h};
+        const auto radius_at = [&](double cfl) {
+            const double time_step = 2 * cfl / nmbcgen::maximum_frequency(h);
+            return spectral_radius(end, end, 100, time_step);
+        };
+        constexpr double roundings = 1e-7;  // a double eigenvalue 1 splits by their root
+        CHECK(radius_at(std::max(steps.from, 1e-3)) < 1 + roundings);
+        for (const double cfl : {0.5 * from, 0.9 * from}) {
+            CHECK((cfl == 0 || radius_at(cfl) > 1.05));
+        }
     }
 }
 

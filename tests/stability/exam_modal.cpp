@@ -8,7 +8,7 @@
 
 namespace {
 
-using nmbcgen::ModalFailure;
+using nmbcgen::Failure;
 using nmbcgen::Rational;
 
 struct Windows {
@@ -48,12 +48,12 @@ TEST_CASE("modal windows") {
         for (const double G : windows.inside) {
             CAPTURE(G);
             CHECK(nmbcgen::modal_verdict(nmbcgen::make_half_space(table, Rational(G))).failure ==
-                  ModalFailure::none);
+                  Failure::none);
         }
         for (const double G : windows.outside) {
             CAPTURE(G);
             CHECK(nmbcgen::modal_verdict(nmbcgen::make_half_space(table, Rational(G))).failure !=
-                  ModalFailure::none);
+                  Failure::none);
         }
     }
 }
@@ -64,16 +64,16 @@ TEST_CASE("the kind of failure") {
         return nmbcgen::modal_verdict(nmbcgen::make_half_space(table, G));
     };
     // The paper's scalar criterion holds at n = 2, N = 2, G = 1, and yet a boundary mode grows.
-    CHECK(verdict(2, 2, 1).failure == ModalFailure::growing_mode);
+    CHECK(verdict(2, 2, 1).failure == Failure::growing_mode);
     CHECK(verdict(2, 2, 1).growth.real() > 0.1);
     // Below the threshold 1/4 there are backward waves; the amplified one is among them.
     const auto backward = verdict(1, 2, Rational(248) / 1000);
-    CHECK(backward.failure == ModalFailure::amplified_wave);
+    CHECK(backward.failure == Failure::amplified_wave);
     // Theory: every single-wave flux is below 1 here, and sup rho is 1.00196.
     CHECK(backward.supremum == doctest::Approx(1.0024).epsilon(5e-4));
     // NMBC1, G = 0, n = 1: sigma_max is 1.43, sup rho 1 exactly: paired, not contractive.
     const auto paired = verdict(1, 1, 0);
-    CHECK(paired.failure == ModalFailure::none);
+    CHECK(paired.failure == Failure::none);
     CHECK(paired.supremum == doctest::Approx(1).epsilon(1e-8));
     CHECK_FALSE(paired.contractive);
 }
@@ -101,7 +101,7 @@ TEST_CASE("next to a G where the stencil is shorter") {
     for (const Case& each : cases) {
         CAPTURE(each.boundary.horizon);
         const auto exact = verdict(each.boundary, each.shorter);
-        CHECK((exact.failure == ModalFailure::none) == each.stable);
+        CHECK((exact.failure == Failure::none) == each.stable);
         for (const double relative : {0.0, 1e-14, -1e-12, 1e-10}) {
             CAPTURE(relative);
             const auto near = verdict(

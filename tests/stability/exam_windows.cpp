@@ -22,7 +22,6 @@ using nmbcgen::AlgebraicNumber;
 using nmbcgen::Bracket;
 using nmbcgen::Edge;
 using nmbcgen::Failure;
-using nmbcgen::ModalFailure;
 using nmbcgen::over_rationals;
 using nmbcgen::Rational;
 using nmbcgen::StabilityWindow;
@@ -260,7 +259,7 @@ TEST_CASE("on both sides of C(1) = 0 a mode grows or a wave resonates") {
                 const auto failure =
                     nmbcgen::modal_verdict(nmbcgen::make_half_space(table, Rational(G))).failure;
                 const bool sends_by_itself =
-                    failure == ModalFailure::growing_mode || failure == ModalFailure::resonance;
+                    failure == Failure::growing_mode || failure == Failure::resonance;
                 CHECK(sends_by_itself);
             }
         }

@@ -58,6 +58,21 @@ expect_exit 0
 expect "its NMBC1" grep -q 'NMBC1, stride 1' "$scratch/stdout"
 expect "no NMBC2" lacks NMBC2 "$scratch/stdout"
 
+# Near a pole of its coefficients a mode of this condition grows in steps below cfl 0.047.
+make_table --order 2 --horizon 1 --damping 1/50 --G 9/200 --out scenes
+stiff=(--set model.influence=constant --set model.horizon=1 --set model.G=0.045
+    --set model.damping=1/50 --set boundary.order=2
+    --set 'model.tables=["nopd1d_n1_order2_tau1o50_G9o200.json"]')
+for cfl in 0.02 0.0469; do
+    try run "$scene" "${stiff[@]}" --set time.cfl=$cfl
+    expect_exit 4
+    expect_stderr "NMBC2 is certified from cfl = 0.047 to 0.15 at n = 1, G = 0.045, tau = 1/50"
+done
+for cfl in 0.048 0.15; do
+    try run "$scene" "${stiff[@]}" --set time.cfl=$cfl
+    expect_exit 0
+done
+
 # The condition matched at xi = 1/2 stands for the committed one of this order and stride.
 other=(--set model.influence=constant --set model.horizon=1)
 matched=("${other[@]}" --set model.G=0.5 --set boundary.order=2

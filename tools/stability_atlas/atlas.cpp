@@ -18,7 +18,6 @@ namespace stability_atlas {
 using nmbcgen::Failure;
 using nmbcgen::Grade;
 using nmbcgen::HalfSpace;
-using nmbcgen::ModalFailure;
 using nmbcgen::Rational;
 using nmbcgen::Specification;
 using nmbcgen::Table;
@@ -40,20 +39,6 @@ std::vector<Specification> specifications(const std::vector<unsigned>& horizons)
     return result;
 }
 
-Failure failure_of(const nmbcgen::ModalVerdict& verdict) {
-    switch (verdict.failure) {
-        case ModalFailure::growing_mode:
-            return Failure::growing_mode;
-        case ModalFailure::resonance:
-            return Failure::resonance;
-        case ModalFailure::amplified_wave:
-            return verdict.backward ? Failure::backward_band : Failure::amplified_wave;
-        case ModalFailure::none:
-            break;
-    }
-    return Failure::none;
-}
-
 void predict(const HalfSpace& half_space, Point& point) {
     if (half_space.E.size() == 0 || half_space.E[0] == 0) {  // C(1)
         point.failure = Failure::jordan_block;
@@ -62,10 +47,10 @@ void predict(const HalfSpace& half_space, Point& point) {
     const nmbcgen::ModalVerdict verdict = modal_verdict(half_space);
     point.failure = failure_of(verdict);
     point.growing_mode_rate = verdict.growth.real();
-    if (verdict.failure == ModalFailure::none || verdict.failure == ModalFailure::amplified_wave) {
+    if (verdict.failure == Failure::none || verdict.failure == Failure::amplified_wave) {
         point.supremum = verdict.supremum;
     }
-    if (verdict.failure == ModalFailure::none) {
+    if (verdict.failure == Failure::none) {
         point.grade = stability_grade(half_space);
     }
 }
@@ -110,8 +95,7 @@ double growth(const HalfSpace& half_space) {
     const nmbcgen::LatticeEnd end{.half_space = half_space};
     double rate = 0;
     for (const std::size_t nodes : {40U, 61U}) {
-        const double radius =
-            spectral_radius(end, end, nodes, time_step, nmbc::GhostRule::midpoint);
+        const double radius = spectral_radius(end, end, nodes, time_step);
         rate = std::max(rate, std::log(radius) / time_step);
     }
     return rate < least ? 0 : rate;

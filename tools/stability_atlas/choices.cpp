@@ -17,8 +17,7 @@ std::string cell(const nmbc::MatchingTable& table, double G) {
     if (grade == nmbc::Grade::none || cfl == 0) {
         return "";
     }
-    const double any =
-        nmbc::certified_cfl(table, G, nmbc::GhostRule::midpoint, nmbc::Opposite::any);
+    const double any = nmbc::certified_cfl(table, G, nmbc::Opposite::any);
     if (any == 0) {
         return fmt::format("{:.2f}", cfl);
     }

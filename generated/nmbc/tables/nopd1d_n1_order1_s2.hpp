@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -85,22 +85,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{0.16190752342128756, 0.16319250376590094}, 0.31},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{0, 0.020656205301920576}, 0.69},
-    {{0.020656205301920576, 0.04131241060384115}, 0.71},
-    {{0.04131241060384115, 0.06196861590576173}, 0.72},
-    {{0.06196861590576173, 0.0826248212076823}, 0.74},
-    {{0.0826248212076823, 0.10328102650960289}, 0.76},
-    {{0.10328102650960289, 0.12393723181152345}, 0.78},
-    {{0.12393723181152345, 0.14459343711344402}, 0.8},
-    {{0.14459343711344402, 0.15492153976440431}, 0.82},
-    {{0.15492153976440431, 0.16008559108988446}, 0.83},
-    {{0.16008559108988446, 0.1613766039212545}, 0.78},
-    {{0.1613766039212545, 0.16266761675262453}, 0.73},
-    {{0.16266761675262453, 0.16395862958399457}, 0.63},
-    {{0.16395862958399457, 0.1652496424153646}, 0.01},
-};
-
 }  // namespace nopd1d_n1_order1_s2_data
 
 /// NMBC1, horizon 1 dX, stride 2.
@@ -121,7 +105,6 @@ inline constexpr MatchingTable nopd1d_n1_order1_s2{
     .contractive = nopd1d_n1_order1_s2_data::contractive,
     .max_cfl = nopd1d_n1_order1_s2_data::max_cfl,
     .max_cfl_contractive = nopd1d_n1_order1_s2_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n1_order1_s2_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -89,22 +89,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{0.90625, 1}, 0.92},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{0.25, 0.296875}, 0.15},
-    {{0.296875, 0.34375}, 0.19},
-    {{0.34375, 0.390625}, 0.24},
-    {{0.390625, 0.4375}, 0.29},
-    {{0.4375, 0.53125}, 0.34},
-    {{0.53125, 0.625}, 0.38},
-    {{0.625, 0.71875}, 0.43},
-    {{0.71875, 0.765625}, 0.49},
-    {{0.765625, 0.8125}, 0.53},
-    {{0.8125, 0.859375}, 0.57},
-    {{0.859375, 0.90625}, 0.61},
-    {{0.90625, 0.953125}, 0.65},
-    {{0.953125, 1}, 0.7},
-};
-
 }  // namespace nopd1d_n1_order2_data
 
 /// NMBC2, horizon 1 dX, stride 1.
@@ -125,7 +109,6 @@ inline constexpr MatchingTable nopd1d_n1_order2{
     .contractive = nopd1d_n1_order2_data::contractive,
     .max_cfl = nopd1d_n1_order2_data::max_cfl,
     .max_cfl_contractive = nopd1d_n1_order2_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n1_order2_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -77,23 +77,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{0.14127203777217864, 0.1423932444211642}, 0.36},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{0, 0.018021203165690104}, 0.37},
-    {{0.018021203165690104, 0.03604240633138021}, 0.38},
-    {{0.03604240633138021, 0.054063609497070314}, 0.39},
-    {{0.054063609497070314, 0.07208481266276041}, 0.41},
-    {{0.07208481266276041, 0.09010601582845051}, 0.42},
-    {{0.09010601582845051, 0.10812721899414063}, 0.44},
-    {{0.10812721899414063, 0.12614842215983071}, 0.45},
-    {{0.12614842215983071, 0.13515902374267577}, 0.47},
-    {{0.13515902374267577, 0.13741167413838704}, 0.45},
-    {{0.13741167413838704, 0.13853799933624267}, 0.4},
-    {{0.13853799933624267, 0.1396643245340983}, 0.35},
-    {{0.1396643245340983, 0.14079064973195393}, 0.29},
-    {{0.14079064973195393, 0.14191697492980956}, 0.23},
-    {{0.14191697492980956, 0.1430433001276652}, 0.16},
-};
-
 }  // namespace nopd1d_n1_order2_s2_data
 
 /// NMBC2, horizon 1 dX, stride 2.
@@ -114,7 +97,6 @@ inline constexpr MatchingTable nopd1d_n1_order2_s2{
     .contractive = nopd1d_n1_order2_s2_data::contractive,
     .max_cfl = nopd1d_n1_order2_s2_data::max_cfl,
     .max_cfl_contractive = nopd1d_n1_order2_s2_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n1_order2_s2_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

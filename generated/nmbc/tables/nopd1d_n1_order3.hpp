@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -103,25 +103,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{2, unbounded}, 0.98},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{0.25, 0.3020833333333333}, 0.02},
-    {{0.3020833333333333, 0.35416666666666663}, 0.05},
-    {{0.35416666666666663, 0.40625}, 0.09},
-    {{0.40625, 0.43229166666666663}, 0.14},
-    {{0.43229166666666663, 0.4583333333333333}, 0.17},
-    {{0.4583333333333333, 0.5104166666666666}, 0.21},
-    {{0.5104166666666666, 0.5625}, 0.25},
-    {{0.5625, 0.5885416666666666}, 0.3},
-    {{0.5885416666666666, 0.6145833333333333}, 0.33},
-    {{0.6145833333333333, 0.640625}, 0.37},
-    {{0.640625, 0.6666666666666666}, 0.41},
-    {{2, 4.25}, 0.74},
-    {{4.25, 5.75}, 0.75},
-    {{5.75, 6.5}, 0.76},
-    {{6.5, 8}, 0.77},
-    {{8, unbounded}, 0.78},
-};
-
 }  // namespace nopd1d_n1_order3_data
 
 /// NMBC3, horizon 1 dX, stride 1.
@@ -142,7 +123,6 @@ inline constexpr MatchingTable nopd1d_n1_order3{
     .contractive = nopd1d_n1_order3_data::contractive,
     .max_cfl = nopd1d_n1_order3_data::max_cfl,
     .max_cfl_contractive = nopd1d_n1_order3_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n1_order3_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

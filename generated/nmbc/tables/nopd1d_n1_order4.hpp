@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -115,26 +115,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{3.112436867076458, 3.414213562373095}, 0.94},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{0.3339466094067262, 0.3759199141100893}, 0.01},
-    {{0.3759199141100893, 0.4178932188134524}, 0.03},
-    {{0.4178932188134524, 0.438879871165134}, 0.07},
-    {{0.438879871165134, 0.45986652351681556}, 0.1},
-    {{0.45986652351681556, 0.5018398282201786}, 0.13},
-    {{0.5018398282201786, 0.5438131329235417}, 0.18},
-    {{0.5438131329235417, 0.5647997852752233}, 0.24},
-    {{0.5647997852752233, 0.5857864376269049}, 0.28},
-    {{1, 1.6035533905932737}, 0.43},
-    {{1.6035533905932737, 1.9053300858899105}, 0.45},
-    {{1.9053300858899105, 2.2071067811865475}, 0.48},
-    {{2.2071067811865475, 2.5088834764831844}, 0.52},
-    {{2.5088834764831844, 2.810660171779821}, 0.56},
-    {{2.810660171779821, 2.9615485194281392}, 0.61},
-    {{2.9615485194281392, 3.112436867076458}, 0.64},
-    {{3.112436867076458, 3.2633252147247767}, 0.67},
-    {{3.2633252147247767, 3.414213562373095}, 0.7},
-};
-
 }  // namespace nopd1d_n1_order4_data
 
 /// NMBC4, horizon 1 dX, stride 1.
@@ -155,7 +135,6 @@ inline constexpr MatchingTable nopd1d_n1_order4{
     .contractive = nopd1d_n1_order4_data::contractive,
     .max_cfl = nopd1d_n1_order4_data::max_cfl,
     .max_cfl_contractive = nopd1d_n1_order4_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n1_order4_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -100,31 +100,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{13.755949544333689, 13.85945559745371}, 0.1},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{0.8359721068611146, 0.975300791337967}, 0.65},
-    {{0.975300791337967, 1.1146294758148194}, 0.7},
-    {{1.1146294758148194, 2.229258951629639}, 0.75},
-    {{2.229258951629639, 6.6877768548889165}, 0.8},
-    {{6.6877768548889165, 8.917035806518555}, 0.75},
-    {{8.917035806518555, 10.031665282333375}, 0.71},
-    {{10.031665282333375, 11.146294758148194}, 0.67},
-    {{11.146294758148194, 12.260924233963014}, 0.63},
-    {{12.260924233963014, 13.375553709777833}, 0.58},
-    {{13.375553709777833, 14.490183185592652}, 0.52},
-    {{14.490183185592652, 14.768840554546358}, 0.49},
-    {{14.768840554546358, 15.047497923500062}, 0.46},
-    {{15.047497923500062, 15.326155292453766}, 0.42},
-    {{15.326155292453766, 15.604812661407472}, 0.39},
-    {{15.604812661407472, 15.883470030361178}, 0.35},
-    {{15.883470030361178, 16.162127399314883}, 0.32},
-    {{16.162127399314883, 16.440784768268585}, 0.29},
-    {{16.440784768268585, 16.71944213722229}, 0.25},
-    {{16.71944213722229, 16.998099506175997}, 0.22},
-    {{16.998099506175997, 17.2767568751297}, 0.17},
-    {{17.2767568751297, 17.555414244083405}, 0.12},
-    {{17.555414244083405, 17.69474292856026}, 0.08},
-};
-
 }  // namespace nopd1d_n2_order1_s2_data
 
 /// NMBC1, horizon 2 dX, stride 2.
@@ -145,7 +120,6 @@ inline constexpr MatchingTable nopd1d_n2_order1_s2{
     .contractive = nopd1d_n2_order1_s2_data::contractive,
     .max_cfl = nopd1d_n2_order1_s2_data::max_cfl,
     .max_cfl_contractive = nopd1d_n2_order1_s2_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n2_order1_s2_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

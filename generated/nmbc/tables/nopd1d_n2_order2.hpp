@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -117,37 +117,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{3.749767822081009, 3.760061464080055}, 0.17},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{2.4574271393262452, 2.4677954551230785}, 0.17},
-    {{2.4677954551230785, 2.4781637709199122}, 0.27},
-    {{2.4781637709199122, 2.4885320867167455}, 0.35},
-    {{2.4885320867167455, 2.498900402513579}, 0.42},
-    {{2.498900402513579, 2.5092687183104125}, 0.5},
-    {{2.5092687183104125, 2.530005349904079}, 0.51},
-    {{2.530005349904079, 2.6129518762787467}, 0.52},
-    {{2.6129518762787467, 2.695898402653414}, 0.56},
-    {{2.695898402653414, 2.778844929028081}, 0.61},
-    {{2.778844929028081, 2.8617914554027486}, 0.65},
-    {{2.8617914554027486, 2.9447379817774157}, 0.69},
-    {{2.9447379817774157, 3.027684508152083}, 0.72},
-    {{3.027684508152083, 3.11063103452675}, 0.76},
-    {{3.11063103452675, 3.276524087276085}, 0.78},
-    {{3.276524087276085, 3.4424171400254195}, 0.82},
-    {{3.4424171400254195, 3.5253636664000867}, 0.79},
-    {{3.5253636664000867, 3.608310192774754}, 0.74},
-    {{3.608310192774754, 3.6497834559620874}, 0.7},
-    {{3.6497834559620874, 3.6705200875557544}, 0.67},
-    {{3.6705200875557544, 3.6808884033525877}, 0.62},
-    {{3.6808884033525877, 3.691256719149421}, 0.57},
-    {{3.691256719149421, 3.7016250349462547}, 0.52},
-    {{3.7016250349462547, 3.711993350743088}, 0.47},
-    {{3.711993350743088, 3.7223616665399213}, 0.43},
-    {{3.7223616665399213, 3.732729982336755}, 0.39},
-    {{3.732729982336755, 3.7430982981335883}, 0.34},
-    {{3.7430982981335883, 3.7534666139304216}, 0.28},
-    {{3.7534666139304216, 3.7638349297272553}, 0.19},
-};
-
 }  // namespace nopd1d_n2_order2_data
 
 /// NMBC2, horizon 2 dX, stride 1.
@@ -168,7 +137,6 @@ inline constexpr MatchingTable nopd1d_n2_order2{
     .contractive = nopd1d_n2_order2_data::contractive,
     .max_cfl = nopd1d_n2_order2_data::max_cfl,
     .max_cfl_contractive = nopd1d_n2_order2_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n2_order2_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -81,37 +81,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{2.9134365281291874, 2.930753454719094}, 0.49},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{0.7141868512110727, 0.8551710499365784}, 0.18},
-    {{0.8551710499365784, 0.9961552486620842}, 0.22},
-    {{0.9961552486620842, 1.13713944738759}, 0.27},
-    {{1.13713944738759, 1.2781236461130956}, 0.32},
-    {{1.2781236461130956, 1.4191078448386012}, 0.37},
-    {{1.4191078448386012, 1.560092043564107}, 0.42},
-    {{1.560092043564107, 1.8420604410151185}, 0.45},
-    {{1.8420604410151185, 1.983044639740624}, 0.48},
-    {{1.983044639740624, 2.12402883846613}, 0.51},
-    {{2.12402883846613, 2.405997235917141}, 0.54},
-    {{2.405997235917141, 2.546981434642647}, 0.6},
-    {{2.546981434642647, 2.6174735340054}, 0.63},
-    {{2.6174735340054, 2.6527195836867765}, 0.64},
-    {{2.6527195836867765, 2.6703426085274646}, 0.6},
-    {{2.6703426085274646, 2.6879656333681528}, 0.56},
-    {{2.6879656333681528, 2.705588658208841}, 0.51},
-    {{2.705588658208841, 2.723211683049529}, 0.47},
-    {{2.723211683049529, 2.740834707890217}, 0.43},
-    {{2.740834707890217, 2.7584577327309057}, 0.39},
-    {{2.7584577327309057, 2.7760807575715942}, 0.35},
-    {{2.7760807575715942, 2.7937037824122823}, 0.31},
-    {{2.7937037824122823, 2.8113268072529705}, 0.27},
-    {{2.8113268072529705, 2.8289498320936586}, 0.23},
-    {{2.8289498320936586, 2.8465728569343467}, 0.2},
-    {{2.8465728569343467, 2.864195881775035}, 0.16},
-    {{2.864195881775035, 2.881818906615723}, 0.13},
-    {{2.881818906615723, 2.899441931456411}, 0.1},
-    {{2.899441931456411, 2.9346879811377873}, 0.04},
-};
-
 }  // namespace nopd1d_n2_order2_s2_data
 
 /// NMBC2, horizon 2 dX, stride 2.
@@ -132,7 +101,6 @@ inline constexpr MatchingTable nopd1d_n2_order2_s2{
     .contractive = nopd1d_n2_order2_s2_data::contractive,
     .max_cfl = nopd1d_n2_order2_s2_data::max_cfl,
     .max_cfl_contractive = nopd1d_n2_order2_s2_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n2_order2_s2_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

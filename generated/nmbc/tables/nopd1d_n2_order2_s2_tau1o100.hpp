@@ -86,7 +86,6 @@ inline constexpr MatchingTable nopd1d_n2_order2_s2_tau1o100{
     .contractive = {},  // not sought of a damped lattice
     .max_cfl = nopd1d_n2_order2_s2_tau1o100_data::max_cfl,
     .max_cfl_contractive = {},  // not sought of a damped lattice
-    .max_cfl_explicit = {},
     .least_nodes = 100,
 };
 

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -82,28 +82,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{0.18540465190525018, 0.1860247142762755}, 0.07},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{0.08083920480362203, 0.08287457985524671}, 0.21},
-    {{0.08287457985524671, 0.0849099549068714}, 0.3},
-    {{0.0849099549068714, 0.08694532995849606}, 0.37},
-    {{0.08694532995849606, 0.09508683016499478}, 0.44},
-    {{0.09508683016499478, 0.14393583140398708}, 0.46},
-    {{0.14393583140398708, 0.17650183222998195}, 0.47},
-    {{0.17650183222998195, 0.20906783305597681}, 0.48},
-    {{0.20906783305597681, 0.24163383388197168}, 0.49},
-    {{0.24163383388197168, 0.27419983470796655}, 0.5},
-    {{0.27419983470796655, 0.3067658355339614}, 0.51},
-    {{0.3067658355339614, 0.31490733574046015}, 0.5},
-    {{0.31490733574046015, 0.3189780858437095}, 0.45},
-    {{0.3189780858437095, 0.3230488359469589}, 0.39},
-    {{0.3230488359469589, 0.32711958605020824}, 0.33},
-    {{0.32711958605020824, 0.32915496110183295}, 0.3},
-    {{0.32915496110183295, 0.3311903361534576}, 0.26},
-    {{0.3311903361534576, 0.33322571120508226}, 0.22},
-    {{0.33322571120508226, 0.3352610862567069}, 0.18},
-    {{0.3352610862567069, 0.3372964613083316}, 0.12},
-};
-
 }  // namespace nopd1d_n2_order2_s4_data
 
 /// NMBC2, horizon 2 dX, stride 4.
@@ -124,7 +102,6 @@ inline constexpr MatchingTable nopd1d_n2_order2_s4{
     .contractive = nopd1d_n2_order2_s4_data::contractive,
     .max_cfl = nopd1d_n2_order2_s4_data::max_cfl,
     .max_cfl_contractive = nopd1d_n2_order2_s4_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n2_order2_s4_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -101,30 +101,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{1.8725058812930968, 1.886197113067743}, 0.63},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{1.7757515597264137, 1.7769119113931824}, 0.04},
-    {{1.7769119113931824, 1.7792326147267197}, 0.06},
-    {{1.7792326147267197, 1.7838740213937943}, 0.1},
-    {{1.7838740213937943, 1.7931568347279432}, 0.12},
-    {{1.7931568347279432, 1.8117224613962413}, 0.13},
-    {{1.8117224613962413, 1.8302880880645394}, 0.15},
-    {{1.8302880880645394, 1.8488537147328374}, 0.17},
-    {{1.8488537147328374, 1.8674193414011355}, 0.19},
-    {{1.8674193414011355, 1.8859849680694336}, 0.21},
-    {{1.8859849680694336, 1.9045505947377317}, 0.23},
-    {{1.9045505947377317, 1.9138334080718806}, 0.25},
-    {{1.9138334080718806, 1.9184748147389552}, 0.26},
-    {{1.9184748147389552, 1.9219558697392611}, 0.27},
-    {{4.437190812760647, 6.762832767180124}, 0.19},
-    {{6.762832767180124, 9.088474721599601}, 0.22},
-    {{9.088474721599601, 11.414116676019077}, 0.2},
-    {{11.414116676019077, 13.739758630438555}, 0.18},
-    {{13.739758630438555, 16.065400584858033}, 0.16},
-    {{16.065400584858033, 18.391042539277507}, 0.12},
-    {{18.391042539277507, 20.716684493696985}, 0.07},
-    {{20.716684493696985, 21.87950547090672}, 0.05},
-};
-
 }  // namespace nopd1d_n2_order3_data
 
 /// NMBC3, horizon 2 dX, stride 1.
@@ -145,7 +121,6 @@ inline constexpr MatchingTable nopd1d_n2_order3{
     .contractive = nopd1d_n2_order3_data::contractive,
     .max_cfl = nopd1d_n2_order3_data::max_cfl,
     .max_cfl_contractive = nopd1d_n2_order3_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n2_order3_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

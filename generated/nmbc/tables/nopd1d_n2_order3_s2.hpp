@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -111,25 +111,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{12.193399335500587, 15.340490395812308}, 0.85},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{0.8607764785899653, 1.0111273900738906}, 0.07},
-    {{1.0111273900738906, 1.1614783015578158}, 0.1},
-    {{1.1614783015578158, 1.311829213041741}, 0.14},
-    {{1.311829213041741, 1.3870046687837037}, 0.2},
-    {{1.3870046687837037, 1.4621801245256663}, 0.23},
-    {{1.4621801245256663, 1.6125310360095915}, 0.26},
-    {{1.6125310360095915, 1.762881947493517}, 0.3},
-    {{1.762881947493517, 1.9132328589774423}, 0.34},
-    {{1.9132328589774423, 1.9508205868484236}, 0.32},
-    {{1.9508205868484236, 1.988408314719405}, 0.27},
-    {{1.988408314719405, 2.0072021786548957}, 0.24},
-    {{2.0072021786548957, 2.0259960425903865}, 0.18},
-    {{2.0259960425903865, 2.035392974558132}, 0.14},
-    {{2.035392974558132, 2.044789906525877}, 0.11},
-    {{2.044789906525877, 2.0541868384936226}, 0.07},
-    {{6.948247568314387, 15.340490395812308}, 0.82},
-};
-
 }  // namespace nopd1d_n2_order3_s2_data
 
 /// NMBC3, horizon 2 dX, stride 2.
@@ -150,7 +131,6 @@ inline constexpr MatchingTable nopd1d_n2_order3_s2{
     .contractive = nopd1d_n2_order3_s2_data::contractive,
     .max_cfl = nopd1d_n2_order3_s2_data::max_cfl,
     .max_cfl_contractive = nopd1d_n2_order3_s2_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n2_order3_s2_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -124,37 +124,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{11.167601085184856, 11.191319669329836}, 0.18},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{7.302332138055981, 7.35418373599158}, 0.23},
-    {{7.35418373599158, 7.406035333927178}, 0.3},
-    {{7.406035333927178, 7.457886931862776}, 0.37},
-    {{7.457886931862776, 7.5097385297983745}, 0.43},
-    {{7.5097385297983745, 7.717144921540768}, 0.44},
-    {{7.717144921540768, 7.924551313283162}, 0.49},
-    {{7.924551313283162, 8.131957705025556}, 0.52},
-    {{8.131957705025556, 8.546770488510344}, 0.55},
-    {{8.546770488510344, 8.961583271995131}, 0.59},
-    {{8.961583271995131, 9.376396055479919}, 0.63},
-    {{9.376396055479919, 9.791208838964709}, 0.67},
-    {{9.791208838964709, 10.206021622449496}, 0.71},
-    {{10.206021622449496, 10.620834405934284}, 0.74},
-    {{10.620834405934284, 11.45045997290386}, 0.77},
-    {{11.45045997290386, 12.280085539873436}, 0.8},
-    {{12.280085539873436, 12.694898323358224}, 0.78},
-    {{12.694898323358224, 13.109711106843012}, 0.73},
-    {{13.109711106843012, 13.317117498585405}, 0.69},
-    {{13.317117498585405, 13.420820694456602}, 0.66},
-    {{13.420820694456602, 13.4726722923922}, 0.63},
-    {{13.4726722923922, 13.5245238903278}, 0.58},
-    {{13.5245238903278, 13.576375488263398}, 0.53},
-    {{13.576375488263398, 13.628227086198997}, 0.48},
-    {{13.628227086198997, 13.680078684134596}, 0.43},
-    {{13.680078684134596, 13.731930282070193}, 0.38},
-    {{13.731930282070193, 13.78378188000579}, 0.34},
-    {{13.78378188000579, 13.83563347794139}, 0.28},
-    {{13.83563347794139, 13.887485075876988}, 0.19},
-};
-
 }  // namespace nopd1d_n2_order4_data
 
 /// NMBC4, horizon 2 dX, stride 1.
@@ -175,7 +144,6 @@ inline constexpr MatchingTable nopd1d_n2_order4{
     .contractive = nopd1d_n2_order4_data::contractive,
     .max_cfl = nopd1d_n2_order4_data::max_cfl,
     .max_cfl_contractive = nopd1d_n2_order4_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n2_order4_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

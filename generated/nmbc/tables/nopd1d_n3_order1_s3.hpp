@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -96,34 +96,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{10.981907649770578, 11.059045444239537}, 0.09},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{1.338101592192423, 1.4321722962771237}, 0.64},
-    {{1.4321722962771237, 1.620313704446525}, 0.66},
-    {{1.620313704446525, 1.8084551126159263}, 0.7},
-    {{1.8084551126159263, 1.9965965207853273}, 0.74},
-    {{1.9965965207853273, 2.3728793371241297}, 0.79},
-    {{2.3728793371241297, 3.878010602479339}, 0.81},
-    {{3.878010602479339, 5.383141867834548}, 0.8},
-    {{5.383141867834548, 6.888273133189758}, 0.76},
-    {{6.888273133189758, 7.640838765867362}, 0.74},
-    {{7.640838765867362, 8.393404398544966}, 0.7},
-    {{8.393404398544966, 9.145970031222571}, 0.66},
-    {{9.145970031222571, 9.898535663900176}, 0.62},
-    {{9.898535663900176, 10.274818480238979}, 0.59},
-    {{10.274818480238979, 10.651101296577782}, 0.55},
-    {{10.651101296577782, 10.839242704747182}, 0.52},
-    {{10.839242704747182, 11.027384112916582}, 0.48},
-    {{11.027384112916582, 11.215525521085983}, 0.45},
-    {{11.215525521085983, 11.403666929255385}, 0.41},
-    {{11.403666929255385, 11.591808337424787}, 0.38},
-    {{11.591808337424787, 11.779949745594188}, 0.34},
-    {{11.779949745594188, 12.15623256193299}, 0.28},
-    {{12.15623256193299, 12.344373970102392}, 0.24},
-    {{12.344373970102392, 12.532515378271793}, 0.19},
-    {{12.532515378271793, 12.720656786441193}, 0.13},
-    {{12.720656786441193, 12.814727490525893}, 0.09},
-};
-
 }  // namespace nopd1d_n3_order1_s3_data
 
 /// NMBC1, horizon 3 dX, stride 3.
@@ -144,7 +116,6 @@ inline constexpr MatchingTable nopd1d_n3_order1_s3{
     .contractive = nopd1d_n3_order1_s3_data::contractive,
     .max_cfl = nopd1d_n3_order1_s3_data::max_cfl,
     .max_cfl_contractive = nopd1d_n3_order1_s3_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n3_order1_s3_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -98,30 +98,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{3.983300496298486, 4.0048937895494126}, 0.16},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{1.262545546681792, 1.4681609443749482}, 0.2},
-    {{1.4681609443749482, 1.6737763420681042}, 0.24},
-    {{1.6737763420681042, 1.8793917397612603}, 0.28},
-    {{1.8793917397612603, 2.0850071374544163}, 0.31},
-    {{2.0850071374544163, 2.2906225351475724}, 0.36},
-    {{2.2906225351475724, 2.496237932840728}, 0.4},
-    {{2.496237932840728, 2.90746872822704}, 0.45},
-    {{2.90746872822704, 3.3186995236133523}, 0.49},
-    {{3.3186995236133523, 3.7299303189996644}, 0.52},
-    {{3.7299303189996644, 4.038353415539398}, 0.57},
-    {{4.038353415539398, 4.089757264962687}, 0.53},
-    {{4.089757264962687, 4.141161114385977}, 0.48},
-    {{4.141161114385977, 4.192564963809266}, 0.44},
-    {{4.192564963809266, 4.243968813232555}, 0.4},
-    {{4.243968813232555, 4.2953726626558435}, 0.35},
-    {{4.2953726626558435, 4.346776512079133}, 0.3},
-    {{4.346776512079133, 4.398180361502422}, 0.25},
-    {{4.398180361502422, 4.44958421092571}, 0.2},
-    {{4.44958421092571, 4.475286135637355}, 0.17},
-    {{4.475286135637355, 4.500988060349}, 0.13},
-    {{4.500988060349, 4.526689985060644}, 0.09},
-};
-
 }  // namespace nopd1d_n3_order2_s3_data
 
 /// NMBC2, horizon 3 dX, stride 3.
@@ -142,7 +118,6 @@ inline constexpr MatchingTable nopd1d_n3_order2_s3{
     .contractive = nopd1d_n3_order2_s3_data::contractive,
     .max_cfl = nopd1d_n3_order2_s3_data::max_cfl,
     .max_cfl_contractive = nopd1d_n3_order2_s3_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n3_order2_s3_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

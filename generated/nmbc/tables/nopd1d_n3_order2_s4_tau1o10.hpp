@@ -85,7 +85,6 @@ inline constexpr MatchingTable nopd1d_n3_order2_s4_tau1o10{
     .contractive = {},  // not sought of a damped lattice
     .max_cfl = nopd1d_n3_order2_s4_tau1o10_data::max_cfl,
     .max_cfl_contractive = {},  // not sought of a damped lattice
-    .max_cfl_explicit = {},
     .least_nodes = 100,
 };
 

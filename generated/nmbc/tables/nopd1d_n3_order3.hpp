@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -67,18 +67,6 @@ inline constexpr StableStep max_cfl[]{
     {{3.3631290395471405, 3.3860889860052903}, 0.66},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{3.2024094143400927, 3.2253693607982425}, 0.02},
-    {{3.2253693607982425, 3.248329307256392}, 0.08},
-    {{3.248329307256392, 3.2712892537145417}, 0.1},
-    {{3.2712892537145417, 3.2942492001726915}, 0.11},
-    {{3.2942492001726915, 3.3172091466308413}, 0.12},
-    {{3.3172091466308413, 3.340169093088991}, 0.13},
-    {{3.340169093088991, 3.3631290395471405}, 0.14},
-    {{3.3631290395471405, 3.374609012776215}, 0.15},
-    {{3.374609012776215, 3.384653989351656}, 0.16},
-};
-
 }  // namespace nopd1d_n3_order3_data
 
 /// NMBC3, horizon 3 dX, stride 1.
@@ -99,7 +87,6 @@ inline constexpr MatchingTable nopd1d_n3_order3{
     .contractive = {},
     .max_cfl = nopd1d_n3_order3_data::max_cfl,
     .max_cfl_contractive = {},
-    .max_cfl_explicit = nopd1d_n3_order3_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

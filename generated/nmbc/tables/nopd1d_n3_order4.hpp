@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -70,20 +70,6 @@ inline constexpr StableStep max_cfl[]{
     {{11.85040903488094, 11.853445369923767}, 0.55},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{11.489085164784505, 11.513375845127122}, 0.04},
-    {{11.513375845127122, 11.561957205812357}, 0.06},
-    {{11.561957205812357, 11.610538566497592}, 0.09},
-    {{11.610538566497592, 11.659119927182827}, 0.12},
-    {{11.659119927182827, 11.707701287868062}, 0.14},
-    {{11.707701287868062, 11.756282648553297}, 0.17},
-    {{11.756282648553297, 11.804864009238532}, 0.18},
-    {{11.804864009238532, 11.829154689581149}, 0.2},
-    {{11.829154689581149, 11.841300029752457}, 0.21},
-    {{11.841300029752457, 11.847372699838111}, 0.22},
-    {{11.847372699838111, 11.85040903488094}, 0.2},
-};
-
 }  // namespace nopd1d_n3_order4_data
 
 /// NMBC4, horizon 3 dX, stride 1.
@@ -104,7 +90,6 @@ inline constexpr MatchingTable nopd1d_n3_order4{
     .contractive = {},
     .max_cfl = nopd1d_n3_order4_data::max_cfl,
     .max_cfl_contractive = {},
-    .max_cfl_explicit = nopd1d_n3_order4_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl and max_cfl_explicit: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme with midpoint ghosts; modal edges are exact where an exact value is given, else in the bracket
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket
 #pragma once
 
 #include <nmbc/table.hpp>
@@ -105,27 +105,6 @@ inline constexpr StableStep max_cfl_contractive[]{
     {{4.713699746030901, 4.736458096281362}, 0.1},
 };
 
-inline constexpr StableStep max_cfl_explicit[]{
-    {{1.846147614472795, 2.3140799730411437}, 0.22},
-    {{2.3140799730411437, 2.548046152325318}, 0.27},
-    {{2.548046152325318, 2.782012331609492}, 0.3},
-    {{2.782012331609492, 3.2499446901778404}, 0.34},
-    {{3.2499446901778404, 3.4839108694620147}, 0.4},
-    {{3.4839108694620147, 3.717877048746189}, 0.44},
-    {{3.717877048746189, 4.185809407314537}, 0.47},
-    {{4.185809407314537, 4.653741765882886}, 0.51},
-    {{4.653741765882886, 4.88770794516706}, 0.49},
-    {{4.88770794516706, 5.004691034809147}, 0.44},
-    {{5.004691034809147, 5.121674124451234}, 0.39},
-    {{5.121674124451234, 5.238657214093321}, 0.33},
-    {{5.238657214093321, 5.297148758914364}, 0.3},
-    {{5.297148758914364, 5.355640303735408}, 0.26},
-    {{5.355640303735408, 5.414131848556451}, 0.22},
-    {{5.414131848556451, 5.472623393377495}, 0.18},
-    {{5.472623393377495, 5.531114938198538}, 0.12},
-    {{5.531114938198538, 5.560360710609061}, 0.08},
-};
-
 }  // namespace nopd1d_n4_order2_s4_data
 
 /// NMBC2, horizon 4 dX, stride 4.
@@ -146,7 +125,6 @@ inline constexpr MatchingTable nopd1d_n4_order2_s4{
     .contractive = nopd1d_n4_order2_s4_data::contractive,
     .max_cfl = nopd1d_n4_order2_s4_data::max_cfl,
     .max_cfl_contractive = nopd1d_n4_order2_s4_data::max_cfl_contractive,
-    .max_cfl_explicit = nopd1d_n4_order2_s4_data::max_cfl_explicit,
     .least_nodes = 0,
 };
 

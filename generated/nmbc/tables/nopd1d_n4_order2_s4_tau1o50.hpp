@@ -97,7 +97,6 @@ inline constexpr MatchingTable nopd1d_n4_order2_s4_tau1o50{
     .contractive = {},  // not sought of a damped lattice
     .max_cfl = nopd1d_n4_order2_s4_tau1o50_data::max_cfl,
     .max_cfl_contractive = {},  // not sought of a damped lattice
-    .max_cfl_explicit = {},
     .least_nodes = 100,
 };
 

@@ -195,7 +195,7 @@ double ReflectionError::of(const Boundary& boundary, double time_step) {
     if (modes_ == nullptr) {
         modes_ = std::make_unique<nmbcgen::KnownModes>(in_time);
     }
-    const auto end = stepped(in_time, time_step, boundary.ghosts);
+    const auto end = stepped(in_time, time_step);
     return of_all([&](const Arrivals& arrivals) {
         const std::vector<Arrival>& waves = arrivals.waves;
         double later = 0;

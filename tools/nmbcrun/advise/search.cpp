@@ -137,23 +137,26 @@ Search::Verdict Search::judge(Candidate& candidate, BoundaryError boundary_error
         fmt::format("predicted error {:.2g} at cfl = {:.3g}", candidate.error(), candidate.cfl)};
 }
 
-/// In the longest steps up to a cfl in which it meets the tolerance. limit: in words.
+/// In the longest of the steps in which it meets the tolerance. limit: in words.
 /// error_at(cfl): of the boundary.
 template <class ErrorAt>
-void Search::add(const std::string& name, const Boundary& boundary, double highest,
+void Search::add(const std::string& name, const Boundary& boundary, const nmbc::StableStep& steps,
                  const std::string& limit, ErrorAt error_at) {
     const auto given = given_cfl();
-    if (given && *given > highest * (1 + 1e-9)) {
-        leave_out(name, fmt::format("certified up to cfl = {:.3g}, and the scene has {:.3g}",
-                                    highest, *given));
+    if (given && (*given > steps.cfl * (1 + 1e-9) || *given < steps.from)) {
+        leave_out(name,
+                  fmt::format("certified {}up to cfl = {:.3g}, and the scene has {:.3g}",
+                              steps.from > 0 ? fmt::format("from cfl = {:.3g} ", steps.from) : "",
+                              steps.cfl, *given));
         return;
     }
     const double lowest =
-        given.value_or(reference_ == Reference::lattice ? smallest_cfl : smallest_of_many);
+        std::max(given.value_or(reference_ == Reference::lattice ? smallest_cfl : smallest_of_many),
+                 steps.from);
     double best = infinity;
     InShorterSteps shorter(tolerance_ / margin);
     std::string why_not_longer = given ? "the scene gives them" : limit;
-    for (double cfl = given.value_or(highest); cfl >= lowest; cfl = next_shorter(cfl)) {
+    for (double cfl = given.value_or(steps.cfl); cfl >= lowest; cfl = next_shorter(cfl)) {
         Candidate one = candidate(name, boundary, cfl);
         if (double(one.steps) > scope_.most_steps || one.steps > most_steps(boundary.kind)) {
             break;
@@ -176,7 +179,7 @@ void Search::add(const std::string& name, const Boundary& boundary, double highe
 
 void Search::add_ends_of_the_lattice() {
     const auto none = [](double) { return 0.0; };
-    const double highest = largest_cfl * nmbc::interior_cfl(lattice_);
+    const nmbc::StableStep highest{{}, largest_cfl * nmbc::interior_cfl(lattice_)};
     const std::string limit = "just below the interior's limit";
     if (Mirrors(scene_).count() == 2) {
         add("its own ends, which are physical", scene_.left, highest, limit, none);
@@ -197,8 +200,11 @@ void Search::add_table(const nmbc::MatchingTable& table) {
         fmt::format("NMBC{}, stride {}{}", table.order, table.stride,
                     table.time_step == "0" ? std::string()
                                            : fmt::format(", in steps of {} dX/c", table.time_step));
-    const double highest = largest_certified_cfl(with_artificial_ends(scene_, boundary), lattice_);
-    if (highest == 0) {
+    const nmbc::StableStep steps{
+        {},
+        largest_certified_cfl(with_artificial_ends(scene_, boundary), lattice_),
+        nmbc::certified_steps(table, scene_.G).from};
+    if (steps.cfl == 0) {
         leave_out(name, uncertified_file(scene_, table) != nullptr
                             ? "its table was written with --uncertified"
                         : Mirrors(scene_).count() > 0
@@ -212,13 +218,13 @@ void Search::add_table(const nmbc::MatchingTable& table) {
     }
     const double matched = nmbc::detail::nearest_to_fraction(table.time_step);
     const double own_cfl = matched * omega_max_ / 2;
-    if (matched > 0 && (given_cfl() || own_cfl > highest)) {
+    if (matched > 0 && (given_cfl() || !steps.allows(own_cfl))) {
         leave_out(name, given_cfl() ? "its step is not the scene's" : "its step is not certified");
         return;
     }
     const auto error_at = [&](double cfl) { return reflection_error_.of(boundary, step_of(cfl)); };
     if (matched == 0) {
-        add(name, boundary, highest, "none are certified", error_at);
+        add(name, boundary, steps, "none are certified", error_at);
         return;
     }
     Candidate one = candidate(name, boundary, own_cfl);

@@ -55,7 +55,7 @@ class Search {
     double interior_error_at(double cfl);
     Candidate candidate(const std::string& name, const Boundary& boundary, double cfl) const;
     template <class ErrorAt>
-    void add(const std::string& name, const Boundary& boundary, double highest,
+    void add(const std::string& name, const Boundary& boundary, const nmbc::StableStep& steps,
              const std::string& limit, ErrorAt error_at);
     template <class BoundaryError>
     Verdict judge(Candidate& candidate, BoundaryError boundary_error);

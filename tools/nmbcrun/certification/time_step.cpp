@@ -42,21 +42,24 @@ AutomaticStep with_their_like(const Scene& scene, const nmbc::Lattice& lattice) 
             continue;
         }
         const nmbc::MatchingTable& table = table_of(scene, *boundary);
-        const double cfl = nmbc::certified_cfl(table, scene.G, boundary->ghosts);
-        if (cfl == 0) {
+        const bool midpoint = boundary->ghosts == nmbc::GhostRule::midpoint;
+        const auto steps =
+            midpoint ? nmbc::certified_steps(table, scene.G) : nmbc::StableStep{{}, 0};
+        if (steps.cfl == 0) {
             const TableFile* uncertified = uncertified_file(scene, table);
-            return {0, fmt::format(
-                           "{} at G = {}: {}{}{}", heading_of(*boundary), scene.G,
-                           uncertified == nullptr ? ""
-                                                  : fmt::format("its table, in {}, was written "
-                                                                "with --uncertified; ",
-                                                                uncertified->name()),
-                           boundary->ghosts == nmbc::GhostRule::midpoint ? ""
-                                                                         : "with midpoint ghosts, ",
-                           nmbc::certified_choices(table, scene.G, tables_of(scene)))};
+            return {
+                0, fmt::format("{} at G = {}: {}{}{}", heading_of(*boundary), scene.G,
+                               uncertified == nullptr ? ""
+                                                      : fmt::format("its table, in {}, was written "
+                                                                    "with --uncertified; ",
+                                                                    uncertified->name()),
+                               midpoint ? "" : "with midpoint ghosts, ",
+                               nmbc::certified_choices(table, scene.G, tables_of(scene)))};
         }
-        if (cfl < step.cfl) {
-            step = {cfl, "the largest certified for " + heading_of(*boundary)};
+        step.from = std::max(step.from, steps.from);
+        if (steps.cfl < step.cfl) {
+            step.cfl = steps.cfl;
+            step.limit = "the largest certified for " + heading_of(*boundary);
         }
     }
     return step;
@@ -99,7 +102,7 @@ std::optional<AutomaticStep> matched_step(const Scene& scene, const nmbc::Lattic
             require_midpoint_ghosts(*boundary);
             return AutomaticStep{
                 matched_time_step(*boundary) * nmbc::maximum_frequency(lattice) / 2,
-                "what the boundary is matched in"};
+                "what the boundary is matched in", 0};
         }
     }
     return std::nullopt;
@@ -164,7 +167,9 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
     const TimeScale scale = shortest_time_scale(scene, lattice);
     const double of_drive = scale.time / steps_of_drive * omega_max / 2;
     if (!matched && of_drive < step.cfl) {
-        step = {of_drive, "a twentieth of " + scale.name};
+        step.cfl = std::max(of_drive, step.from);
+        step.limit = of_drive < step.from ? "the smallest certified for these ends"
+                                          : "a twentieth of " + scale.name;
     }
     if (scene.left == scene.right) {
         return step;

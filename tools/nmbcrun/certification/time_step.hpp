@@ -16,6 +16,7 @@ double highest_frequency(const Scene& scene, const nmbc::Lattice& lattice);
 struct AutomaticStep {
     double cfl = 0;       ///< dt omega_max / 2
     std::string limit{};  ///< what does not allow a longer one, in words
+    double from = 0;      ///< the smallest cfl that the ends' tables are certified for
 };
 
 /// The step that an end of the scene is matched in; without one, the largest that is certified for

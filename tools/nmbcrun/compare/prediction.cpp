@@ -27,14 +27,15 @@ std::optional<std::function<double(double xi)>> reflected_energy_of(const Scene&
             }
             return [](double) { return 0.0; };
         case BoundaryKind::nmbc:
+            if (boundary.ghosts != nmbc::GhostRule::midpoint) {
+                return std::nullopt;  // the analysis is of midpoint ghosts
+            }
             break;
         default:
             return std::nullopt;
     }
-    return [half_space = stepped(half_space_of(table_of(scene, boundary), scene.G), time_step,
-                                 boundary.ghosts)](double xi) {
-        return nmbcgen::reflected_energy(half_space, xi);
-    };
+    return [half_space = stepped(half_space_of(table_of(scene, boundary), scene.G), time_step)](
+               double xi) { return nmbcgen::reflected_energy(half_space, xi); };
 }
 
 std::optional<double> predicted_reflection(const Scene& scene, const Boundary& boundary,

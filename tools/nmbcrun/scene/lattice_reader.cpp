@@ -134,7 +134,7 @@ void require_of_energy(const JsonValue& json, const nmbcgen::Model& model,
         std::ranges::copy(nmbcgen::symbol_of(stabilisation), sigma.begin());
     }
     for (std::size_t m = 0; m < model.damping.size(); ++m) {
-        if (model.damping[m] != evaluate(sigma[m], 1) * tau) {
+        if (model.damping[m] != nmbcgen::evaluate(sigma[m], 1) * tau) {
             json.at("damping").must_be("tau times the symbol of the stabilisation at G = 1");
         }
     }
@@ -148,7 +148,7 @@ nmbcgen::Model model_of(const JsonValue& json, const nmbcgen::Rational& tau) {
         if (number.size() > 1) {
             json.at("damping").must_be("a list of numbers, the same at every G");
         }
-        model.damping.push_back(evaluate(number, 0));
+        model.damping.push_back(nmbcgen::evaluate(number, 0));
     }
     for (const JsonValue& square : json.at("energy").elements()) {
         model.energy.push_back(square_of(square, model.symbol.size() - 1));

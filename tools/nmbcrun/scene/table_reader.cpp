@@ -81,7 +81,8 @@ std::span<const nmbc::StableStep> TableReader::steps(const char* key) {
         const double low = piece.at("low").number(0, highest);
         const double high =
             piece.at("high").is_null() ? nmbc::unbounded : piece.at("high").number(low, highest);
-        list.push_back({{low, high}, piece.at("cfl").number(0, 1)});
+        const double cfl = piece.at("cfl").number(0, 1);
+        list.push_back({{low, high}, cfl, piece.at("from").number(0, cfl)});
     }
     return list;
 }
@@ -107,7 +108,6 @@ OwnTable TableReader::read() {
                   .contractive = windows("contractive"),
                   .max_cfl = steps("max_cfl"),
                   .max_cfl_contractive = steps("max_cfl_contractive"),
-                  .max_cfl_explicit = steps("max_cfl_explicit"),
                   .least_nodes =
                       json_.at("least_nodes").whole_number(0, std::numeric_limits<int>::max())},
         .is_certified = !json_.at("certificate").is_null()};
@@ -118,8 +118,7 @@ OwnTable TableReader::read() {
     if (own.is_certified) {
         json_.at("certificate").text();
     } else if (!table.reflection.empty() || !table.modal.empty() || !table.contractive.empty() ||
-               !table.max_cfl.empty() || !table.max_cfl_contractive.empty() ||
-               !table.max_cfl_explicit.empty()) {
+               !table.max_cfl.empty() || !table.max_cfl_contractive.empty()) {
         json_.at("certificate").must_be("a string where there are windows and steps");
     }
     return own;
