@@ -42,11 +42,7 @@ struct Ends {
 
 Ends ends_of(const Scene& scene, const nmbcgen::HalfSpace& left, const nmbcgen::HalfSpace& right,
              double time_step) {
-    Ends ends{end_of(scene.left, left, time_step), end_of(scene.right, right, time_step)};
-    // A table at a fixed G has its symbol, one at any G that of the double nearest to it.
-    ends.right.half_space.symbol = ends.left.half_space.symbol;
-    ends.right.half_space.L = ends.left.half_space.L;
-    return ends;
+    return {end_of(scene.left, left, time_step), end_of(scene.right, right, time_step)};
 }
 
 /// ln |zeta| of the factor zeta of one time step [dX/c], whose sigma this is (half_space.hpp).
