@@ -130,8 +130,9 @@ for command in advise run; do
 done
 
 # Stopped: at once, wherever it is. One that is not done by then would take minutes.
-notes_signals() {  # SIGTERM, bit 14 of those that the process catches
+notes_signals() {  # SIGTERM, bit 14 of those that the process catches; not the shell it was
     local caught
+    [ "/proc/$1/exe" -ef "$program" ] || return 1
     caught=$(sed -n 's/^SigCgt:\t//p' "/proc/$1/status")
     ((16#$caught & 0x4000))
 }

@@ -182,8 +182,7 @@ TEST_CASE("no number of the damping can be changed, G open, fixed or zero") {
                               .stabilisation = G,
                               .damping = Rational(1, 10)});
         REQUIRE(objection(table).empty());
-        // At G = 0 nothing in the table tells the weight of the stabilisation at G = 1.
-        CHECK((table.proved.find("damping") == std::string::npos) == (G == Rational(0)));
+        CHECK(table.proved.find("damping") != std::string::npos);
         int mutants = 0;
         for (Rational& coefficient : table.model.damping) {
             const Rational before = coefficient;

@@ -90,10 +90,10 @@ refuses --weights "empty item" -- --order 1 --horizon 2 --weights 1,,2
 refuses --weights "excludes" -- --all --weights conical
 refuses --weights "3 weights, where horizon 2" -- dispersion --horizon 3,2 --G 1 --weights 1,2,3
 refuses --limit "constant influence" -- dispersion --horizon 2 --G 1 --weights conical --limit
-refuses --limit "no continuum limit" -- dispersion --family bond1d --horizon 2 --G 1 --limit
+refuses --limit "no continuum limit" -- dispersion --family bond1d --horizon 2 --limit
 # What the family does not have.
 for request in "--family chain1d --horizon 2" "--family bond1d --horizon 2 --damping 1/10" \
-    "--family bond1d --horizon 2 --damping 1/10 --time-step 1/2 --G 1"; do
+    "--family bond1d --horizon 2 --damping 1/10 --time-step 1/2"; do
     # shellcheck disable=SC2086  # words are meant
     try --order 2 $request
     expect_exit 2

@@ -138,7 +138,7 @@ expect_same "$scratch/stdout" "$scratch/first"
 
 # A family without stabilisation has no G, or 0.
 for request in "--order 2 --horizon 2" "--match 0:3,1:1 --horizon 2" \
-    "--order 1 --horizon 2 --require-stable" "--order 1 --horizon 2 --cfl 1/2 --G 0 --uncertified"; do
+    "--order 1 --horizon 2 --require-stable" "--order 2 --horizon 2 --cfl 1/2 --G 0 --uncertified"; do
     # shellcheck disable=SC2086
     try --family bond1d $request --stdout
     expect_exit 0

@@ -174,8 +174,7 @@ TEST_CASE("NMBC1 against a fixed end grows at the rate of the finite chain's lar
     }
 }
 
-/// In time steps the fastest mode is the one of largest |zeta|, not of largest Re sigma: the one
-/// grows by 2.26 a time unit, the other, whose sigma is larger, by 1.45.
+/// In time steps the fastest mode is the one of largest |zeta|, not of largest Re sigma.
 TEST_CASE("of several growing modes the fastest is named") {
     const Boundary boundary{2, 2, 1, 1.85};
     const auto h = half_space(boundary);
@@ -184,7 +183,6 @@ TEST_CASE("of several growing modes the fastest is named") {
     REQUIRE(sigma);
     const std::complex<double> half = *sigma * time_step / 2.0;
     const double said = std::log(std::abs((1.0 + half) / (1.0 - half))) / time_step;
-    CHECK(said == relative(2.26, 0.002));  // three digits
     // Two mirrored modes of 40 nodes apart: the chain's own eigenvalue is the half space's.
     CHECK(said == relative(spectral_growth(h, 40, time_step), 1e-6));
 }

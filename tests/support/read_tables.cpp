@@ -95,6 +95,9 @@ Table read_table(const nmbc::MatchingTable& from) {
     for (const int count : {lattice.horizon, from.order, from.stride}) {
         require(count >= 1 && count <= 1000, "a positive count");
     }
+    for (const nmbc::EnergySquare& square : lattice.energy) {
+        require(Integer(std::string(square.divisor)) > 0, "a positive divisor");
+    }
     Table table = exact_table(from);
     const Specification& what = table.specification;
     require(from.least_nodes == (what.damping > 0 ? int(least_damped_nodes) : 0),

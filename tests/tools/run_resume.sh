@@ -39,7 +39,7 @@ start_and_stop() {
     while [ "$(written "$folder")" = "$before" ] && kill -0 "$run" 2>/dev/null; do
         sleep 0.01
     done
-    sleep "0.0$((RANDOM % 10))"
+    sleep "0.0$((RANDOM % 4))"
     kill "-$signal" "$run" 2>/dev/null || true
     code=0
     wait "$run" 2>/dev/null || code=$?
