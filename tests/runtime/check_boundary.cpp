@@ -70,11 +70,11 @@ TEST_CASE("after an update, (60) holds in every ghost layer at the rule's time l
                 }
                 for (const auto end : {nmbc::End::left, nmbc::End::right}) {
                     // Some 4N roundings of terms of mixed sign, scaled by the division: 100 eps.
-                    CHECK(worst_residual(coefficients, table->ghost_layers(),
-                                         wave_speed / spacing, u_time, v, end) < 100 * 2.2e-16);
+                    CHECK(worst_residual(coefficients, table->ghost_layers(), wave_speed / spacing,
+                                         u_time, v, end) < 100 * 2.2e-16);
                 }
-                for (std::size_t i = table->ghost_layers();
-                     i < nodes - table->ghost_layers(); ++i) {
+                for (std::size_t i = table->ghost_layers(); i < nodes - table->ghost_layers();
+                     ++i) {
                     CHECK(v[i] == before[i]);  // interior nodes are not touched
                 }
             }
