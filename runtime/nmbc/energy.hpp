@@ -121,7 +121,7 @@ Energies energies(const BasicChain<Real>& chain, std::size_t first, std::size_t 
         const std::size_t half_width = square.stencil.size() / 2;  // at most ghosts() / 2
         const double factor = square.weight * p.youngs_modulus / p.spacing / 2;
         double energy = 0;
-        detail::SquareTerms terms;
+        detail::SquareTerms terms{};
         for (std::size_t node = begin; node < end; node += detail::SquareTerms::nodes) {
             const std::size_t nodes = std::min(end - node, detail::SquareTerms::nodes);
             detail::find_terms(square.stencil, factor, dt, &u[node - half_width],

@@ -11,18 +11,18 @@ namespace nmbc::detail {
 ///
 /// In memory, one step's drift and the next one's kick are one sweep (drift_and_kick): many steps
 /// at once are faster than one by one, and the same bit for bit.
-template <class Lattice, class... Hooks>
-void advance(Lattice& lattice, std::size_t steps, Hooks&... hooks) {
+template <class Body, class... Hooks>
+void advance(Body& body, std::size_t steps, Hooks&... hooks) {
     if (steps == 0) {
         return;
     }
-    lattice.kick();
+    body.kick();
     for (std::size_t step = 1; step < steps; ++step) {
-        lattice.close_sides(hooks...);
-        lattice.drift_and_kick();
+        body.close_sides(hooks...);
+        body.drift_and_kick();
     }
-    lattice.close_sides(hooks...);
-    lattice.drift();
+    body.close_sides(hooks...);
+    body.drift();
 }
 
 }  // namespace nmbc::detail

@@ -63,8 +63,8 @@ class NodeLine {
     template <class Other>
     friend class NodeLine;
 
-    Value* first_;
-    std::ptrdiff_t stride_;
+    Value* first_ = nullptr;
+    std::ptrdiff_t stride_ = 0;
 };
 
 }  // namespace nmbc

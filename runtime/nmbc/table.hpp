@@ -76,8 +76,8 @@ enum class GhostRule {
 /// `cfl`, both as dt omega_max / 2. A `from` above 0: in some shorter steps an end's own mode
 /// grows.
 struct StableStep {
-    Window window;
-    double cfl;
+    Window window{};
+    double cfl = 0;
     double from = 0;
 
     constexpr bool allows(double other_cfl) const { return from <= other_cfl && other_cfl <= cfl; }

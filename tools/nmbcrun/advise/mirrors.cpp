@@ -2,6 +2,17 @@
 #include "tools/nmbcrun/advise/mirrors.hpp"
 
 namespace nmbcrun {
+namespace {
+
+/// Of the numbers of a node and its image.
+std::ptrdiff_t sum_with_image(bool at_left, bool fixed, std::ptrdiff_t nodes) {
+    if (at_left) {
+        return fixed ? -2 : -1;
+    }
+    return fixed ? 2 * nodes : 2 * nodes - 1;
+}
+
+}  // namespace
 
 std::vector<double> Mirrors::folded(std::span<const double> field) const {
     std::vector<double> interior(field.begin(), field.begin() + std::ptrdiff_t(nodes_));
@@ -17,13 +28,12 @@ std::vector<double> Mirrors::folded(std::span<const double> field) const {
         // A fixed end's own node is its own image, so that nothing of it is left.
         while ((node < 0 && at_left()) || (node >= nodes && at_right())) {
             const bool fixed = (node < 0 ? left_ : right_) == BoundaryKind::fixed;
-            const std::ptrdiff_t sum = (node < 0 ? -1 : 2 * nodes - 1) + (!fixed     ? 0
-                                                                          : node < 0 ? -1
-                                                                                     : 1);
-            value = fixed ? (2 * node == sum ? 0 : -value) : value;
+            const std::ptrdiff_t sum = sum_with_image(node < 0, fixed, nodes);
             if (2 * node == sum) {
+                value = 0;
                 break;
             }
+            value = fixed ? -value : value;
             node = sum - node;
         }
         if (node >= 0 && node < nodes) {

@@ -143,7 +143,7 @@ template <class ErrorAt>
 void Search::add(const std::string& name, const Boundary& boundary, const nmbc::StableStep& steps,
                  const std::string& limit, ErrorAt error_at) {
     const auto given = given_cfl();
-    if (given && (*given > steps.cfl * (1 + 1e-9) || *given < steps.from)) {
+    if (given && (*given > steps.cfl * (1 + 1e-9) || *given < steps.from * (1 - 1e-9))) {
         leave_out(name,
                   fmt::format("certified {}up to cfl = {:.3g}, and the scene has {:.3g}",
                               steps.from > 0 ? fmt::format("from cfl = {:.3g} ", steps.from) : "",

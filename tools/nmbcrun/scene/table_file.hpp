@@ -18,7 +18,7 @@ namespace nmbcrun {
 /// A table, and what the runtime's has no place for.
 struct OwnTable {
     nmbc::MatchingTable table;
-    bool is_certified;  ///< not: written with --uncertified, without windows
+    bool is_certified = false;  ///< not: written with --uncertified, without windows
 };
 
 /// What the views of tables see. Each element stays where it is.

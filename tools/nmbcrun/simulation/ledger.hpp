@@ -71,8 +71,8 @@ class Ledger {
     };
     /// An interior node whose velocity the sources or an end may change.
     struct Watched {
-        std::size_t node;
-        double old;         // v half a step ago
+        std::size_t node = 0;
+        double old = 0;     // v half a step ago
         double kicked = 0;  // by the lattice, and then the sources
         double driven = 0;  // what the sources added
     };
