@@ -189,7 +189,7 @@ PairOfEnds::PairOfEnds(const Scene& scene, const nmbc::MatchingTable& left,
                        const nmbc::MatchingTable& right)
     : scene_(scene), left_{left, {}}, right_{right, {}}, lattice_(make_lattice(left, scene.G)) {}
 
-const nmbcgen::HalfSpace& PairOfEnds::in_time(InTime& end) {
+const nmbcgen::HalfSpace& PairOfEnds::in_time(InTime& end) const {
     if (!end.half_space) {
         end.half_space = half_space_of(end.table, scene_.G);
     }
@@ -199,7 +199,7 @@ const nmbcgen::HalfSpace& PairOfEnds::in_time(InTime& end) {
 std::string PairOfEnds::objection(double time_step, double cfl) {
     const Scene& scene = scene_;
     const double step = time_step / unit_of_time(scene);  // in dX/c
-    if (const std::string known = objection_to_tables(scene, left_.table, right_.table, cfl);
+    if (std::string known = objection_to_tables(scene, left_.table, right_.table, cfl);
         !known.empty()) {
         return known;
     }

@@ -34,7 +34,7 @@ class PairOfEnds {
         const nmbc::MatchingTable& table;
         std::optional<nmbcgen::HalfSpace> half_space;  // in continuous time, once it is needed
     };
-    const nmbcgen::HalfSpace& in_time(InTime& end);
+    const nmbcgen::HalfSpace& in_time(InTime& end) const;
 
     const Scene& scene_;
     InTime left_;

@@ -174,7 +174,7 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
     if (scene.left == scene.right) {
         return step;
     }
-    const AutomaticStep together = certified_together(scene, step, omega_max);
+    AutomaticStep together = certified_together(scene, step, omega_max);
     if (together.cfl == 0 || (matched && together.cfl < step.cfl)) {
         throw Unstable(fmt::format("no time step is certified for this pair of ends: {}. {}. {}",
                                    matched ? "not the one that it is matched in" : together.limit,

@@ -173,21 +173,33 @@ std::string what_would_do(const Simulation& simulation, const std::string& sourc
 
 }  // namespace
 
+namespace {
+
+/// One for each source that the lattice does not carry.
+std::vector<std::string> warnings_of(const Simulation& simulation,
+                                     const std::vector<SourceSpectrum>& sources, double step) {
+    std::vector<std::string> warnings;
+    for (const SourceSpectrum& source : sources) {
+        const double share = not_carried(source, simulation.chain().lattice(), step);
+        if (share > most_not_carried) {
+            warnings.push_back(fmt::format(
+                "{:.0f} % of what {} sends out is in waves so short that the lattice disperses "
+                "them or turns them back{}",
+                100 * share, source.name, what_would_do(simulation, source.name, step)));
+        }
+    }
+    return warnings;
+}
+
+}  // namespace
+
 Prospect prospect_of(const Simulation& simulation) {
     const Scene& scene = simulation.scene();
     const nmbc::Lattice& lattice = simulation.chain().lattice();
     const double step = simulation.plan().time_step / unit_of_time(scene);
     const auto sources = source_spectra(scene, lattice, simulation.plan().time_step);
     Prospect prospect;
-    for (const SourceSpectrum& source : sources) {
-        const double share = not_carried(source, lattice, step);
-        if (share > most_not_carried) {
-            prospect.warnings.push_back(fmt::format(
-                "{:.0f} % of what {} sends out is in waves so short that the lattice disperses "
-                "them or turns them back{}",
-                100 * share, source.name, what_would_do(simulation, source.name, step)));
-        }
-    }
+    prospect.warnings = warnings_of(simulation, sources, step);
     Returned returned;
     std::string unknown;
     bool has_artificial = false;

@@ -12,7 +12,7 @@ constexpr int highest_count = 99;  // of order, horizon and stride, as nmbcgen h
 
 struct OwnLattice {
     nmbcgen::Specification what;  ///< family, horizon, influence and damping
-    const nmbc::LatticeTable* table;
+    const nmbc::LatticeTable* table = nullptr;
 };
 
 /// The table is kept in the storage. Throws SceneError as TableFile has it.

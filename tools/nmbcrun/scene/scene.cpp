@@ -195,8 +195,8 @@ std::vector<std::size_t> read_probes(SceneReader& reader, const Scene& scene) {
 /// Without blanks around it.
 std::string trimmed(std::string_view text) {
     const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
-    const auto first = std::ranges::find_if_not(text, is_blank);
-    const auto last = std::find_if_not(text.rbegin(), text.rend(), is_blank).base();
+    const auto* const first = std::ranges::find_if_not(text, is_blank);
+    const auto* const last = std::find_if_not(text.rbegin(), text.rend(), is_blank).base();
     return first < last ? std::string(first, last) : std::string();
 }
 
