@@ -13,7 +13,7 @@ namespace {
 
 /// stable_range() at one G.
 struct Sample {
-    double G;
+    double G = 0;
     StepRange steps;
 };
 
