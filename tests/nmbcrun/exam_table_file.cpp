@@ -233,7 +233,7 @@ TEST_CASE("what is wrong is said, with its place and what is allowed") {
     refuses([](Json& t) { t["certificate"] = nullptr; },
             "mine.json: certificate must be a string where there are windows and steps, not null");
     refuses([](Json& t) { t["lattice"]["name"] = "nopd1d_n2"; },
-            "mine.json: lattice.name must be \"nopd1d_n2_tau1o100\", not \"nopd1d_n2\"");
+            R"(mine.json: lattice.name must be "nopd1d_n2_tau1o100", not "nopd1d_n2")");
     refuses(
         [](Json& t) {
             t["lattice"]["weights"] = {"1", "0"};

@@ -38,17 +38,19 @@ bool is_written_so(const nmbc::RationalFunction& text, const ExactFunction& func
                function;
 }
 
+void require_written_so(std::span<const nmbc::RationalFunction> texts,
+                        const std::vector<ExactFunction>& functions) {
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+        require(is_written_so(texts[i], functions[i]), "normal form of a function");
+    }
+}
+
 template <class Item>
 void require_written_so(std::span<const nmbc::RationalFunction> texts,
-                        const std::vector<Item>& items) {
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        if constexpr (std::is_same_v<Item, ExactFunction>) {
-            require(is_written_so(texts[i], items[i]), "normal form of a function");
-        } else {
-            const Polynomial polynomial{items[i]};
-            require(is_written_so(texts[i], to_rational_function(polynomial)),
-                    "normal form of a polynomial");
-        }
+                        const std::vector<Item>& polynomials) {
+    for (std::size_t i = 0; i < polynomials.size(); ++i) {
+        require(is_written_so(texts[i], to_rational_function(Polynomial{polynomials[i]})),
+                "normal form of a polynomial");
     }
 }
 
