@@ -144,9 +144,9 @@ for bad in 0 1 1.5; do
 done
 refuses --cfl "'x'" "non-negative exact number" -- --order 2 --horizon 1 --G 1 --cfl x
 refuses --G "requires --G" -- --order 1 --horizon 1 --require-stable
-for command in recommend reflect dispersion; do
-    refuses --G "$command requires --G" -- $command --horizon 1 $([ $command != reflect ] || echo --order 1)
-done
+refuses --G "recommend requires --G" -- recommend --horizon 1
+refuses --G "reflect requires --G" -- reflect --horizon 1 --order 1
+refuses --G "dispersion requires --G" -- dispersion --horizon 1
 refuses --G "bond1d has no stabilisation: leave it out, or give 0" -- \
     --family bond1d --order 1 --horizon 1 --G 1/2
 refuses --G "chain1d has no stabilisation" -- recommend --family chain1d --horizon 1 --G 1
