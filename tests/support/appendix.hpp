@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// The closed forms of appendix A of Nicely 2018, with the misprints that docs/evidence/errata.md lists.
+/// The closed forms of appendix A of Nicely 2018, with the misprints that docs/evidence/errata.md
+/// lists.
 #pragma once
 
 #include <string>
