@@ -13,7 +13,9 @@
 namespace nmbcgen {
 namespace {
 
-constexpr auto line_of = [](const auto& item) { return "    " + initialiser(item) + ",\n"; };
+constexpr auto initialiser_line = [](const auto& item) {
+    return "    " + initialiser(item) + ",\n";
+};
 
 /// The coefficients of a table at a fixed G, rounded once: for copying into other programs.
 std::string rounded_array(const CoefficientList& list) {
@@ -37,9 +39,9 @@ std::string condition_source(const Table& table) {
 
     std::string text =
         fmt::format("namespace nmbc::generated {{\n\nnamespace {}_data {{\n\n", name);
-    text += array("RationalFunction", "taylor", table.taylor, line_of);
-    text += array("RationalFunction", "c", table.c, line_of);
-    text += array("RationalFunction", "b", table.b, line_of);
+    text += array("RationalFunction", "taylor", table.taylor, initialiser_line);
+    text += array("RationalFunction", "c", table.c, initialiser_line);
+    text += array("RationalFunction", "b", table.b, initialiser_line);
     text += window_arrays(certificate);
     if (what.stabilisation) {
         text += "/// c_j and b_j rounded to nearest: hexadecimal, 17 digits, exact.\n";

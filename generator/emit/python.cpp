@@ -30,17 +30,17 @@ std::string number(double value) {
     return std::isinf(value) ? "inf" : fmt::format("{}", value);
 }
 
-std::string entry(const ExactWindow& window) {
+std::string tuple_of(const ExactWindow& window) {
     return fmt::format("({}, {})", number(nearest_double(window.low)),
                        number(window.high ? nearest_double(*window.high) : HUGE_VAL));
 }
 
-std::string entry(const StabilityWindow& window) {
+std::string tuple_of(const StabilityWindow& window) {
     return fmt::format("({}, {})", number(window.low.inner),
                        number(window.high ? window.high->inner : HUGE_VAL));
 }
 
-std::string entry(const StableStep& step) {
+std::string tuple_of(const StableStep& step) {
     return fmt::format("({}, {}, {}, {})", number(step.window.low), number(step.window.high),
                        number(step.cfl), number(step.from));
 }
@@ -49,7 +49,7 @@ template <class Item>
 std::string list(const std::string& name, const std::vector<Item>& items) {
     std::string text = name + " = [\n";
     for (const Item& item : items) {
-        text += "    " + entry(item) + ",\n";
+        text += "    " + tuple_of(item) + ",\n";
     }
     return text + "]\n";
 }

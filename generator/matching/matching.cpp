@@ -57,14 +57,14 @@ Series series_of(const std::vector<ex>& taylor, const ex& spacing, unsigned p, u
 }
 
 /// The sum of expanded summands, in one go.
-ex sum(const GiNaC::exvector& summands) {
+ex expanded_sum(const GiNaC::exvector& summands) {
     return GiNaC::dynallocate<GiNaC::add>(summands);
 }
 
 Series sums(const std::vector<GiNaC::exvector>& lists) {
     Series result;
     for (const GiNaC::exvector& summands : lists) {
-        result.push_back(sum(summands));
+        result.push_back(expanded_sum(summands));
     }
     return result;
 }
@@ -93,7 +93,7 @@ Series denominator_by_minors(const Series& g, unsigned m, unsigned l) {
         }
         minors.clear();
         for (const auto& [columns, terms] : summands) {
-            minors.emplace(columns, sum(terms));
+            minors.emplace(columns, expanded_sum(terms));
         }
     }
     Series p;
@@ -158,7 +158,7 @@ MatchingPolynomials match(const std::vector<ex>& taylor, const ex& spacing, unsi
         for (unsigned j = 0; j <= std::min(k, m); ++j) {
             q.push_back((p[j] * g[k - j]).expand());
         }
-        add_factors(B, sum(q), power * k + 1, order - power * k - 1);
+        add_factors(B, expanded_sum(q), power * k + 1, order - power * k - 1);
     }
     return {sums(C), sums(B)};
 }

@@ -46,7 +46,7 @@ Jet<Complex> laurent_sum(const std::vector<Rational>& symbol, const Real& xi, st
     return total;
 }
 
-std::vector<Rational> values(const std::vector<Polynomial>& coefficients) {
+std::vector<Rational> values_at_zero(const std::vector<Polynomial>& coefficients) {
     std::vector<Rational> result;
     result.reserve(coefficients.size());
     for (const Polynomial& coefficient : coefficients) {
@@ -59,7 +59,7 @@ std::vector<Rational> values(const std::vector<Polynomial>& coefficients) {
 Jet<Complex> incoming(const Table& table, const MatchingPoint& point) {
     const Real xi = wave_number(point);
     const std::size_t size = std::max(2U, point.multiplicity);
-    const Jet<Complex> omega_squared = laurent_sum(values(symbol_of(table)), xi, size);
+    const Jet<Complex> omega_squared = laurent_sum(values_at_zero(symbol_of(table)), xi, size);
     const Jet<Complex> tau_sigma = laurent_sum(table.model.damping, xi, size);
     const Complex half_step(Real(table.specification.time_step) / 2);
     // a s^2 + tau sigma s + omega^2 = 0

@@ -12,7 +12,7 @@
 namespace nmbcgen {
 namespace {
 
-struct Sample {
+struct GradedSample {
     double G;
     Grade grade;
 };
@@ -262,7 +262,7 @@ class Search {
     std::vector<AlgebraicNumber> jordan_values_;
     bool damped_;
     std::vector<AlgebraicNumber> critical_;
-    std::vector<Sample> samples_;
+    std::vector<GradedSample> samples_;
 };
 
 }  // namespace

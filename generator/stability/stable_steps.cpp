@@ -12,7 +12,7 @@ namespace nmbcgen {
 namespace {
 
 /// stable_range() at one G.
-struct Sample {
+struct SteppedSample {
     double G = 0;
     StepRange steps;
 };
@@ -63,10 +63,10 @@ class Steps {
             return;
         }
         const double high = window.high ? window.high->inner : std::max(far, 2 * low);
-        Sample begin{low, steps_at(inside(low, high))};
+        SteppedSample begin{low, steps_at(inside(low, high))};
         for (int piece = 1; piece <= pieces; ++piece) {
             const double G = piece == pieces ? high : low + (high - low) * piece / pieces;
-            const Sample end{G, steps_at(piece == pieces ? inside(high, low) : G)};
+            const SteppedSample end{G, steps_at(piece == pieces ? inside(high, low) : G)};
             cover(begin, end, 0);
             begin = end;
         }
@@ -89,10 +89,10 @@ class Steps {
     /// At an edge sup rho is 1 or there is a pole; a millionth of the window off, neither.
     static double inside(double edge, double other) { return edge + 1e-6 * (other - edge); }
 
-    void cover(const Sample& begin, const Sample& end, int depth) {
+    void cover(const SteppedSample& begin, const SteppedSample& end, int depth) {
         constexpr int deepest = 4;
         const double middle_G = begin.G + (end.G - begin.G) / 2;
-        const Sample middle{middle_G, steps_at(middle_G)};
+        const SteppedSample middle{middle_G, steps_at(middle_G)};
         const Common common({begin.steps, middle.steps, end.steps});
         if (!common.is_resolved() && depth < deepest) {
             cover(begin, middle, depth + 1);

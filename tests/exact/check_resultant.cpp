@@ -9,6 +9,7 @@
 #include "generator/exact/rational_function.hpp"
 #include "generator/exact/resultant.hpp"
 #include "tests/support/generators.hpp"
+#include "tests/support/known_roots.hpp"
 
 using namespace nmbcgen;
 using namespace nmbcgen::test;
@@ -16,10 +17,6 @@ using namespace nmbcgen::test;
 namespace {
 
 using Coefficients = std::vector<Polynomial>;
-
-Polynomial poly(std::vector<Rational> coefficients) {
-    return {std::move(coefficients)};
-}
 
 Coefficients product(const Coefficients& f, const Coefficients& g) {
     Coefficients result(f.size() + g.size());

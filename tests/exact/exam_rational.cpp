@@ -6,6 +6,7 @@
 #include <string>
 
 #include "generator/exact/rational.hpp"
+#include "tests/support/contains.hpp"
 
 using nmbcgen::Integer;
 using nmbcgen::parse_rational;
@@ -22,10 +23,6 @@ std::string refusal(const std::string& text) {
         return error.what();
     }
     return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

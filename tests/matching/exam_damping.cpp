@@ -12,6 +12,7 @@
 #include "generator/exact/rational_function.hpp"
 #include "generator/matching/matching.hpp"
 #include "generator/pipeline.hpp"
+#include "tests/support/contains.hpp"
 #include "tests/support/literal_system.hpp"
 #include "tests/support/printed.hpp"
 #include "tests/support/taylor.hpp"
@@ -71,10 +72,6 @@ std::optional<std::vector<Rational>> literal(unsigned order, const Rational& G,
                                              const Rational& tau) {
     return solve_literally(to_rationals(nopd1d_taylor(1, to_ginac(G), 2 * order, to_ginac(tau))), 1,
                            order);
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

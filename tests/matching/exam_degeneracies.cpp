@@ -8,6 +8,7 @@
 #include "generator/exact/rational.hpp"
 #include "generator/matching/matching.hpp"
 #include "generator/pipeline.hpp"
+#include "tests/support/contains.hpp"
 #include "tests/support/literal_system.hpp"
 #include "tests/support/printed.hpp"
 #include "tests/support/taylor.hpp"
@@ -40,10 +41,6 @@ std::string refusal(const Case& what) {
         return reason.what();
     }
     return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 std::vector<Rational> taylor_of(const Case& what) {

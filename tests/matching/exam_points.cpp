@@ -10,8 +10,10 @@
 #include "generator/exact/rational_function.hpp"
 #include "generator/matching/proof.hpp"
 #include "generator/pipeline.hpp"
+#include "tests/support/contains.hpp"
 
 using namespace nmbcgen;
+using namespace nmbcgen::test;
 
 namespace {
 
@@ -44,10 +46,6 @@ std::string objection(const Specification& specification) {
     } catch (const NoSuchBoundary& reason) {
         return reason.what();
     }
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

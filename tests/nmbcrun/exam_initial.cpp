@@ -13,7 +13,7 @@
 namespace nmbcrun::test {
 namespace {
 
-constexpr double amplitude = 0.01;
+constexpr double height = 0.01;
 constexpr double centre = 100;  // node 200
 
 Scene started(InitialKind kind, const Pulse& pulse, double end) {
@@ -35,11 +35,11 @@ double share_on_the_left(const Simulation& simulation) {
 }
 
 TEST_CASE("the shapes, at t = 0 and on every node") {
-    const Pulse pulses[]{{Shape::gaussian, amplitude, 4, 0},
-                         {Shape::ricker, amplitude, 4, 0},
-                         {Shape::packet, amplitude, 4, 0.7}};
+    const Pulse pulses[]{{Shape::gaussian, height, 4, 0},
+                         {Shape::ricker, height, 4, 0},
+                         {Shape::packet, height, 4, 0.7}};
     const auto value = [](Shape shape, double x) {
-        const double envelope = amplitude * std::exp(-x * x / 16);
+        const double envelope = height * std::exp(-x * x / 16);
         return shape == Shape::gaussian ? envelope
                : shape == Shape::ricker ? envelope * (1 - x * x / 8)
                                         : envelope * std::cos(1.4 * x);
@@ -49,7 +49,7 @@ TEST_CASE("the shapes, at t = 0 and on every node") {
             const Simulation simulation(started(kind, pulse, 10));
             CHECK(largest_error(simulation, [&](double X) {
                       return value(pulse.shape, X - centre);
-                  }) < 1e-15 * amplitude);
+                  }) < 1e-15 * height);
         }
         const Simulation pushed(started(InitialKind::velocity, pulse, 10));
         CHECK(largest(pushed.chain().displacement()) == 0);
@@ -63,7 +63,7 @@ TEST_CASE("the shapes, at t = 0 and on every node") {
 }
 
 TEST_CASE("without a direction it goes both ways alike") {
-    Simulation simulation(started(InitialKind::displacement, {Shape::ricker, amplitude, 4, 0}, 20));
+    Simulation simulation(started(InitialKind::displacement, {Shape::ricker, height, 4, 0}, 20));
     run_to_end(simulation);
     // The middle node is left out of the left half, and has next to nothing.
     CHECK(share_on_the_left(simulation) == doctest::Approx(0.5).epsilon(1e-3));
@@ -71,7 +71,7 @@ TEST_CASE("without a direction it goes both ways alike") {
 
 TEST_CASE("a wave goes one way, at its group velocity, phases backwards or not") {
     for (const double wave_number : {0.5, 1.0, 2.4}) {
-        const Pulse pulse{Shape::packet, amplitude, 10, wave_number};
+        const Pulse pulse{Shape::packet, height, 10, wave_number};
         Simulation right(started(InitialKind::to_the_right, pulse, 30));
         Simulation left(started(InitialKind::to_the_left, pulse, 30));
         const double start = centre_of_energy(right);
@@ -99,15 +99,14 @@ TEST_CASE("a wave goes one way, at its group velocity, phases backwards or not")
 }
 
 TEST_CASE("nothing of a smooth wave goes the other way") {
-    Simulation simulation(
-        started(InitialKind::to_the_right, {Shape::gaussian, amplitude, 5, 0}, 40));
+    Simulation simulation(started(InitialKind::to_the_right, {Shape::gaussian, height, 5, 0}, 40));
     run_to_end(simulation);
     // It is 160 nodes on; roundings are left, squared.
     CHECK(share_on_the_left(simulation) < 1e-28);
 }
 
 TEST_CASE("nor in a damped lattice, where it loses energy on its way") {
-    Scene scene = started(InitialKind::to_the_left, {Shape::gaussian, amplitude, 5, 0}, 40);
+    Scene scene = started(InitialKind::to_the_left, {Shape::gaussian, height, 5, 0}, 40);
     scene.tau = "1/100";
     scene.left.order = scene.left.stride = 2;
     scene.right = scene.left;
@@ -121,7 +120,7 @@ TEST_CASE("nor in a damped lattice, where it loses energy on its way") {
 
 TEST_CASE("the field of a run goes on in another") {
     const auto file = std::filesystem::temp_directory_path() / "exam_initial_field.csv";
-    Scene scene = started(InitialKind::displacement, {Shape::packet, amplitude, 4, 0.7}, 10);
+    Scene scene = started(InitialKind::displacement, {Shape::packet, height, 4, 0.7}, 10);
     Simulation whole(scene);
     run_to_end(whole);
     {

@@ -11,17 +11,10 @@
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/scene/regular_file.hpp"
+#include "tools/nmbcrun/scene/trimmed.hpp"
 
 namespace nmbcrun {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-    constexpr const char* blanks = " \t\r";
-    const std::size_t first = text.find_first_not_of(blanks);
-    return first == std::string_view::npos
-               ? std::string_view()
-               : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 std::vector<std::string_view> entries_of(std::string_view line) {
     std::vector<std::string_view> entries;

@@ -18,6 +18,7 @@
 #include "tools/nmbcrun/scene/read_influence.hpp"
 #include "tools/nmbcrun/scene/read_sources.hpp"
 #include "tools/nmbcrun/scene/scene_reader.hpp"
+#include "tools/nmbcrun/scene/trimmed.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -192,14 +193,6 @@ std::vector<std::size_t> read_probes(SceneReader& reader, const Scene& scene) {
     return probes;
 }
 
-/// Without blanks around it.
-std::string trimmed(std::string_view text) {
-    const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
-    const auto* const first = std::ranges::find_if_not(text, is_blank);
-    const auto* const last = std::find_if_not(text.rbegin(), text.rend(), is_blank).base();
-    return first < last ? std::string(first, last) : std::string();
-}
-
 }  // namespace
 
 std::string_view name_of(BoundaryKind kind) {
@@ -285,7 +278,7 @@ Overrides split_settings(const std::vector<std::string>& settings) {
     Overrides overrides;
     for (const std::string& setting : settings) {
         const std::size_t mark = setting.find('=');
-        const std::string key = trimmed(setting.substr(0, mark));
+        const std::string key(trimmed(setting.substr(0, mark)));
         if (key.empty() || mark == std::string::npos) {
             throw SceneError("--set needs KEY=VALUE, not '" + setting + "'");
         }

@@ -14,13 +14,13 @@ namespace {
 
 using Field = nmbc::NodeLine<double>;
 using Fixed = nmbc::NodeLine<const double>;
-using Matrix = std::vector<std::vector<double>>;
+using Rows = std::vector<std::vector<double>>;
 
 /// Entry (j, m) of K^j Z^-m in (1 + r K - r Z^-1 - K Z^-1)^order, r = (1 - courant)/(1 + courant):
 /// each factor is the box scheme's times 2 dt/(1 + courant).
-Matrix product(std::size_t order, double courant) {
+Rows product(std::size_t order, double courant) {
     const double r = (1 - courant) / (1 + courant);
-    Matrix result(order + 1, std::vector<double>(order + 1));
+    Rows result(order + 1, std::vector<double>(order + 1));
     result[0][0] = 1;
     for (std::size_t factor = 0; factor < order; ++factor) {
         for (std::size_t j = order + 1; j-- > 0;) {
@@ -93,7 +93,7 @@ class HigdonCondition final : public nmbc::BoundaryCondition<double> {
     std::size_t ghosts_;
     std::size_t order_;
     double time_step_;
-    Matrix product_;
+    Rows product_;
     std::vector<double> earlier_;
 };
 

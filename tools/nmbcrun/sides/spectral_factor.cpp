@@ -14,7 +14,7 @@ namespace {
 
 using Real = long double;
 using Factor = std::vector<LongComplex>;
-using Matrix = Eigen::Matrix<LongComplex, Eigen::Dynamic, Eigen::Dynamic>;
+using ComplexMatrix = Eigen::Matrix<LongComplex, Eigen::Dynamic, Eigen::Dynamic>;
 using Vector = Eigen::Matrix<LongComplex, Eigen::Dynamic, 1>;
 
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
@@ -43,7 +43,7 @@ Vector chebyshev_roots(const std::vector<LongComplex>& a, Eigen::Index degree) {
     if (degree == 1) {
         return Vector::Constant(1, -at(0) / (Real(2) * at(1)));
     }
-    Matrix colleague = Matrix::Zero(degree, degree);
+    ComplexMatrix colleague = ComplexMatrix::Zero(degree, degree);
     colleague(1, 0) = 1;
     for (Eigen::Index k = 1; k + 1 < degree; ++k) {
         colleague(k - 1, k) = colleague(k + 1, k) = Real(0.5);
@@ -52,8 +52,8 @@ Vector chebyshev_roots(const std::vector<LongComplex>& a, Eigen::Index degree) {
     for (Eigen::Index m = 0; m < degree; ++m) {
         colleague(m, degree - 1) -= at(m) / (Real(m == 0 ? 4 : 2) * at(degree));
     }
-    Eigen::ComplexSchur<Matrix> schur(degree);
-    schur.computeFromHessenberg(colleague, Matrix(), false);
+    Eigen::ComplexSchur<ComplexMatrix> schur(degree);
+    schur.computeFromHessenberg(colleague, ComplexMatrix(), false);
     return schur.matrixT().diagonal();
 }
 
@@ -96,7 +96,7 @@ bool improve(Factor& f, const std::vector<LongComplex>& a) {
     const auto size = Eigen::Index(a.size());
     const Real rounding = epsilon * largest(a);
     Vector residual(size);
-    Matrix jacobian(size, size);
+    ComplexMatrix jacobian(size, size);
     Real last = std::numeric_limits<Real>::infinity();
     constexpr int most = 30;  // 3 as a rule; more where two roots are about to coalesce on the
                               // circle, where each halves the error only

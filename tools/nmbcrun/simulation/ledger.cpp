@@ -136,17 +136,17 @@ double Ledger::power(const Edge& edge, std::span<const double> u, std::span<cons
 
 double Ledger::energy(const nmbc::Chain& chain, const nmbc::Energies& energies) const {
     double outside = 0;
-    for (const auto& [weight, stencil, before] : squares_) {
+    for (const Square& square : squares_) {
+        const std::span<const double> stencil(square.stencil);
         const auto add = [&](std::size_t from, std::size_t to) {
             for (; from < to; ++from) {
-                const std::span<const double> entries(stencil);
-                const double now = nmbc::detail::apply(entries, &chain.displacement()[from]);
-                const double rate = nmbc::detail::apply(entries, &chain.velocity()[from]);
-                outside += weight / 2 * now * (now - time_step_ * rate);
+                const double now = nmbc::detail::apply(stencil, &chain.displacement()[from]);
+                const double rate = nmbc::detail::apply(stencil, &chain.velocity()[from]);
+                outside += square.weight / 2 * now * (now - time_step_ * rate);
             }
         };
-        add(begin_ + 1 - stencil.size(), begin_ - before);
-        add(end_ - before, end_);
+        add(begin_ + 1 - stencil.size(), begin_ - square.before);
+        add(end_ - square.before, end_);
     }
     return energies.staggered + outside;
 }
