@@ -12,6 +12,7 @@ using nmbcgen::Integer;
 using nmbcgen::parse_rational;
 using nmbcgen::Rational;
 using nmbcgen::to_string;
+using nmbcgen::test::contains;
 
 namespace {
 
