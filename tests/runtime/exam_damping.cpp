@@ -77,7 +77,7 @@ void fill_randomly(nmbc::Chain& chain) {
 }
 
 const nmbc::ChainEnd fixed_end = nmbc::FixedEnd{};
-const nmbc::ChainEnd free_side = nmbc::FreeEnd{};
+const nmbc::ChainEnd free_end = nmbc::FreeEnd{};
 
 TEST_CASE("the damping of a table") {
     CHECK(nmbc::make_lattice(damped_table, 0.5).damping == std::vector<double>{0.75, -0.5, 0.125});
@@ -113,7 +113,7 @@ TEST_CASE("a damped boundary is certified for long chains only") {
     CHECK_THROWS_WITH_AS(
         nmbc::Chain(lattice, nmbc::MatchingEnd{coefficients}, {.nodes = 49, .time_step = 0.1}),
         doctest::Contains("from 50 interior nodes on, and has 49"), nmbc::NotCertified);
-    CHECK_THROWS_AS(nmbc::Chain(lattice, free_side, nmbc::MatchingEnd{coefficients},
+    CHECK_THROWS_AS(nmbc::Chain(lattice, free_end, nmbc::MatchingEnd{coefficients},
                                 {.nodes = 49, .time_step = 0.1}),
                     nmbc::NotCertified);
     CHECK_NOTHROW(
@@ -166,7 +166,7 @@ TEST_CASE("a plane wave decays as the discrete dispersion relation says") {
 TEST_CASE("between free ends the staggered energy loses what the damping takes") {
     for (int n = 1; n <= 5; ++n) {
         nmbc::Chain chain(
-            damped_lattice(n, 0.8, 0.2), free_side, free_side,
+            damped_lattice(n, 0.8, 0.2), free_end, free_end,
             {.nodes = 30, .spacing = 0.5, .youngs_modulus = 3, .density = 2, .time_step = 0.05});
         fill_randomly(chain);
         const std::vector<double> u(chain.displacement().begin(), chain.displacement().end());
@@ -192,7 +192,7 @@ TEST_CASE("between free ends the staggered energy loses what the damping takes")
 }
 
 TEST_CASE("prescribed velocities do work on a damped chain; the rest of the ledger is as before") {
-    nmbc::Chain chain(damped_lattice(2, 0.8, 0.2), free_side, free_side,
+    nmbc::Chain chain(damped_lattice(2, 0.8, 0.2), free_end, free_end,
                       {.nodes = 30, .spacing = 0.5, .density = 2, .time_step = 0.05});
     chain.step();
     double work = 0;

@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr double stabilisation = 0.9;
+constexpr double G = 0.9;
 
 const nmbc::MatchingTable& table_of(int horizon, int order, int stride = 1) {
     const auto* table = nmbc::find_table(nmbc::generated::tables, "nopd1d", horizon, order, stride);
@@ -19,13 +19,12 @@ const nmbc::MatchingTable& table_of(int horizon, int order, int stride = 1) {
 }
 
 nmbc::MatchingEnd matching(int horizon, int order, int stride = 1) {
-    return {nmbc::boundary_coefficients(table_of(horizon, order, stride), stabilisation,
-                                        nmbc::allow_unstable)};
+    return {nmbc::boundary_coefficients(table_of(horizon, order, stride), G, nmbc::allow_unstable)};
 }
 
 nmbc::Chain chain_between(int horizon, const nmbc::ChainEnd& left, const nmbc::ChainEnd& right,
                           const nmbc::ChainParameters& parameters) {
-    return {nmbc::make_lattice(table_of(horizon, 1), stabilisation), left, right, parameters};
+    return {nmbc::make_lattice(table_of(horizon, 1), G), left, right, parameters};
 }
 
 /// Displacements and velocities on all nodes, ghosts included.

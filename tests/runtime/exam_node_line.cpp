@@ -137,8 +137,8 @@ TEST_CASE("a plane of chains side by side, stepped as a plane, is those chains, 
                     *force,
                     boundary,
                     time_step,
-                    random_field<double>(48 * 3, 1),
-                    random_field<double>(48 * 3, 2)};
+                    random_field<double>(std::size_t{48} * 3, 1),
+                    random_field<double>(std::size_t{48} * 3, 2)};
         const Plane before = plane;
         nmbc::detail::advance(plane, 50);
         for (std::size_t line = 0; line < plane.lines(); ++line) {

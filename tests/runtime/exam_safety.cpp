@@ -29,7 +29,7 @@ double largest_after(const nmbc::MatchingBoundary& boundary, double time_step) {
     std::vector<double> a(u.size());
     u[50] = 1;
     double largest = 1;
-    for (double t = 0; t < 5000 && largest < infinite; t += time_step) {
+    for (double t = 0; t < 5000; t += time_step) {
         nmbc::accelerations(lattice, 1, u, a);
         for (std::size_t i = 2; i < 102; ++i) {
             v[i] += time_step * a[i];
@@ -39,7 +39,10 @@ double largest_after(const nmbc::MatchingBoundary& boundary, double time_step) {
         largest = 0;
         for (std::size_t i = 0; i < u.size(); ++i) {
             u[i] += time_step * v[i];
-            largest = std::isfinite(u[i]) ? std::max(largest, std::abs(u[i])) : infinite;
+            if (!std::isfinite(u[i])) {
+                return infinite;
+            }
+            largest = std::max(largest, std::abs(u[i]));
         }
     }
     return largest;
