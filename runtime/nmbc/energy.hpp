@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <nmbc/chain.hpp>
 #include <numeric>
@@ -62,32 +63,32 @@ void add_kinetic(double factor, const Real* v, std::size_t nodes, EnergySums::Su
     }
 }
 
-/// Adds the terms of one square at `nodes` nodes: of u half-way between its two levels, and of u^k
-/// and u^{k+1}. u and v begin where the first node's stencil does. The size of the stencil is known
-/// to the compiler; those of horizons to 6 have loops of their own.
+/// Adds the terms of one square at `nodes` nodes: (now + before)^2 and now * before, the stencil's
+/// at u^{k+1} and u^k times `scale`. u and v begin where the first node's stencil does. The size of
+/// the stencil is known to the compiler; those of horizons to 6 have loops of their own.
 template <std::size_t Size = 1, class Real>
-void add_square(std::span<const double> stencil, double factor, double dt, const Real* u,
+void add_square(std::span<const double> stencil, double scale, double dt, const Real* u,
                 const Real* v, std::size_t nodes, EnergySums::Sum& middle,
                 EnergySums::Sum& staggered) {
     const auto add = [&](auto apply_to) {
-        double* __restrict half_way_sums = middle.data();
+        double* __restrict middle_sums = middle.data();
         double* __restrict staggered_sums = staggered.data();
         for (std::size_t node = 0; node < nodes; ++node) {
             const double now = apply_to(u + node);
-            const double rate = apply_to(v + node);
-            const double half_way = now - dt / 2 * rate;
-            half_way_sums[node] += factor * half_way * half_way;
-            staggered_sums[node] += factor * now * (now - dt * rate);
+            const double before = now - dt * apply_to(v + node);
+            middle_sums[node] += (now + before) * (now + before);
+            staggered_sums[node] += now * before;
         }
     };
     if constexpr (Size > widest_fixed_reach + 1) {
-        add([stencil](const Real* first) { return apply(stencil, first); });
+        add([=](const Real* first) { return scale * apply(stencil, first); });
     } else if (stencil.size() == Size) {
         std::array<double, Size> entries{};
-        std::ranges::copy(stencil, entries.begin());
-        add([entries](const Real* first) { return detail::apply(entries, first); });
+        std::ranges::transform(stencil, entries.begin(),
+                               [=](double entry) { return scale * entry; });
+        add([=](const Real* first) { return detail::apply(entries, first); });
     } else {
-        add_square<Size + 1>(stencil, factor, dt, u, v, nodes, middle, staggered);
+        add_square<Size + 1>(stencil, scale, dt, u, v, nodes, middle, staggered);
     }
 }
 
@@ -116,18 +117,18 @@ Energies energies(const BasicChain<Real>& chain, std::size_t first, std::size_t 
         detail::add_kinetic(p.spacing * p.density / 2, &v[node], nodes, sums.kinetic);
         for (const auto& [part, weight, stencil] : chain.lattice().energy) {
             const std::size_t start = node - stencil.size() / 2;  // at most ghosts() / 2 before it
-            detail::add_square(std::span(stencil), weight * p.youngs_modulus / p.spacing / 2, dt,
-                               &u[start], &v[start], nodes,
-                               part == EnergyPart::strain ? sums.strain : sums.stabilisation,
-                               sums.staggered);
+            detail::add_square(
+                std::span(stencil), std::sqrt(weight * p.youngs_modulus / p.spacing / 2), dt,
+                &u[start], &v[start], nodes,
+                part == EnergyPart::strain ? sums.strain : sums.stabilisation, sums.staggered);
         }
     }
     const auto sum = [](std::span<const double> terms) {
         return std::accumulate(terms.begin(), terms.end(), 0.0);
     };
     Energies result{.kinetic = sum(sums.kinetic),
-                    .strain = sum(sums.strain),
-                    .stabilisation = sum(sums.stabilisation)};
+                    .strain = sum(sums.strain) / 4,
+                    .stabilisation = sum(sums.stabilisation) / 4};
     result.staggered = result.kinetic + sum(sums.staggered);
     if (!chain.damped().empty()) {
         result.damped = sum(chain.damped().subspan(begin, end - begin));
