@@ -2,9 +2,7 @@
 #include "generator/stability/band_search.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -28,19 +26,19 @@ std::vector<double> sample_places(Sampling sampling) {
     return places;
 }
 
-/// The highest of `peak` and what a search between left and right comes upon.
+/// Golden-section search for a maximum near `peak`, between left and right.
 Peak refined(const std::function<double(double)>& function, Peak peak, double left, double right) {
-    const auto depth = [&](double omega) {
-        const double value = function(omega);
-        if (value > peak.value) {
-            peak = {value, omega};
+    for (int i = 0; i < 20; ++i) {
+        const double inset = (right - left) * (1 - 1 / std::numbers::phi);
+        const Peak one{function(left + inset), left + inset};
+        const Peak other{function(right - inset), right - inset};
+        const bool left_is_higher = one.value > other.value;
+        const Peak& higher = left_is_higher ? one : other;
+        if (higher.value > peak.value) {
+            peak = higher;
         }
-        constexpr double finite = 1e200;  // the search fits parabolas
-        return -std::min(value, finite);
-    };
-    constexpr int bits = 18;
-    std::uintmax_t most_calls = 20;
-    boost::math::tools::brent_find_minima(depth, left, right, bits, most_calls);
+        (left_is_higher ? right : left) = left_is_higher ? other.omega : one.omega;
+    }
     return peak;
 }
 

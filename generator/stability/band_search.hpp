@@ -21,7 +21,7 @@ enum class Sampling {
 
 /// The largest value found in the pieces between neighbouring frequencies (ascending): samples,
 /// dense at both ends of a piece, where waves meet and a square root of the distance counts, then
-/// Brent's search around the best of the piece. Pieces narrower than 1e-9 of the highest
+/// golden-section search around the best of the piece. Pieces narrower than 1e-9 of the highest
 /// frequency are skipped: waves so near an extremum of the band creep at 1e-6 of the wave speed,
 /// and their wave numbers cannot be told apart from roundings. The search ends at the first value
 /// above `enough`.

@@ -43,23 +43,23 @@ double apply(std::span<const double> stencil, const Real* first) {
     return sum;
 }
 
-/// Sums over the nodes of an energy's range, one for each node of a block: compilers vectorise over
-/// the nodes, and many short sums round less than a long one.
+/// Sums over a range of nodes without their common factors, one for each node of a block: compilers
+/// vectorise over the nodes, and many short sums round less than a long one.
 struct EnergySums {
     static constexpr std::size_t nodes = 64;
     using Sum = std::array<double, nodes>;
     Sum kinetic{};
-    Sum strain{};
-    Sum stabilisation{};
-    Sum staggered{};  ///< of the squares
+    Sum strain{};         ///< of twice the squares' means of both levels
+    Sum stabilisation{};  ///< likewise
+    Sum staggered{};      ///< of the squares
 };
 
-/// Adds the kinetic terms of `nodes` nodes.
+/// Adds v^2 of `nodes` nodes.
 template <class Real>
-void add_kinetic(double factor, const Real* v, std::size_t nodes, EnergySums::Sum& kinetic) {
+void add_kinetic(const Real* v, std::size_t nodes, EnergySums::Sum& kinetic) {
     for (std::size_t node = 0; node < nodes; ++node) {
         const double velocity = v[node];
-        kinetic[node] += factor * velocity * velocity;
+        kinetic[node] += velocity * velocity;
     }
 }
 
@@ -114,24 +114,29 @@ Energies energies(const BasicChain<Real>& chain, std::size_t first, std::size_t 
     detail::EnergySums sums;
     for (std::size_t node = begin; node < end; node += detail::EnergySums::nodes) {
         const std::size_t nodes = std::min(end - node, detail::EnergySums::nodes);
-        detail::add_kinetic(p.spacing * p.density / 2, &v[node], nodes, sums.kinetic);
+        detail::add_kinetic(&v[node], nodes, sums.kinetic);
         for (const auto& [part, weight, stencil] : chain.lattice().energy) {
             const std::size_t start = node - stencil.size() / 2;  // at most ghosts() / 2 before it
-            detail::add_square(
-                std::span(stencil), std::sqrt(weight * p.youngs_modulus / p.spacing / 2), dt,
-                &u[start], &v[start], nodes,
-                part == EnergyPart::strain ? sums.strain : sums.stabilisation, sums.staggered);
+            detail::add_square(std::span(stencil), std::sqrt(weight), dt, &u[start], &v[start],
+                               nodes, part == EnergyPart::strain ? sums.strain : sums.stabilisation,
+                               sums.staggered);
         }
     }
-    const auto sum = [](std::span<const double> terms) {
-        return std::accumulate(terms.begin(), terms.end(), 0.0);
-    };
-    Energies result{.kinetic = sum(sums.kinetic),
-                    .strain = sum(sums.strain) / 4,
-                    .stabilisation = sum(sums.stabilisation) / 4};
-    result.staggered = result.kinetic + sum(sums.staggered);
+    Energies result;
+    for (std::size_t i = 0; i < detail::EnergySums::nodes; ++i) {
+        result.kinetic += sums.kinetic[i];
+        result.strain += sums.strain[i];
+        result.stabilisation += sums.stabilisation[i];
+        result.staggered += sums.staggered[i];
+    }
+    const double stiffness = p.youngs_modulus / p.spacing / 2;
+    result.kinetic *= p.spacing * p.density / 2;
+    result.strain *= stiffness / 4;
+    result.stabilisation *= stiffness / 4;
+    result.staggered = result.kinetic + stiffness * result.staggered;
     if (!chain.damped().empty()) {
-        result.damped = sum(chain.damped().subspan(begin, end - begin));
+        const auto damped = chain.damped().subspan(begin, end - begin);
+        result.damped = std::reduce(damped.begin(), damped.end());
     }
     return result;
 }
