@@ -2,6 +2,7 @@
 /// The CSV file of a run's energies: lines "# ..", a header and rows.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -20,8 +21,10 @@ std::string energies_head(std::string_view about);
 
 std::string energies_row(const Sample& sample);
 
-/// Calls with the numbers of each row, in the order of the header. Throws FileError.
+/// Calls with the numbers of each wanted row (counted from 0), in the order of the header. Throws
+/// FileError.
 void read_energies(const std::filesystem::path& path,
+                   const std::function<bool(std::size_t)>& is_wanted,
                    const std::function<void(const std::vector<double>&)>& take);
 
 /// Of the numbers of a row.
