@@ -49,25 +49,17 @@ struct EnergySums {
     static constexpr std::size_t nodes = 64;
     using Sum = std::array<double, nodes>;
     Sum kinetic{};
-    Sum strain{};         ///< of twice the squares' means of both levels
+    Sum strain{};         ///< (now + before)^2 of its squares
     Sum stabilisation{};  ///< likewise
-    Sum staggered{};      ///< of the squares
+    Sum staggered{};      ///< now * before of all squares
 };
 
-/// Adds v^2 of `nodes` nodes.
-template <class Real>
-void add_kinetic(const Real* v, std::size_t nodes, EnergySums::Sum& kinetic) {
-    for (std::size_t node = 0; node < nodes; ++node) {
-        const double velocity = v[node];
-        kinetic[node] += velocity * velocity;
-    }
-}
-
-/// Adds the terms of one square at `nodes` nodes: (now + before)^2 and now * before, the stencil's
-/// at u^{k+1} and u^k times `scale`. u and v begin where the first node's stencil does. The size of
-/// the stencil is known to the compiler; those of horizons to 6 have loops of their own.
+/// Adds the terms of one square at `nodes` nodes: (now + before)^2 and now * before, where now and
+/// before are the stencil at u^{k+1} and at u^k, times the root of the weight. u and v begin where
+/// the first node's stencil does. Stencils of horizons to 6 have loops of their own, in which the
+/// compiler knows their size.
 template <std::size_t Size = 1, class Real>
-void add_square(std::span<const double> stencil, double scale, double dt, const Real* u,
+void add_square(std::span<const double> stencil, double root, double dt, const Real* u,
                 const Real* v, std::size_t nodes, EnergySums::Sum& middle,
                 EnergySums::Sum& staggered) {
     const auto add = [&](auto apply_to) {
@@ -81,14 +73,14 @@ void add_square(std::span<const double> stencil, double scale, double dt, const 
         }
     };
     if constexpr (Size > widest_fixed_reach + 1) {
-        add([=](const Real* first) { return scale * apply(stencil, first); });
+        add([=](const Real* first) { return root * detail::apply(stencil, first); });
     } else if (stencil.size() == Size) {
         std::array<double, Size> entries{};
         std::ranges::transform(stencil, entries.begin(),
-                               [=](double entry) { return scale * entry; });
+                               [=](double entry) { return root * entry; });
         add([=](const Real* first) { return detail::apply(entries, first); });
     } else {
-        add_square<Size + 1>(stencil, scale, dt, u, v, nodes, middle, staggered);
+        add_square<Size + 1>(stencil, root, dt, u, v, nodes, middle, staggered);
     }
 }
 
@@ -114,7 +106,10 @@ Energies energies(const BasicChain<Real>& chain, std::size_t first, std::size_t 
     detail::EnergySums sums;
     for (std::size_t node = begin; node < end; node += detail::EnergySums::nodes) {
         const std::size_t nodes = std::min(end - node, detail::EnergySums::nodes);
-        detail::add_kinetic(&v[node], nodes, sums.kinetic);
+        for (std::size_t i = 0; i < nodes; ++i) {
+            const double velocity = v[node + i];
+            sums.kinetic[i] += velocity * velocity;
+        }
         for (const auto& [part, weight, stencil] : chain.lattice().energy) {
             const std::size_t start = node - stencil.size() / 2;  // at most ghosts() / 2 before it
             detail::add_square(std::span(stencil), std::sqrt(weight), dt, &u[start], &v[start],
