@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <nmbc/chain.hpp>
+#include <numeric>
 #include <span>
 #include <stdexcept>
-#include <utility>
 
 namespace nmbc {
 
@@ -42,48 +43,44 @@ double apply(std::span<const double> stencil, const Real* first) {
     return sum;
 }
 
-/// What one square of the energy has at each node of a block, before it is added up.
-struct SquareTerms {
+/// Sums over a range of nodes without their common factors, one for each node of a block: compilers
+/// vectorise over the nodes, and many short sums round less than a long one.
+struct EnergySums {
     static constexpr std::size_t nodes = 64;
-    std::array<double, nodes> middle;     ///< of u half-way between its two levels
-    std::array<double, nodes> staggered;  ///< of u^k and u^{k+1}
+    using Sum = std::array<double, nodes>;
+    Sum kinetic{};
+    Sum strain{};         ///< (now + before)^2 of its squares
+    Sum stabilisation{};  ///< likewise
+    Sum staggered{};      ///< now * before of all squares
 };
 
-/// Finds the terms of `nodes` nodes; u and v begin where the first node's stencil does. The size of
-/// the stencil is known to the compiler, which vectorises over the nodes.
-template <class Real, std::size_t... J>
-void find_terms(const double* stencil, std::index_sequence<J...> /*size*/, double factor, double dt,
-                const Real* u, const Real* v, std::size_t nodes, SquareTerms& terms) {
-    double* __restrict middle = terms.middle.data();
-    double* __restrict staggered = terms.staggered.data();
-    for (std::size_t node = 0; node < nodes; ++node) {
-        double now = 0;
-        ((now += stencil[J] * static_cast<double>(u[node + J])), ...);
-        double rate = 0;
-        ((rate += stencil[J] * static_cast<double>(v[node + J])), ...);
-        const double half_way = now - dt / 2 * rate;
-        middle[node] = factor * half_way * half_way;
-        staggered[node] = factor * now * (now - dt * rate);
-    }
-}
-
-/// The same for a stencil of any size; those of horizons to 6 have loops of their own.
+/// Adds the terms of one square at `nodes` nodes: (now + before)^2 and now * before, where now and
+/// before are the stencil at u^{k+1} and at u^k, times the root of the weight. u and v begin where
+/// the first node's stencil does. Stencils of horizons to 6 have loops of their own, in which the
+/// compiler knows their size.
 template <std::size_t Size = 1, class Real>
-void find_terms(std::span<const double> stencil, double factor, double dt, const Real* u,
-                const Real* v, std::size_t nodes, SquareTerms& terms) {
-    if constexpr (Size > widest_fixed_reach + 1) {
+void add_square(std::span<const double> stencil, double root, double dt, const Real* u,
+                const Real* v, std::size_t nodes, EnergySums::Sum& middle,
+                EnergySums::Sum& staggered) {
+    const auto add = [&](auto apply_to) {
+        double* __restrict middle_sums = middle.data();
+        double* __restrict staggered_sums = staggered.data();
         for (std::size_t node = 0; node < nodes; ++node) {
-            const double now = apply(stencil, u + node);
-            const double rate = apply(stencil, v + node);
-            const double half_way = now - dt / 2 * rate;
-            terms.middle[node] = factor * half_way * half_way;
-            terms.staggered[node] = factor * now * (now - dt * rate);
+            const double now = apply_to(u + node);
+            const double before = now - dt * apply_to(v + node);
+            middle_sums[node] += (now + before) * (now + before);
+            staggered_sums[node] += now * before;
         }
+    };
+    if constexpr (Size > widest_fixed_reach + 1) {
+        add([=](const Real* first) { return root * detail::apply(stencil, first); });
     } else if (stencil.size() == Size) {
-        find_terms(stencil.data(), std::make_index_sequence<Size>{}, factor, dt, u, v, nodes,
-                   terms);
+        std::array<double, Size> entries{};
+        std::ranges::transform(stencil, entries.begin(),
+                               [=](double entry) { return root * entry; });
+        add([=](const Real* first) { return detail::apply(entries, first); });
     } else {
-        find_terms<Size + 1>(stencil, factor, dt, u, v, nodes, terms);
+        add_square<Size + 1>(stencil, root, dt, u, v, nodes, middle, staggered);
     }
 }
 
@@ -106,32 +103,35 @@ Energies energies(const BasicChain<Real>& chain, std::size_t first, std::size_t 
     const std::size_t begin = first + chain.first_interior();
     const std::size_t end = last + chain.first_interior();
 
+    detail::EnergySums sums;
+    for (std::size_t node = begin; node < end; node += detail::EnergySums::nodes) {
+        const std::size_t nodes = std::min(end - node, detail::EnergySums::nodes);
+        for (std::size_t i = 0; i < nodes; ++i) {
+            const double velocity = v[node + i];
+            sums.kinetic[i] += velocity * velocity;
+        }
+        for (const auto& [part, weight, stencil] : chain.lattice().energy) {
+            const std::size_t start = node - stencil.size() / 2;  // at most ghosts() / 2 before it
+            detail::add_square(std::span(stencil), std::sqrt(weight), dt, &u[start], &v[start],
+                               nodes, part == EnergyPart::strain ? sums.strain : sums.stabilisation,
+                               sums.staggered);
+        }
+    }
     Energies result;
-    for (std::size_t node = begin; node < end; ++node) {
-        const double velocity = v[node];
-        result.kinetic += p.spacing * p.density * velocity * velocity / 2;
+    for (std::size_t i = 0; i < detail::EnergySums::nodes; ++i) {
+        result.kinetic += sums.kinetic[i];
+        result.strain += sums.strain[i];
+        result.stabilisation += sums.stabilisation[i];
+        result.staggered += sums.staggered[i];
     }
-    result.staggered = result.kinetic;
+    const double stiffness = p.youngs_modulus / p.spacing / 2;
+    result.kinetic *= p.spacing * p.density / 2;
+    result.strain *= stiffness / 4;
+    result.stabilisation *= stiffness / 4;
+    result.staggered = result.kinetic + stiffness * result.staggered;
     if (!chain.damped().empty()) {
-        for (const double damped : chain.damped().subspan(begin, end - begin)) {
-            result.damped += damped;
-        }
-    }
-    for (const Lattice::Square& square : chain.lattice().energy) {
-        const std::size_t half_width = square.stencil.size() / 2;  // at most ghosts() / 2
-        const double factor = square.weight * p.youngs_modulus / p.spacing / 2;
-        double energy = 0;
-        detail::SquareTerms terms{};
-        for (std::size_t node = begin; node < end; node += detail::SquareTerms::nodes) {
-            const std::size_t nodes = std::min(end - node, detail::SquareTerms::nodes);
-            detail::find_terms(square.stencil, factor, dt, &u[node - half_width],
-                               &v[node - half_width], nodes, terms);
-            for (std::size_t i = 0; i < nodes; ++i) {
-                energy += terms.middle[i];
-                result.staggered += terms.staggered[i];
-            }
-        }
-        (square.part == EnergyPart::strain ? result.strain : result.stabilisation) += energy;
+        const auto damped = chain.damped().subspan(begin, end - begin);
+        result.damped = std::reduce(damped.begin(), damped.end());
     }
     return result;
 }

@@ -20,7 +20,7 @@ struct Lattice {
     /// One square of the energy, weight * (sum_i stencil[i] u_{I+i-r})^2 / 2, 2r+1 entries.
     struct Square {
         EnergyPart part;
-        double weight;
+        double weight;  ///< not below 0
         std::vector<double> stencil;
     };
     std::vector<double> symbol;   ///< omega^2 = symbol[0] + 2 sum symbol[m] cos(m xi)

@@ -49,7 +49,7 @@ run output 'scene|simulation' 'generator/support/posix_file.hpp|hdf5.h|spawn.h|u
 below='scene|sides|sources|tables|certification|simulation'
 run compare "$below" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT'
 run chart "$below|compare|output" 'generator/support/|boost/math/'
-run advise "$below|compare|chart" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT|unistd.h'
+run advise "$below|compare|chart" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT|boost/math/|unistd.h'
 allow tools/nmbcrun "tools/nmbcrun/|generator/support/(exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|tools/nmbcrun/|CLI/|nmbc/|benchmark/|boost/math/|$text"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|unistd.h|$text"

@@ -2,12 +2,12 @@
 #include "tools/nmbcrun/advise/stabilisations.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <map>
 #include <nmbc/coefficients.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/table.hpp>
-#include <numbers>
 #include <utility>
 
 #include "tools/nmbcrun/advise/candidates.hpp"
@@ -60,17 +60,10 @@ double minimum(Value value, double highest) {
             least = one;
         }
     }
-    double low = std::max(best - 1, 0) * part;
-    double high = std::min(best + 1, parts) * part;
-    for (int i = 0; i < 14; ++i) {
-        const double inset = (high - low) * (1 - 1 / std::numbers::phi);
-        if (value(low + inset) > value(high - inset)) {
-            low += inset;
-        } else {
-            high -= inset;
-        }
-    }
-    return (low + high) / 2;
+    constexpr int bits = 14;
+    return boost::math::tools::brent_find_minima(value, std::max(best - 1, 0) * part,
+                                                 std::min(best + 1, parts) * part, bits)
+        .first;
 }
 
 double to_four_digits(double value) {

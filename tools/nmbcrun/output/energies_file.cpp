@@ -29,12 +29,14 @@ std::string energies_row(const Sample& sample) {
 }
 
 void read_energies(const std::filesystem::path& path,
+                   const std::function<bool(std::size_t)>& is_wanted,
                    const std::function<void(const std::vector<double>&)>& take) {
     std::ifstream stream(path);
     std::vector<double> row;
     std::string line;
+    std::size_t rows = 0;
     while (std::getline(stream, line)) {
-        if (line.starts_with('#') || line == energies_header) {
+        if (line.starts_with('#') || line == energies_header || !is_wanted(rows++)) {
             continue;
         }
         row.clear();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -23,9 +24,10 @@ std::string energies_head(std::string_view about);
 
 std::string energies_row(const Sample& sample);
 
-/// Calls with the numbers of each row, in the order of the header. Throws FileError where a row has
-/// others than its columns.
+/// Calls with the numbers of each wanted row (counted from 0), in the order of the header. Throws
+/// FileError where a wanted row has others than its columns.
 void read_energies(const std::filesystem::path& path,
+                   const std::function<bool(std::size_t)>& is_wanted,
                    const std::function<void(const std::vector<double>&)>& take);
 
 /// Of the numbers of a row.

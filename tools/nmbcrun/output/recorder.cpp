@@ -226,12 +226,9 @@ void Recorder::remove_leftovers() const {
 std::vector<Sample> Recorder::samples(std::size_t rows) const {
     const std::size_t every = std::max<std::size_t>(1, rows / 12);
     std::vector<Sample> samples;
-    std::size_t row = 0;
-    read_energies(energies_->source(), [&](const std::vector<double>& numbers) {
-        if (row++ % every == 0 || row == rows) {
-            samples.push_back(sample_of(numbers));
-        }
-    });
+    read_energies(
+        energies_->source(), [&](std::size_t row) { return row % every == 0 || row + 1 == rows; },
+        [&](const std::vector<double>& row) { samples.push_back(sample_of(row)); });
     return samples;
 }
 

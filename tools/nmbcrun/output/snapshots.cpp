@@ -41,9 +41,9 @@ nmbcgen::NewFile write_snapshots(Journal& snapshots, Journal& energies,
                                  const nmbc::ChainParameters& p) {
     const std::size_t times = snapshots.size() / (sizeof(double) * (1 + 2 * p.nodes));
     std::vector<double> rows;
-    read_energies(energies.source(), [&](const std::vector<double>& row) {
-        rows.insert(rows.end(), row.begin(), row.end());
-    });
+    read_energies(
+        energies.source(), [](std::size_t /*row*/) { return true; },
+        [&](const std::vector<double>& row) { rows.insert(rows.end(), row.begin(), row.end()); });
 
     Hdf5File file(snapshots.path());
     file.describe(
