@@ -12,8 +12,13 @@ namespace nmbcgen {
 void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
     std::atomic<std::size_t> taken = 0;
     const auto take = [&] {
-        for (std::size_t i = taken++; i < count; i = taken++) {
-            work(i);
+        try {
+            for (std::size_t i = taken++; i < count; i = taken++) {
+                work(i);
+            }
+        } catch (...) {
+            taken = count;  // nothing more is begun
+            throw;
         }
     };
     std::vector<std::future<void>> workers;

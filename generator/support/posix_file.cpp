@@ -36,13 +36,29 @@ namespace {
 
 constexpr mode_t for_all = 0666;  // less the user's umask, as every other file
 
-void make_folder_of(const std::filesystem::path& path) {
-    std::error_code error;
-    std::filesystem::create_directories(path.parent_path(), error);
-    if (error) {
-        throw FileError(fmt::format("cannot make the folder {}: {}", path.parent_path().string(),
-                                    error.message()));
+/// What is in the folder of `path` is on the disk then, as far as the file system can do that.
+void sync_folder_of(const std::filesystem::path& path) {
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor >= 0) {
+        ::fsync(descriptor);
+        ::close(descriptor);
     }
+}
+
+void make_folder_of(const std::filesystem::path& path) {
+    const std::filesystem::path folder = path.parent_path();
+    std::error_code error;
+    if (folder.empty() || std::filesystem::is_directory(folder, error)) {
+        return;
+    }
+    make_folder_of(folder);
+    std::filesystem::create_directory(folder, error);
+    if (error) {
+        throw FileError(
+            fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+    }
+    sync_folder_of(folder);
 }
 
 }  // namespace
@@ -167,12 +183,7 @@ void publish(std::span<NewFile> files) {
     if (files.empty()) {
         return;
     }
-    const std::filesystem::path folder = files.front().path_.parent_path();
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor >= 0) {  // as far as the file system can do that
-        ::fsync(descriptor);
-        ::close(descriptor);
-    }
+    sync_folder_of(files.front().path_);
 }
 
 void require_replaceable(const std::filesystem::path& path) {

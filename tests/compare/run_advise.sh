@@ -151,6 +151,31 @@ for seconds in 0 1; do
     expect_exit 130
     expect_stderr "nmbcrun: stopped; nothing was "
 done
+# .. and one that comes when the advice is there stops the run before it writes: nobody reads the
+# advice until then.
+mkfifo "$scratch/full"
+exec 8<>"$scratch/full"
+dd if=/dev/zero of="$scratch/full" oflag=nonblock bs=4096 count=100 2>/dev/null || true
+env --default-signal=INT stdbuf -oL "$program" run "${bar[@]}" --tolerance 1e-3 --out early \
+    >"$scratch/full" 2>"$scratch/stderr" &
+run=$!
+asleep=0
+while [ $asleep -lt 3 ] && kill -0 $run; do
+    sleep 0.2
+    asleep=$(grep -q '^State:.S' /proc/$run/status && echo $((asleep + 1)) || echo 0)
+done
+tried="run --tolerance, and SIGINT when it has its advice"
+kill -INT $run
+cat <&8 >"$scratch/stdout" &
+reader=$!
+code=0
+wait $run || code=$?
+kill $reader
+exec 8>&-
+expect_exit 130
+expect_stderr "nmbcrun: stopped; nothing was "
+expect "nothing written" test ! -e early
+
 try advise "${bar[@]}"
 expect_exit 2
 try run "${bar[@]}" --tolerance 1e-3 --resume

@@ -73,6 +73,27 @@ done
 expect "the run" env PATH=/nowhere "$program" "${run[@]}" --set "output.name=it is" >"$scratch/stdout"
 expect_stdout_line "to draw it   gnuplot -c $(dirname "$(dirname "$program")")/share/nmbc/plots/energy.gp $(:
     )'results/it is_energy' 'results/it is.csv' 'bar of Nicely 2018, section 5'"
+# Where gnuplot fails the numbers are there all the same; one that is stopped stops the program.
+mkdir failing stopping
+printf '#!/bin/sh\nexit 1\n' >failing/gnuplot
+printf '#!/bin/sh\nkill -TERM $PPID\nexit 1\n' >stopping/gnuplot
+chmod +x failing/gnuplot stopping/gnuplot
+for drawn in "${run[*]:0:2} --plot" "chart $scene --long-run 4000"; do
+    # shellcheck disable=SC2086  # words
+    PATH=$PWD/failing:$PATH try $drawn "${small[@]}" --set time.end=4 --quiet
+    expect_exit 0
+    expect_stderr "nmbcrun: warning: this could not draw: gnuplot -c "
+    expect_stderr_lines 1
+    # shellcheck disable=SC2086  # words
+    PATH=$PWD/stopping:$PATH try $drawn "${small[@]}" --set time.end=4 --quiet
+    expect_exit 130
+    expect_stderr "stopped while it was drawn; the numbers are written"
+done
+
+# A pole at the exact G that is meant is left out, too.
+try chart "$scene" --set model.G=128/85 --set time.end=4 --long-run 4000 --quiet
+expect_exit 0
+expect_stderr "left out: NMBC2 s1: "
 
 try chart "$scene" --long-run 10
 expect_exit 2

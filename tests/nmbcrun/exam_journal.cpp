@@ -9,8 +9,10 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/energies_file.hpp"
 #include "tools/nmbcrun/output/journal.hpp"
 
 namespace {
@@ -99,6 +101,38 @@ TEST_CASE("a copy that cannot be written leaves what was published, and nothing 
     CHECK(folder.files() == 2);
     publish(journal.copy());
     CHECK(text_of(folder / "run.csv") == "time\n1\n");
+}
+
+TEST_CASE("a row of energies has all of its columns, or is none") {
+    const Folder folder;
+    const auto samples_of = [&](const std::string& row) {
+        std::ofstream(folder / "run.csv") << nmbcrun::energies_head("") << row;
+        std::vector<nmbcrun::Sample> samples;
+        nmbcrun::read_energies(folder / "run.csv", [&](const std::vector<double>& numbers) {
+            samples.push_back(nmbcrun::sample_of(numbers));
+        });
+        return samples;
+    };
+    const nmbcrun::Sample sample{.time = 0.5, .energies = {}, .balance = {.drift = 7}};
+    const std::string row = nmbcrun::energies_row(sample);
+    REQUIRE(samples_of(row).size() == 1);
+    CHECK(samples_of(row).front().balance.drift == 7);
+    for (const std::string& bad : {row.substr(0, row.size() - 3), row.substr(0, 3), "0," + row,
+                                   row.substr(0, row.size() - 2) + "x", std::string("\n")}) {
+        CHECK_THROWS_AS(samples_of(bad), nmbcrun::FileError);
+    }
+}
+
+TEST_CASE("folders are made, however many, and a name without one is in the working folder") {
+    const Folder folder;
+    publish(nmbcrun::Journal(folder / "a/b/../c/run.csv").copy());
+    CHECK(text_of(folder / "a/c/run.csv").empty());
+    const auto before = std::filesystem::current_path();
+    std::filesystem::current_path(folder / "a");
+    CHECK_NOTHROW(publish(nmbcrun::Journal("run.csv").copy()));
+    std::filesystem::current_path(before);
+    CHECK(std::filesystem::exists(folder / "a/run.csv"));
+    CHECK_THROWS_AS(nmbcrun::Journal(folder / "a/run.csv/b/run.csv"), nmbcrun::FileError);
 }
 
 TEST_CASE("a folder is in the way of a file, of a file nothing is") {

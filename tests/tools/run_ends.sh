@@ -26,6 +26,11 @@ unstable "cfl = 1" --set boundary.order=2 --set model.horizon=1 --set model.G=0.
 # What is certified in its place: for the pair another order and stride, or a shorter step.
 unstable "Certified in its place at this G: order 1, stride 2 up to cfl = 0.98; order 2, stride 2 up to" \
     --set model.horizon=1 --set model.G=0.01 --set boundary.right.kind=fixed
+# .. where none is, another G, or at the best one another kind.
+unstable 'is certified here. Certified at model.G = "32/15", which suits long waves best: order 1, stride 2 up to' \
+    --set boundary.left.kind=fixed
+unstable 'is certified here. Certified at model.G = "27/7", which suits' \
+    --set model.horizon=3 --set boundary.right.kind=fixed
 unstable "Certified for these ends is cfl = 0.69, time.step = 0.09128" \
     --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=0.8
 
@@ -98,6 +103,8 @@ duration = 2e-6
 end = 4e-4
 END
 refuses 4 "NMBC1, stride 1, midpoint ghosts on the left sends back up to 6.2 times the energy that comes" \
+    "$scratch/steel.toml"
+refuses 4 'Certified at model.G = "27/7", which suits long waves best: order 1, stride 1 up to cfl =' \
     "$scratch/steel.toml"
 refuses 4 "of what force sends out is in waves so short that the lattice disperses them or turns them back; no force.duration alone would do" \
     "$scratch/steel.toml"

@@ -217,6 +217,7 @@ for resume in "" --resume; do
     try run "$scene" "${short[@]}" $resume
     expect_exit 5
     expect_stderr "cannot open results/bar1d.lock: it is held by process $first on "
+    expect_stderr ": wait for it, or give another output.name or --out"
     expect_no_stdout
 done
 try run "$scene" "${short[@]}" --set output.name=other

@@ -81,7 +81,8 @@ for bad in 0.4 500.6 -3 1e+300; do
     setting 2 "output.probes has $bad, but the nodes are at 1 to 500" "output.probes=[$bad]"
 done
 setting 2 "output.probes has node 7 twice" 'output.probes=[7, 250, 7.3]'
-setting 2 "--set needs KEY=VALUE" time.step
+setting 2 "--set needs KEY=VALUE, not 'time.step'" time.step
+setting 2 "left is not a key of a scene; the nearest one is boundary.left" left.kind=fixed
 setting 2 "--set needs KEY=VALUE" =3
 # What there is instead of a table that there is not.
 setting 2 "there is nothing of this family and horizon, but chain1d with horizon 1, nopd1d with horizon 1, 2, 3, 4, 5" model.horizon=7
@@ -104,6 +105,7 @@ refuses 2 'model.G is missing: 0 is standard NOPD, whose zero-energy modes no en
 for G in '"128/85"' 1.5058823529411764; do
     refuses 3 "has a pole of a coefficient at G = 1.5058823529411764" "$scene" --set boundary.order=2 \
         --set model.G="$G" --set boundary.allow_unstable=true
+    expect_stderr '. Certified at model.G = "32/15", which suits long waves best: order 1, stride 1 up to'
 done
 
 # Sources: none, unfinished ones, keys that say nothing.

@@ -76,6 +76,13 @@ expect "as like ends" grep -qF "cfl = $like): the largest certified for NMBC2" "
 try run "$automatic" --set boundary.right.kind=fixed
 expect_exit 4
 expect_stderr "no time step is certified for this pair of ends: NMBC1 on the left and a fixed end"
+# Why not the first that was tried, which is what its like has.
+expect_stderr "not stable together at n = 2, G = 0, cfl = 0.61: "
+# Steps that a source wants shorter than any that a table's certificate looked at.
+try run "$automatic" --set model.horizon=1 --set model.G=0.5 --set boundary.left.order=3 \
+    --set boundary.right.kind=fixed --set time.end=0.5 --set drive.duration=0.001
+expect_exit 0
+expect "a twentieth of the drive" grep -qF '): a twentieth of drive.duration' "$scratch/stdout"
 try run "$automatic" --set boundary.ghosts='"explicit"'
 expect_exit 4
 expect_stderr "no time step is certified for NMBC1, stride 1, explicit ghosts at G = 0: with midpoint ghosts, NMBC1 with"

@@ -174,41 +174,32 @@ int main(int argc, char** argv) {
                   << "\nSee nmbcrun --help.\n";
         return bad_input;
     }
-    if (run->parsed()) {
-        return exit_code_of([&] {
-            nmbcrun::Scene scene = scene_of(arguments);
+    return exit_code_of([&] {
+        nmbcrun::Scene scene = scene_of(arguments);
+        if (verify->parsed()) {
+            return nmbcrun::verify(scene, arguments.tolerance, arguments.quiet) ? done
+                                                                                : does_not_hold;
+        }
+        if (!run->parsed() || arguments.tolerance > 0) {
+            nmbcrun::note_interrupts();
+        }
+        if (advise->parsed()) {
+            nmbcrun::advise(scene, arguments.tolerance, arguments.quiet, stop_where_interrupted);
+        } else if (chart->parsed()) {
+            nmbcrun::chart(scene, {arguments.folder, arguments.long_run, arguments.quiet});
+        } else {
             if (arguments.tolerance > 0) {
-                nmbcrun::note_interrupts();
                 scene = nmbcrun::as_advised(scene, arguments.tolerance, arguments.quiet,
                                             stop_where_interrupted);
+                nmbcrun::end_at_interrupts(stopped);  // until the run writes
+                stop_where_interrupted();
             }
             nmbcrun::run(scene, {arguments.folder, arguments.quiet, arguments.resume,
                                  arguments.keep_checkpoint});
             if (arguments.plot) {
                 nmbcrun::draw_run(scene, arguments.folder);
             }
-            return done;
-        });
-    }
-    if (advise->parsed()) {
-        return exit_code_of([&] {
-            const nmbcrun::Scene scene = scene_of(arguments);
-            nmbcrun::note_interrupts();
-            nmbcrun::advise(scene, arguments.tolerance, arguments.quiet, stop_where_interrupted);
-            return done;
-        });
-    }
-    if (chart->parsed()) {
-        return exit_code_of([&] {
-            const nmbcrun::Scene scene = scene_of(arguments);
-            nmbcrun::note_interrupts();
-            nmbcrun::chart(scene, {arguments.folder, arguments.long_run, arguments.quiet});
-            return done;
-        });
-    }
-    return exit_code_of([&] {
-        return nmbcrun::verify(scene_of(arguments), arguments.tolerance, arguments.quiet)
-                   ? done
-                   : does_not_hold;
+        }
+        return done;
     });
 }

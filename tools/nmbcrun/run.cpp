@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/compare/prospect.hpp"
 #include "tools/nmbcrun/output/checkpoint.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
@@ -52,11 +53,12 @@ class Run {
           checkpoint_(options.folder / (scene.name + ".checkpoint")) {
         if (!prospect_.objection.empty() && !scene.allow_amplifying && !scene.allow_unstable) {
             throw Unstable(
-                fmt::format("{}. {}. To run it all the same: boundary.allow_amplifying = true",
+                fmt::format("{}. {}{}. To run it all the same: boundary.allow_amplifying = true",
                             prospect_.objection,
                             prospect_.warnings.empty()
                                 ? "Another model.G, order or stride may absorb it: nmbcrun advise"
-                                : fmt::format("{}", fmt::join(prospect_.warnings, ". "))));
+                                : fmt::format("{}", fmt::join(prospect_.warnings, ". ")),
+                            choices_at_another_G(scene)));
         }
         note_interrupts();  // up to here nothing was written
         nmbcgen::require_replaceable(checkpoint_);

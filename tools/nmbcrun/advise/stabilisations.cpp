@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nmbc/coefficients.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/table.hpp>
 #include <numbers>
@@ -17,13 +18,6 @@
 
 namespace nmbcrun {
 namespace {
-
-/// In continuous time the error of long waves' speed is of order xi^4 here
-/// (docs/explanation/dispersion.md).
-double best_of_long_waves(int horizon) {
-    const double n = horizon;
-    return 4 * n * n * n / ((n + 1) * (2 * n + 1));
-}
 
 bool is_stabilised(const nmbc::Lattice& lattice) {
     return std::ranges::find(lattice.energy, nmbc::EnergyPart::stabilisation,
@@ -177,7 +171,7 @@ std::map<double, double> best_in_steps(const Scene& scene, Fit& fit) {
 }  // namespace
 
 std::vector<Stabilisation> stabilisations_to_try(const Scene& scene, const Pause& pause) {
-    const double base = best_of_long_waves(scene.horizon);
+    const double base = nmbc::detail::nearest_to_fraction(best_G(scene.horizon));
     const nmbc::MatchingTable& any =
         table_of(with_lattice(scene, scene.horizon, 0), {.kind = BoundaryKind::fixed});
     if (!is_stabilised(nmbc::make_lattice(any, base))) {

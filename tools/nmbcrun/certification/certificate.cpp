@@ -84,10 +84,10 @@ std::string name_of(const Boundary& boundary) {
         boundary.order, boundary.stride > 1 ? fmt::format(" of stride {}", boundary.stride) : "");
 }
 
-/// " at n = .., G = ..: "
-std::string place_of(const Scene& scene, double cfl) {
-    return fmt::format(" at n = {}, G = {}{}, cfl = {:.3g}: ", scene.horizon, scene.G,
-                       is_damped(scene) ? ", tau = " + scene.tau : "", cfl);
+/// " at n = .., G = .."
+std::string place_of(const Scene& scene) {
+    return fmt::format(" at n = {}, G = {}{}", scene.horizon, scene.G,
+                       is_damped(scene) ? ", tau = " + scene.tau : "");
 }
 
 /// What an end does by itself, in words; empty where it does nothing.
@@ -123,10 +123,9 @@ std::string objection_to_tables(const Scene& scene, const nmbc::MatchingTable& l
         constexpr double roundings = 1e-12;  // cfl was a time step on its way here
         if (cfl < steps.from * (1 - roundings)) {
             return fmt::format(
-                "{} is certified from cfl = {:.3g} to {:.3g} at n = {}, G = {}{}, since a mode of "
-                "its own grows in some shorter steps; cfl = {:.3g}",
-                name_of(*boundary), steps.from, steps.cfl, scene.horizon, scene.G,
-                is_damped(scene) ? ", tau = " + scene.tau : "", cfl);
+                "{} is certified from cfl = {:.3g} to {:.3g}{}, since a mode of its own grows in "
+                "some shorter steps; cfl = {:.3g}",
+                name_of(*boundary), steps.from, steps.cfl, place_of(scene), cfl);
         }
     }
     return "";
@@ -164,10 +163,10 @@ std::optional<std::string> decided_without_waves(const Scene& scene,
         return "";
     }
     return fmt::format(
-        "{} is certified against {} {} at n = {}, G = {}{}; cfl = {:.3g}", name_of(matching),
+        "{} is certified against {} {}{}; cfl = {:.3g}", name_of(matching),
         name_of(on_the_left ? scene.right : scene.left),
         certified > 0 ? fmt::format("up to cfl = {:.3g} only", certified) : "at no time step",
-        scene.horizon, scene.G, is_damped(scene) ? ", tau = " + scene.tau : "", cfl);
+        place_of(scene), cfl);
 }
 
 /// The nmbc that stands alone on a half line, since what goes out at the other end does not come
@@ -203,7 +202,7 @@ std::string PairOfEnds::objection(double time_step, double cfl) {
         !known.empty()) {
         return known;
     }
-    const std::string place = place_of(scene, cfl);
+    const std::string place = fmt::format("{}, cfl = {:.3g}: ", place_of(scene), cfl);
     if (const Boundary* own = alone_on_a_half_line(scene, lattice_, step)) {
         const auto verdict = verdict_without_incident_waves(
             end_of(*own, in_time(own == &scene.left ? left_ : right_), step).half_space);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nmbc/boundary.hpp>
 #include <nmbc/certificate.hpp>
 #include <optional>
 #include <utility>
@@ -66,23 +67,23 @@ AutomaticStep with_their_like(const Scene& scene, const nmbc::Lattice& lattice) 
 }
 
 /// The first of cfl, cfl - 0.05, .. at which the two ends are certified together; cfl = 0: at none,
-/// for the reason in `limit`.
+/// and `limit` says why not at the first.
 AutomaticStep certified_together(const Scene& scene, const AutomaticStep& longest,
                                  double omega_max) {
     constexpr double less = 0.05;
-    constexpr double least = 0.01;  // that tables are certified for
+    const double least = std::min(longest.cfl, std::max(0.01, longest.from));
     PairOfEnds pair(scene, table_of(scene, scene.left), table_of(scene, scene.right));
     AutomaticStep step = longest;
-    while (step.cfl >= least) {
-        std::string problem = pair.objection(2 * step.cfl / omega_max, step.cfl);
+    std::string first_problem;
+    for (; step.cfl > 0 && step.cfl >= least; step.cfl -= less) {
+        const std::string problem = pair.objection(2 * step.cfl / omega_max, step.cfl);
         if (problem.empty()) {
-            return {step.cfl, step.cfl == longest.cfl ? longest.limit
-                                                      : "the largest certified for this pair of "
-                                                        "ends, to 0.05 of cfl"};
+            return step;
         }
-        step = {step.cfl - less, std::move(problem)};
+        first_problem = first_problem.empty() ? problem : first_problem;
+        step.limit = "the largest certified for this pair of ends, to 0.05 of cfl";
     }
-    return {0, step.limit};
+    return {0, first_problem};
 }
 
 double matched_time_step(const Boundary& boundary) {
@@ -106,6 +107,26 @@ std::optional<AutomaticStep> matched_step(const Scene& scene, const nmbc::Lattic
         }
     }
     return std::nullopt;
+}
+
+/// The orders and strides that are certified in the place of the scene's nmbc, with their cfl.
+std::string certified_choices(const Scene& scene) {
+    std::string choices;
+    for (const nmbc::MatchingTable* table : tables_of(scene)) {
+        const Boundary boundary{.order = table->order, .stride = table->stride};
+        Scene other = scene;
+        for (Boundary* end : {&other.left, &other.right}) {
+            *end = end->kind == BoundaryKind::nmbc ? boundary : *end;
+        }
+        const double cfl = table->time_step == "0"
+                               ? largest_certified_cfl(other, make_lattice(*table, scene.G))
+                               : 0;
+        if (cfl > 0) {
+            choices += fmt::format("{}order {}, stride {} up to cfl = {:.3g}",
+                                   choices.empty() ? "" : "; ", table->order, table->stride, cfl);
+        }
+    }
+    return choices;
 }
 
 }  // namespace
@@ -157,7 +178,8 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
         throw Unstable(fmt::format("no time step is certified for {}. {}", step.limit,
                                    matched ? to_try_its_own : to_try_one));
     }
-    if (matched && matched->cfl > step.cfl) {
+    constexpr double roundings = 1e-9;
+    if (matched && matched->cfl > step.cfl * (1 + roundings)) {
         throw Unstable(
             fmt::format("the boundary is matched in steps of cfl {:.3f}, and {:.3f} is {}. {}",
                         matched->cfl, step.cfl, step.limit, to_try_its_own));
@@ -191,28 +213,30 @@ double largest_certified_cfl(const Scene& scene, const nmbc::Lattice& lattice) {
                : certified_together(scene, step, highest_frequency(scene, lattice)).cfl;
 }
 
+std::string choices_at_another_G(const Scene& scene) {
+    const std::string G = best_G(scene.horizon);
+    Scene other = scene;
+    other.G = nmbc::detail::nearest_to_fraction(G);
+    const bool is_best = scene.family == "nopd1d" && scene.weights.empty() && other.G != scene.G;
+    const std::string choices = is_best ? certified_choices(other) : "";
+    return choices.empty() ? ""
+                           : fmt::format(R"(. Certified at model.G = "{}", which suits long waves )"
+                                         "best: {}",
+                                         G, choices);
+}
+
 std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice) {
     const double omega_max = highest_frequency(scene, lattice);
     if (const double own = largest_certified_cfl(scene, lattice); own > 0) {
         return fmt::format("Certified for these ends is cfl = {:.3g}, time.step = {:.4g}", own,
                            2 * own / omega_max);
     }
-    std::string choices;
-    for (const nmbc::MatchingTable* table : tables_of(scene)) {
-        const Boundary boundary{.order = table->order, .stride = table->stride};
-        Scene other = scene;
-        for (Boundary* end : {&other.left, &other.right}) {
-            *end = end->kind == BoundaryKind::nmbc ? boundary : *end;
-        }
-        const double cfl = table->time_step == "0" ? largest_certified_cfl(other, lattice) : 0;
-        if (cfl > 0) {
-            choices += fmt::format("{}order {}, stride {} up to cfl = {:.3g}",
-                                   choices.empty() ? "" : "; ", table->order, table->stride, cfl);
-        }
+    if (const std::string choices = certified_choices(scene); !choices.empty()) {
+        return "Certified in its place at this G: " + choices;
     }
-    return choices.empty() ? "No other order or stride that there is a table of is certified here: "
-                             "try another G (docs/explanation/stability.md)"
-                           : "Certified in its place at this G: " + choices;
+    const std::string at_another_G = choices_at_another_G(scene);
+    return "No other order or stride that there is a table of is certified here" +
+           (at_another_G.empty() ? R"(; boundary.kind = "extended" is)" : at_another_G);
 }
 
 }  // namespace nmbcrun

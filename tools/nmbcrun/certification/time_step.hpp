@@ -31,8 +31,14 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
 /// The largest cfl at which the scene's ends are certified, as automatic_step() seeks it; 0: none.
 double largest_certified_cfl(const Scene& scene, const nmbc::Lattice& lattice);
 
+/// ". Certified at model.G = .." : the orders and strides that are, at best_G(), in the place of
+/// the scene's nmbc; empty where none are, where it is the scene's own G, or best for another
+/// lattice.
+std::string choices_at_another_G(const Scene& scene);
+
 /// A sentence: the largest cfl that the scene's ends are certified for or, where there is none, the
-/// orders and strides that are certified in the place of its nmbc, with theirs.
+/// orders and strides that are certified in the place of its nmbc, with theirs; or where there are
+/// none, another G or kind of end.
 std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice);
 
 /// Throws SceneError where an end is matched in another time step [time], or without midpoint

@@ -3,30 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <nmbc/coefficients.hpp>
-
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
-
-namespace {
-
-bool exists(const nmbc::MatchingTable& table, double G) {
-    try {
-        nmbc::boundary_coefficients(table, G, nmbc::allow_unstable);
-        return true;
-    } catch (const nmbc::CoefficientError&) {
-        return false;
-    }
-}
-
-}  // namespace
 
 std::vector<NamedBoundary> boundaries_of(const Scene& scene) {
     std::vector<NamedBoundary> all{{"fixed", {.kind = BoundaryKind::fixed}},
                                    {"free", {.kind = BoundaryKind::free}}};
     for (const nmbc::MatchingTable* table : tables_of(scene)) {
-        if (table->time_step == "0" && exists(*table, scene.G)) {
+        if (table->time_step == "0") {
             all.push_back({fmt::format("NMBC{} s{}", table->order, table->stride),
                            {.order = table->order, .stride = table->stride}});
         }

@@ -16,8 +16,9 @@ struct NamedBoundary {
 };
 
 /// All that can end the scene's lattice, those of one kind in ascending order or width: every table
-/// of it that exists at its G and is not matched in time steps, which would prescribe the step, and
-/// of the other kinds the widths and orders users take. The scene's own boundaries do not count.
+/// of it, whether it exists at its G or not, that is not matched in time steps, which would
+/// prescribe the step, and of the other kinds the widths and orders users take. The scene's own
+/// boundaries do not count.
 std::vector<NamedBoundary> boundaries_of(const Scene& scene);
 
 /// The scene with the same boundary at both ends, certified or not.

@@ -21,7 +21,6 @@
 #include "generator/support/on_all_cores.hpp"
 #include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/chart/boundaries.hpp"
-#include "tools/nmbcrun/chart/chains.hpp"
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/chart/long_run.hpp"
 #include "tools/nmbcrun/chart/points.hpp"
@@ -81,7 +80,7 @@ class Measurement {
         return with_ends(in_steps(cfl), {.kind = BoundaryKind::extended});
     }
     static bool is_tuned(const Boundary& boundary) {
-        return boundary.kind == BoundaryKind::sponge || boundary.kind == BoundaryKind::pml ||
+        return has_profile(boundary.kind) ||
                (boundary.kind == BoundaryKind::extended && boundary.layer == 0);
     }
 
@@ -129,7 +128,7 @@ class Measurement {
             job();
         } catch (const SceneError& error) {
             point.refused = error.what();
-        } catch (const std::invalid_argument& error) {
+        } catch (const std::logic_error& error) {  // the runtime's: at a pole, for one
             point.refused = error.what();
         }
     }
@@ -233,7 +232,10 @@ void Measurement::leave_out_refused() {
             fmt::print(stderr, "nmbcrun: left out: {}: {}\n", point.what.name, point.refused);
         }
     }
-    std::erase_if(points_, [](const Point& point) { return !point.refused.empty(); });
+    // One that is refused in some steps has no cost in others, unless it is timed in each.
+    std::erase_if(points_, [&](const Point& point) {
+        return !point.refused.empty() || (!is_timed(point) && told.contains(point.what.name));
+    });
 }
 
 void Measurement::measure_costs(Work& work) {
@@ -253,11 +255,9 @@ void Measurement::measure_costs(Work& work) {
         timed[i]->cost = costs[i];
     }
     for (Point& point : points_) {
-        const auto same = std::ranges::find_if(timed, [&](const Point* one) {
-            return one->what.name == point.what.name && is_timed(*one);
-        });
         if (!is_timed(point)) {
-            point.cost = (*same)->cost;
+            const auto name = [](const Point* one) { return one->what.name; };
+            point.cost = (*std::ranges::find(timed, point.what.name, name))->cost;
         }
     }
 }

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "tools/nmbcrun/certification/time_step.hpp"
-#include "tools/nmbcrun/chart/chains.hpp"
+#include "tools/nmbcrun/chart/trial.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 
 namespace nmbcrun {

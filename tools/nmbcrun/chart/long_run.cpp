@@ -9,7 +9,6 @@
 #include <random>
 #include <span>
 
-#include "tools/nmbcrun/chart/chains.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 
 namespace nmbcrun {

@@ -48,6 +48,11 @@ Scene in_steps_of(Scene scene, double cfl) {
     return scene;
 }
 
+nmbc::Chain chain_between(const Scene& scene, const nmbc::ChainEnd& left,
+                          const nmbc::ChainEnd& right) {
+    return {lattice_of(scene), left, right, parameters_of(scene, scene.step.value())};
+}
+
 Samples samples_of(const Scene& scene, const Advance& advance) {
     Simulation simulation(scene);
     return run_sampled(simulation, advance, [](const Simulation&) {});

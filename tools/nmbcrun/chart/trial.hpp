@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <nmbc/chain.hpp>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ inline constexpr std::size_t sample_count = 100;
 
 /// The scene in the longest such steps up to this cfl.
 Scene in_steps_of(Scene scene, double cfl);
+
+/// The chain of a scene that has its step, without its sources, between such ends.
+nmbc::Chain chain_between(const Scene& scene, const nmbc::ChainEnd& left,
+                          const nmbc::ChainEnd& right);
 
 /// Called now and then while something lasts, with the part of it that is done since it was called
 /// before. It may throw.

@@ -113,11 +113,11 @@ double not_carried(const SourceSpectrum& source, const nmbc::Lattice& lattice, d
     return share;
 }
 
-/// What makes a source longer, and its value with that; nullptr where there is nothing.
+/// The key that makes a source longer, and where the scene has its value.
 struct Length {
     const char* key;
-    double* value;
-    bool is_inverse;
+    double* value;    ///< nullptr: a source from a file has none
+    bool is_inverse;  ///< the source is the longer, the smaller the value is
 };
 
 Length length_of(Scene& scene, const std::string& source) {
@@ -152,6 +152,15 @@ constexpr double most_not_carried = 0.1;
 /// pace.
 std::string what_would_do(const Simulation& simulation, const std::string& source, double step) {
     Scene scene = simulation.scene();
+    const auto drop_unless = [&](const char* name, auto& other) {
+        if (source != name) {
+            other.reset();
+        }
+    };
+    drop_unless("drive", scene.drive);
+    drop_unless("initial", scene.initial);
+    drop_unless("force", scene.force);
+    drop_unless("incoming", scene.incoming);
     const auto [key, value, is_inverse] = length_of(scene, source);
     constexpr double longer = 1.25;
     const nmbc::Lattice& lattice = simulation.chain().lattice();
@@ -161,19 +170,13 @@ std::string what_would_do(const Simulation& simulation, const std::string& sourc
         if (scene.force) {
             scene.force->time *= longer;  // none of it is cut off at t = 0
         }
-        for (const SourceSpectrum& other :
-             source_spectra(scene, lattice, simulation.plan().time_step)) {
-            if (other.name == source && not_carried(other, lattice, step) <= most_not_carried) {
-                return fmt::format("; {} = {:.2g} would do", key, two_digits(*value, is_inverse));
-            }
+        const auto spectra = source_spectra(scene, lattice, simulation.plan().time_step);
+        if (not_carried(spectra.front(), lattice, step) <= most_not_carried) {
+            return fmt::format("; {} = {:.2g} would do", key, two_digits(*value, is_inverse));
         }
     }
     return value == nullptr ? "" : fmt::format("; no {} alone would do", key);
 }
-
-}  // namespace
-
-namespace {
 
 /// One for each source that the lattice does not carry.
 std::vector<std::string> warnings_of(const Simulation& simulation,

@@ -135,12 +135,8 @@ Spectrum spectrum_of_force(const Scene& scene, const nmbc::Lattice& lattice, dou
 }
 
 Spectrum spectrum_of_file(const Scene& scene, const nmbc::Lattice& lattice, double time_step) {
-    const nmbc::ChainParameters parameters{.nodes = scene.nodes,
-                                           .spacing = scene.spacing,
-                                           .youngs_modulus = scene.youngs_modulus,
-                                           .density = scene.density,
-                                           .time_step = time_step};
-    InitialFields fields = initial_fields(scene, lattice, parameters, scene.nodes, 0);
+    InitialFields fields =
+        initial_fields(scene, lattice, parameters_of(scene, time_step), scene.nodes, 0);
     constexpr std::size_t most = 1 << 22;  // the left part of longer ones has to do
     fields.u.resize(std::min(scene.nodes, most));
     fields.v.resize(std::min(scene.nodes, most));

@@ -43,9 +43,13 @@ void read_energies(const std::filesystem::path& path,
         while (next < end) {
             const auto [after, error] = std::from_chars(next, end, row.emplace_back());
             if (error != std::errc()) {
-                throw FileError(fmt::format("cannot read {}: {}", path.string(), line));
+                row.clear();
+                break;
             }
             next = after + 1;
+        }
+        if (row.size() != energies_columns) {
+            throw FileError(fmt::format("cannot read {}: {}", path.string(), line));
         }
         take(row);
     }

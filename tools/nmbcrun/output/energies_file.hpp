@@ -2,6 +2,7 @@
 /// The CSV file of a run's energies: lines "# ..", a header and rows.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -15,12 +16,15 @@ namespace nmbcrun {
 inline constexpr std::string_view energies_header =
     "time,kinetic,strain,stabilisation,total,staggered,damped,ledger,work,left_end,right_end,drift";
 
+inline constexpr auto energies_columns = std::size_t(std::ranges::count(energies_header, ',')) + 1;
+
 /// The lines before the rows; about: what is said of the run, whole lines.
 std::string energies_head(std::string_view about);
 
 std::string energies_row(const Sample& sample);
 
-/// Calls with the numbers of each row, in the order of the header. Throws FileError.
+/// Calls with the numbers of each row, in the order of the header. Throws FileError where a row has
+/// others than its columns.
 void read_energies(const std::filesystem::path& path,
                    const std::function<void(const std::vector<double>&)>& take);
 

@@ -2,6 +2,7 @@
 #include "tools/nmbcrun/output/gnuplot.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,8 +12,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <ranges>
 
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/interrupt.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -46,14 +49,10 @@ std::string quoted(const std::string& text) {
 }
 
 std::string as_command(const std::vector<std::string>& words) {
-    std::string command;
-    for (const std::string& word : words) {
-        command += (command.empty() ? "" : " ") + quoted(word);
-    }
-    return command;
+    return fmt::format("{}", fmt::join(words | std::views::transform(quoted), " "));
 }
 
-/// Whether the program is installed. Throws FileError where it fails.
+/// Whether it has done its work; a complaint on stderr where it is installed, and has not.
 bool run_program(std::vector<std::string> words) {
     std::vector<char*> arguments;
     arguments.reserve(words.size() + 1);
@@ -71,10 +70,14 @@ bool run_program(std::vector<std::string> words) {
     pid_t ended = 0;
     while (error == 0 && (ended = ::waitpid(process, &status, 0)) < 0 && errno == EINTR) {
     }
-    if (error != 0 || ended != process || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-        throw FileError("this could not draw: " + as_command(words));
+    const bool is_done = error == 0 && ended == process && status == 0;
+    if (interrupted()) {
+        throw Interrupted("stopped while it was drawn; the numbers are written");
     }
-    return true;
+    if (!is_done) {
+        fmt::print(stderr, "nmbcrun: warning: this could not draw: {}\n", as_command(words));
+    }
+    return is_done;
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 namespace nmbcrun {
 
 /// Runs `gnuplot -c SCRIPT ARGUMENT..`, SCRIPT from the folder share/nmbc/plots beside the
-/// program's bin, and prints the files it made. Prints the command instead where gnuplot is not
-/// installed. Throws FileError where there is no such script or gnuplot fails.
+/// program's bin, and prints the files it made; or the command, where gnuplot is not installed or
+/// fails. Throws FileError where there is no such script, Interrupted where the user stops it.
 void draw(const std::string& script, const std::vector<std::string>& arguments,
           const std::vector<std::filesystem::path>& made);
 

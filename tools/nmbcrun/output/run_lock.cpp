@@ -14,7 +14,8 @@ RunLock::RunLock(const std::filesystem::path& path)
     std::array<char, 256> host{};
     ::gethostname(host.data(), host.size() - 1);
     file_.cut_to(0);
-    file_.write(fmt::format("process {} on {}\n", ::getpid(), host.data()));
+    file_.write(fmt::format("process {} on {}: wait for it, or give another output.name or --out\n",
+                            ::getpid(), host.data()));
 }
 
 RunLock::~RunLock() {

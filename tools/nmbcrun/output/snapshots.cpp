@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <span>
 #include <string>
@@ -41,7 +40,6 @@ void append_snapshot(Journal& snapshots, const nmbc::Chain& chain) {
 nmbcgen::NewFile write_snapshots(Journal& snapshots, Journal& energies,
                                  const nmbc::ChainParameters& p) {
     const std::size_t times = snapshots.size() / (sizeof(double) * (1 + 2 * p.nodes));
-    const auto columns = std::size_t(std::ranges::count(energies_header, ',')) + 1;
     std::vector<double> rows;
     read_energies(energies.source(), [&](const std::vector<double>& row) {
         rows.insert(rows.end(), row.begin(), row.end());
@@ -60,7 +58,7 @@ nmbcgen::NewFile write_snapshots(Journal& snapshots, Journal& energies,
         {{"unit", "length/time"},
          {"layout", "time x node"},
          {"meaning", fmt::format("velocity at t - {}, half a step before u", p.time_step / 2)}});
-    file.add("energies", {rows.size() / columns, columns},
+    file.add("energies", {rows.size() / energies_columns, energies_columns},
              {{"unit", "energy/area; the first column: time"},
               {"layout", "row x column"},
               {"columns", std::string(energies_header)}});

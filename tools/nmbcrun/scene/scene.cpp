@@ -144,14 +144,11 @@ double read_G(SceneReader& reader, const Scene& scene) {
     }
     const auto G = reader.number("model.G", not_negative);
     if (!G && scene.family != "chain1d" && scene.family != "bond1d") {
-        const long n = scene.horizon;
-        const nmbcgen::Rational best(4 * n * n * n,
-                                     (n + 1) * (2 * n + 1));  // docs/explanation/dispersion.md
         reader.fail("model.G",
                     fmt::format("is missing: 0 is standard NOPD, whose zero-energy modes no end "
                                 "absorbs; \"{}\" makes the dispersion of long waves least at "
                                 "horizon {} and constant influence",
-                                nmbcgen::to_string(best), n));
+                                best_G(scene.horizon), scene.horizon));
     }
     return G.value_or(0);
 }
@@ -195,6 +192,10 @@ std::vector<std::size_t> read_probes(SceneReader& reader, const Scene& scene) {
 
 }  // namespace
 
+std::string best_G(long n) {
+    return nmbcgen::to_string(nmbcgen::Rational(4 * n * n * n, (n + 1) * (2 * n + 1)));
+}
+
 std::string_view name_of(BoundaryKind kind) {
     return std::ranges::find(boundary_kinds, kind,
                              &std::pair<std::string_view, BoundaryKind>::second)
@@ -216,21 +217,12 @@ bool has_layer(BoundaryKind kind) {
     return counts("layer", kind);
 }
 
+bool has_profile(BoundaryKind kind) {
+    return counts("profile", kind);
+}
+
 bool adds_no_energy(BoundaryKind kind) {
-    switch (kind) {
-        case BoundaryKind::fixed:
-        case BoundaryKind::free:
-        case BoundaryKind::extended:
-        case BoundaryKind::exact:
-        case BoundaryKind::sponge:
-        case BoundaryKind::pml:
-            return true;
-        case BoundaryKind::nmbc:
-        case BoundaryKind::higdon:
-        case BoundaryKind::truncated:
-            break;
-    }
-    return false;
+    return !takes_table(kind) && kind != BoundaryKind::higdon;
 }
 
 bool takes_table(BoundaryKind kind) {
@@ -298,8 +290,9 @@ Scene read_scene(const std::string& path, const Overrides& overrides) {
 Scene read_scene_text(const std::string& text, const std::string& path,
                       const Overrides& overrides) {
     SceneReader reader(text, path, overrides);
-    reader.refuse_other_tables({"title", "model", "material", "domain", "boundary", "time",
-                                "output", "drive", "initial", "force", "incoming", "preload"});
+    reader.refuse_other_tables({"title", "model", "material", "domain", "boundary", "boundary.left",
+                                "boundary.right", "time", "output", "drive", "initial", "force",
+                                "incoming", "preload"});
     Scene scene;
     scene.name = read_name(reader, path);
     scene.title = printable(reader.text("title").value_or(scene.name));

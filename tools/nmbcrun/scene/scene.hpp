@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <nmbc/boundary.hpp>
+#include <nmbc/boundary_condition.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,6 +54,10 @@ struct Boundary {
     friend bool operator==(const Boundary&, const Boundary&) = default;
 };
 
+/// The G at which the speed of long waves is right to fourth order in continuous time, at constant
+/// influence, "p/q" (docs/explanation/dispersion.md).
+std::string best_G(long horizon);
+
 /// As a scene spells it, such as "fixed".
 std::string_view name_of(BoundaryKind kind);
 
@@ -63,6 +67,9 @@ bool is_physical(BoundaryKind kind);
 
 /// Whether it puts a layer outside of the interior.
 bool has_layer(BoundaryKind kind);
+
+/// Whether that layer takes energy out, by a profile and a target.
+bool has_profile(BoundaryKind kind);
 
 /// Whether it can only take energy from the chain, or give back what it took, at every step up to
 /// the interior's limit.
@@ -134,6 +141,11 @@ inline double wave_speed(const Scene& scene) {
 /// dX/c [time].
 inline double unit_of_time(const Scene& scene) {
     return scene.spacing / wave_speed(scene);
+}
+
+/// Of the scene's chain in such steps [time].
+inline nmbc::ChainParameters parameters_of(const Scene& scene, double time_step) {
+    return {scene.nodes, scene.spacing, scene.youngs_modulus, scene.density, time_step};
 }
 
 /// KEY=VALUE of --set, not parsed yet.

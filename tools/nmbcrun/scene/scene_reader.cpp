@@ -202,13 +202,10 @@ std::optional<long> SceneReader::whole_number(std::string_view key, long lowest,
 
 std::optional<std::string> SceneReader::text(std::string_view key) {
     const toml::node* node = find(key);
-    if (node == nullptr) {
-        return std::nullopt;
-    }
-    if (!node->is_string()) {
+    if (node != nullptr && !node->is_string()) {
         fail(key, fmt::format("must be a string in quotes, not {}", as_written(*node)));
     }
-    return node->value<std::string>();
+    return node == nullptr ? std::nullopt : node->value<std::string>();
 }
 
 std::optional<std::string> SceneReader::number_or_text(std::string_view key) {
@@ -261,12 +258,9 @@ std::vector<double> SceneReader::numbers(std::string_view key, const Bounds& bou
 
 std::vector<std::string> SceneReader::texts(std::string_view key) {
     const toml::node* node = find(key);
-    if (node == nullptr) {
-        return {};
-    }
-    if (!node->is_array() || !std::ranges::all_of(*node->as_array(), [](const auto& each) {
-            return each.is_string();
-        })) {
+    const auto is_string = [](const toml::node& each) { return each.is_string(); };
+    if (node != nullptr &&
+        (!node->is_array() || !std::ranges::all_of(*node->as_array(), is_string))) {
         fail(key, fmt::format(R"(must be a list of strings in quotes, ["a", "b"], not {})",
                               as_written(*node)));
     }
@@ -302,10 +296,12 @@ std::map<std::string, std::string> SceneReader::given() const {
 
 void SceneReader::fail_unknown(const std::string& key,
                                const std::vector<std::string>& known) const {
-    const auto nearest = std::ranges::min_element(
-        known, {}, [&](const auto& other) { return edit_distance(key, other); });
+    const auto distance = [&](const std::string& other) {
+        return other.ends_with("." + key) ? 0 : edit_distance(key, other);
+    };
+    const auto nearest = std::ranges::min_element(known, {}, distance);
     // One that shares less than half its letters is no help.
-    const bool near = 2 * edit_distance(key, *nearest) <= key.size();
+    const bool near = 2 * distance(*nearest) <= key.size();
     fail(key,
          "is not a key of a scene" + (near ? "; the nearest one is " + *nearest
                                            : std::string("; docs/reference/scene.md lists them")));

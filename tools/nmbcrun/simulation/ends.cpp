@@ -25,32 +25,26 @@ namespace nmbcrun {
 
 namespace {
 
-/// An exact end for the steps of the scene's run, which the chain's own time step tells.
-struct ExactEndOfRun {
+/// An end for the steps of the scene's run, which the chain's own time step tells: exact, or
+/// extended so wide that nothing returns.
+struct EndOfRun {
+    bool is_exact = false;
     double end = 0;  ///< [time]
 
     std::unique_ptr<nmbc::BoundaryCondition<double>> make(
         const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
         std::type_identity<double> precision) const {
-        const std::size_t steps = steps_until(end, parameters.time_step);
-        if (steps > ExactEnd::most_steps) {
-            throw SceneError(
-                fmt::format("a run of {} steps is too long for an \"exact\" end, which is made for "
-                            "{} at most: take a longer time step, or kind \"extended\" with a "
-                            "layer so wide that nothing returns",
-                            steps, ExactEnd::most_steps));
+        if (is_exact) {
+            const std::size_t steps = steps_until(end, parameters.time_step);
+            if (steps > ExactEnd::most_steps) {
+                throw SceneError(fmt::format(
+                    "a run of {} steps is too long for an \"exact\" end, which is made for {} at "
+                    "most: take a longer time step, or kind \"extended\" with a layer so wide that "
+                    "nothing returns",
+                    steps, ExactEnd::most_steps));
+            }
+            return ExactEnd{steps}.make(lattice, parameters, precision);
         }
-        return ExactEnd{steps}.make(lattice, parameters, precision);
-    }
-};
-
-/// An extended end so wide that nothing returns before the run ends.
-struct ExtendedEndOfRun {
-    double end = 0;  ///< [time]
-
-    std::unique_ptr<nmbc::BoundaryCondition<double>> make(
-        const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
-        std::type_identity<double> precision) const {
         const double unit = parameters.spacing / parameters.wave_speed();
         const std::size_t layer = silent_layer(lattice, parameters.time_step / unit, end / unit);
         if (layer > most_layer) {
@@ -67,8 +61,8 @@ nmbc::BoundaryCoefficients coefficients_of(const Scene& scene, const Boundary& b
     const nmbc::MatchingTable& table = table_of(scene, boundary);
     if (has_pole_next_to(table, scene.G)) {
         throw nmbc::CoefficientError(
-            fmt::format("{} does not exist here: {} has a pole of a coefficient at G = {}",
-                        heading_of(boundary), table.name, scene.G));
+            fmt::format("{} does not exist here: {} has a pole of a coefficient at G = {}{}",
+                        heading_of(boundary), table.name, scene.G, choices_at_another_G(scene)));
     }
     return nmbc::boundary_coefficients(table, scene.G, nmbc::allow_unstable);
 }
@@ -88,9 +82,9 @@ nmbc::ChainEnd chain_end(const Scene& scene, const Boundary& boundary) {
             return nmbc::FreeEnd{};
         case BoundaryKind::extended:
             return boundary.layer > 0 ? nmbc::ChainEnd(nmbc::FixedEnd{boundary.layer})
-                                      : nmbc::ChainEnd(ExtendedEndOfRun{scene.end});
+                                      : nmbc::ChainEnd(EndOfRun{false, scene.end});
         case BoundaryKind::exact:
-            return ExactEndOfRun{scene.end};
+            return EndOfRun{true, scene.end};
         case BoundaryKind::sponge:
             return SpongeEnd{{boundary.layer, boundary.profile, target_of(boundary)}};
         case BoundaryKind::pml:

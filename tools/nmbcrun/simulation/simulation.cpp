@@ -60,14 +60,6 @@ Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
     return plan;
 }
 
-nmbc::ChainParameters parameters_of(const Scene& scene, double time_step) {
-    return {.nodes = scene.nodes,
-            .spacing = scene.spacing,
-            .youngs_modulus = scene.youngs_modulus,
-            .density = scene.density,
-            .time_step = time_step};
-}
-
 }  // namespace
 
 Simulation::Simulation(const Scene& scene)
