@@ -13,7 +13,7 @@ PATH=$scratch/bin:$PATH
 cd "$scratch/work"
 mkdir build
 ln -s "$programs" build/bin
-ln -s "$source/"{runtime,generated} .
+ln -s "$source/"{runtime,generated,docs} .
 cp -r "$source/tools" .  # a scene names files relative to itself
 
 # shape FILE: without numbers and the width of columns.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// Products of two NMBC1, (s C_1 - B_1)(s C_2 - B_2) = 0 on every ghost layer, each exact at a wave
 /// number of its own (after Higdon): another condition of second order, held against the
-/// project's. What it wins is said in docs/how-to/choose-a-boundary.md.
+/// project's.
 ///
 /// The amplitudes of theory's formula depend on the condition by the ratio Delta(k_i)/Delta(k_o)
 /// alone, which is 1 at a fixed end and a product here: entry by entry, R is R_1 R_2 / R_fixed.

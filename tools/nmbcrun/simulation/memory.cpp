@@ -12,7 +12,7 @@
 namespace nmbcrun {
 namespace {
 
-/// Of one node: 79 were measured, 119 in a damped lattice (docs/reference/scene.md).
+/// Of one node: 79 were measured, 119 in a damped lattice (docs/how-to/long-runs.md).
 constexpr std::uintmax_t bytes_of_node = 120;
 
 }  // namespace
