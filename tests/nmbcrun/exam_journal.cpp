@@ -108,9 +108,11 @@ TEST_CASE("a row of energies has all of its columns, or is none") {
     const auto samples_of = [&](const std::string& row) {
         std::ofstream(folder / "run.csv") << nmbcrun::energies_head("") << row;
         std::vector<nmbcrun::Sample> samples;
-        nmbcrun::read_energies(folder / "run.csv", [&](const std::vector<double>& numbers) {
-            samples.push_back(nmbcrun::sample_of(numbers));
-        });
+        nmbcrun::read_energies(
+            folder / "run.csv", [](std::size_t /*row*/) { return true; },
+            [&](const std::vector<double>& numbers) {
+                samples.push_back(nmbcrun::sample_of(numbers));
+            });
         return samples;
     };
     const nmbcrun::Sample sample{.time = 0.5, .energies = {}, .balance = {.drift = 7}};
