@@ -46,19 +46,22 @@ void sync_folder_of(const std::filesystem::path& path) {
     }
 }
 
-void make_folder_of(const std::filesystem::path& path) {
-    const std::filesystem::path folder = path.parent_path();
-    std::error_code error;
-    if (folder.empty() || std::filesystem::is_directory(folder, error)) {
+void make_folder(const std::filesystem::path& folder) {
+    if (folder.empty() || std::filesystem::is_directory(folder)) {
         return;
     }
-    make_folder_of(folder);
-    std::filesystem::create_directory(folder, error);
-    if (error) {
-        throw FileError(
-            fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
-    }
+    make_folder(folder.parent_path());
+    std::filesystem::create_directory(folder);
     sync_folder_of(folder);
+}
+
+void make_folder_of(const std::filesystem::path& path) {
+    try {
+        make_folder(path.parent_path());
+    } catch (const std::filesystem::filesystem_error& error) {
+        throw FileError(fmt::format("cannot make the folder {}: {}", path.parent_path().string(),
+                                    error.code().message()));
+    }
 }
 
 }  // namespace
