@@ -31,6 +31,24 @@ class Laurent {
         }
     }
 
+    /// At a value of g.
+    Laurent at(const Rational& value) const {
+        Laurent result;
+        for (const auto& [offset, coefficient] : coefficients_) {
+            result.add(offset, constant(evaluate(coefficient, value)));
+        }
+        return result;
+    }
+
+    /// sum of coefficients times offset_x^power.
+    Polynomial moment(int power) const {
+        Polynomial sum;
+        for (const auto& [offset, coefficient] : coefficients_) {
+            sum += coefficient * constant(Rational(pow(Integer(offset[0]), unsigned(power))));
+        }
+        return sum;
+    }
+
     friend Laurent operator+(Laurent left, const Laurent& right) {
         for (const auto& [offset, value] : right.coefficients_) {
             left.add(offset, value);
