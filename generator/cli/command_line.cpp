@@ -14,11 +14,27 @@
 namespace nmbcgen {
 namespace {
 
+/// --radius2 and what goes with it.
+CLI::Option* add_plane(CLI::App& app, PlaneOptions& plane) {
+    CLI::Option* const radius =
+        add_parsed(app, "--radius2", plane.radius_squared, parse_radius_squared,
+                   "of a plane family, in place of --horizon: square of a node's family radius "
+                   "delta in units of dX^2, a sum of two squares such as 1, 2, 4, 5, 8, 9");
+    add_parsed(app, "--nu", plane.poisson, parse_poisson,
+               "of nopd2d: Poisson's ratio, an exact number such as 1/4");
+    add_parsed(app, "--state", plane.plane_strain, parse_plane_state,
+               "of nopd2d: plane stress or strain (default stress)");
+    add_parsed(app, "--polarisation", plane.polarisation, parse_polarisation,
+               "of a plane family: P or S waves, at normal incidence");
+    return radius;
+}
+
 struct SpecificationOptions {
     CLI::Option* family;
     CLI::Option* order;
     CLI::Option* match;
     CLI::Option* horizon;
+    CLI::Option* radius;
     CLI::Option* weights;
     CLI::Option* stride;
     CLI::Option* damping;
@@ -47,6 +63,7 @@ SpecificationOptions add_specification(CLI::App& app, Request& request, Pending&
                        "0:5,1.2:2 or 0:3,pi/3:1"),
         .horizon = add_parsed(app, "--horizon", what.horizon, parse_count,
                               "horizon n in units of dX, >= 1"),
+        .radius = add_plane(app, pending.plane),
         .weights = add_weights(app, pending.weights),
         .stride = add_parsed(app, "--stride", what.stride, parse_count,
                              "node offsets of the condition are 0, s, 2s, .. Ns (default 1)"),
@@ -66,12 +83,14 @@ SpecificationOptions add_specification(CLI::App& app, Request& request, Pending&
     };
     options.cfl->excludes(options.time_step);
     options.match->excludes(options.order);
+    options.horizon->excludes(options.radius);
     return options;
 }
 
 void require_condition(const SpecificationOptions& options, const std::string& otherwise) {
-    if (options.order->count() + options.match->count() == 0 || options.horizon->count() == 0) {
-        throw CLI::RequiredError("--order (or --match) and --horizon" + otherwise);
+    if (options.order->count() + options.match->count() == 0 ||
+        options.horizon->count() + options.radius->count() == 0) {
+        throw CLI::RequiredError("--order (or --match) and --horizon (or --radius2)" + otherwise);
     }
 }
 
@@ -92,8 +111,8 @@ CLI::App* add_dispersion(CLI::App& app, Curves& curves, Pending& pending) {
     auto* const dispersion = app.add_subcommand(
         "dispersion",
         "print dispersion relations over the band as CSV (docs/explanation/dispersion.md)");
-    add_parsed(*dispersion, "--family", curves.family, parse_family,
-               "lattice model: " + family_names() + " (default nopd1d)");
+    add_parsed(*dispersion, "--family", curves.family, parse_chain_family,
+               "lattice model: " + chain_family_names() + " (default nopd1d)");
     add_parsed(*dispersion, "--horizon", curves.horizons, parse_counts,
                "horizons n in units of dX, with commas between, such as 1,2,3")
         ->required();
@@ -114,9 +133,15 @@ CLI::App* add_recommend(CLI::App& app, Question& question, Pending& pending) {
         "recommend", "say which boundary to use at a horizon and a G, and why not another one");
     add_parsed(*recommend, "--family", question.family, parse_family,
                "lattice model: " + family_names() + " (default nopd1d)");
-    add_parsed(*recommend, "--horizon", question.horizon, parse_count,
-               "horizon n in units of dX, >= 1")
-        ->required();
+    CLI::Option* const horizon = add_parsed(*recommend, "--horizon", question.horizon, parse_count,
+                                            "horizon n in units of dX, >= 1");
+    CLI::Option* const radius = add_plane(*recommend, pending.plane);
+    horizon->excludes(radius);
+    recommend->parse_complete_callback([horizon, radius] {
+        if (horizon->count() + radius->count() == 0) {
+            throw CLI::RequiredError("--horizon (or --radius2)");
+        }
+    });
     add_weights(*recommend, pending.weights);
     add_parsed(*recommend, "--G", question.G, parse_rational,
                "stabilisation G of the model, an exact number such as 1/2 or 0.3");
@@ -151,7 +176,11 @@ CLI::App* add_optimise(CLI::App& app, Request& request, Pending& pending) {
     add_parsed(*optimise, "--band", request.aim.band, parse_wide_band,
                "wave numbers LO..HI in 1/dX over which the reflected energy is averaged")
         ->required();
-    options.horizon->required();
+    optimise->parse_complete_callback([options] {
+        if (options.horizon->count() + options.radius->count() == 0) {
+            throw CLI::RequiredError("--horizon (or --radius2)");
+        }
+    });
     return optimise;
 }
 
@@ -163,8 +192,8 @@ CLI::App* add_closed_forms(CLI::App& app, Request& request) {
     add_parsed(*closed_forms, "--order", request.specification.order, parse_closed_order,
                "N: a_1 to a_{2N+1}, 1 to 12")
         ->required();
-    add_parsed(*closed_forms, "--family", request.specification.family, parse_family,
-               "lattice model: " + family_names() + " (default nopd1d)");
+    add_parsed(*closed_forms, "--family", request.specification.family, parse_chain_family,
+               "lattice model: " + chain_family_names() + " (default nopd1d)");
     add_parsed(*closed_forms, "--format", request.closed_format, parse_closed_format,
                closed_format_names() + " (default text)");
     return closed_forms;
@@ -207,9 +236,9 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         "compare the committed set in the folder with a fresh one; exit code 1 if it is stale");
     for (CLI::Option* whole_set : {all_flag, check_flag}) {
         for (CLI::Option* other :
-             {single.family, single.order, single.match, single.horizon, single.weights,
-              single.stride, single.damping, single.time_step, single.cfl, single.G, format,
-              to_stdout, require_stable, uncertified}) {
+             {single.family, single.order, single.match, single.horizon, single.radius,
+              single.weights, single.stride, single.damping, single.time_step, single.cfl, single.G,
+              format, to_stdout, require_stable, uncertified}) {
             whole_set->excludes(other);
         }
     }

@@ -12,6 +12,7 @@
 #include "generator/commands/matching_search.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/families/family.hpp"
+#include "generator/families/vector_family.hpp"
 #include "generator/matching/real.hpp"
 
 namespace nmbcgen {
@@ -100,8 +101,12 @@ unsigned parse_samples(const std::string& text) {
     return parse_whole_number(text, most_samples);
 }
 
-std::string family_names() {
+std::string chain_family_names() {
     return names_of(families());
+}
+
+std::string family_names() {
+    return chain_family_names() + ", " + names_of(vector_families());
 }
 
 std::string format_names() {
@@ -161,13 +166,45 @@ unsigned parse_closed_order(const std::string& text) {
     return parse_whole_number(text, highest_order);
 }
 
-std::string parse_family(const std::string& text) {
-    for (const Family& family : families()) {
-        if (family.name == text) {
-            return text;
-        }
+std::string parse_chain_family(const std::string& text) {
+    if (std::ranges::find(families(), text, &Family::name) == families().end()) {
+        throw std::invalid_argument("'" + text +
+                                    "' is not a family; allowed: " + chain_family_names());
     }
-    throw std::invalid_argument("'" + text + "' is not a family; allowed: " + family_names());
+    return text;
+}
+
+std::string parse_family(const std::string& text) {
+    if (std::ranges::find(vector_families(), text, &VectorFamily::name) !=
+        vector_families().end()) {
+        return text;
+    }
+    if (std::ranges::find(families(), text, &Family::name) == families().end()) {
+        throw std::invalid_argument("'" + text + "' is not a family; allowed: " + family_names());
+    }
+    return text;
+}
+
+unsigned parse_radius_squared(const std::string& text) {
+    return parse_whole_number(text, highest_count);
+}
+
+Rational parse_poisson(const std::string& text) {
+    return text.starts_with('-') ? -parse_rational(text.substr(1)) : parse_rational(text);
+}
+
+bool parse_plane_state(const std::string& text) {
+    if (text != "stress" && text != "strain") {
+        throw std::invalid_argument("'" + text + "' is not a plane state; allowed: stress, strain");
+    }
+    return text == "strain";
+}
+
+Polarisation parse_polarisation(const std::string& text) {
+    if (text != "P" && text != "S") {
+        throw std::invalid_argument("'" + text + "' is not a polarisation; allowed: P, S");
+    }
+    return text == "P" ? Polarisation::P : Polarisation::S;
 }
 
 std::string parse_folder(const std::string& text) {

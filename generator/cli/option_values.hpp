@@ -11,6 +11,7 @@
 #include "generator/emit/emit.hpp"
 #include "generator/families/influence.hpp"
 #include "generator/names/names.hpp"
+#include "generator/names/projected_family.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
@@ -22,10 +23,16 @@ unsigned parse_samples(const std::string& text);  ///< 1 to a million
 
 /// The names that are allowed, with commas between.
 std::string family_names();
+std::string chain_family_names();
 std::string format_names();
 std::string influence_names();
 
 std::string parse_family(const std::string& text);
+std::string parse_chain_family(const std::string& text);  ///< no plane family
+unsigned parse_radius_squared(const std::string& text);   ///< 1 to 99
+Rational parse_poisson(const std::string& text);          ///< may be negative
+bool parse_plane_state(const std::string& text);          ///< "strain", or "stress": false
+Polarisation parse_polarisation(const std::string& text);
 const Format* parse_format(const std::string& text);
 std::string closed_format_names();
 const ClosedFormat* parse_closed_format(const std::string& text);

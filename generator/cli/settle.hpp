@@ -7,11 +7,21 @@
 
 #include "generator/cli/command_line.hpp"
 #include "generator/cli/option_values.hpp"
+#include "generator/names/projected_family.hpp"
 
 namespace nmbcgen {
 
+/// A plane family and which of its waves, in place of a horizon.
+struct PlaneOptions {
+    std::optional<unsigned> radius_squared;
+    std::optional<Rational> poisson;
+    std::optional<bool> plane_strain;
+    std::optional<Polarisation> polarisation;
+};
+
 /// What becomes part of the request then.
 struct Pending {
+    PlaneOptions plane;
     std::optional<Matching> matching;
     std::optional<WeightChoice> weights;
 };
@@ -19,7 +29,7 @@ struct Pending {
 /// Puts it there, and G = 0 where a command needs a G and the family has none.
 /// Throws CLI::ParseError for options before a subcommand, a missing G or one that the family does
 /// not have, as many weights as no horizon has, a limit that there is not, and the default folder
-/// outside the project.
-void settle(Request& request, const Pending& pending, const CLI::App& app);
+/// outside the project, and where the options of plane families do not fit the family.
+void settle(Request& request, Pending pending, const CLI::App& app);
 
 }  // namespace nmbcgen

@@ -150,7 +150,7 @@ const std::vector<Rational>& damping_ladder(const std::string& family) {
                                               Rational(1, 5),
                                               Rational(3, 10),
                                               Rational(1, 2)};
-    return has_stabilisation(make_model(family, 1)) ? ladder : undamped;
+    return is_stabilised(family) ? ladder : undamped;
 }
 
 Certified certified(const Specification& what) {

@@ -9,6 +9,7 @@
 #include "generator/commands/candidates.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/names/names.hpp"
+#include "generator/names/projected_family.hpp"
 #include "generator/pipeline.hpp"
 
 namespace nmbcgen {
@@ -81,7 +82,7 @@ std::string recommendation(const Question& question, const Progress& progress) {
     return fmt::format(
         "NMBC{}, stride {}, tau = {}, {}steps of cfl {:.2f}, at horizon {}, G = {}\n"
         "  command    {}\n"
-        "  certified  stable with both ends alike, {}, in {}\n"
+        "  certified  stable with both ends alike, {}, in {}{}\n"
         "  reflected  {:.1e} of the energy in steps of cfl {:.2f}, dt = {:.4g} dX/c\n"
         "  loss       {:.1e} of the energy\n\n{}",
         best.what.order, best.what.stride, to_string(best.what.damping),
@@ -90,6 +91,9 @@ std::string recommendation(const Question& question, const Progress& progress) {
         damped ? fmt::format("in chains of {} interior nodes and more", least_damped_nodes)
                : std::string("in chains of any length (docs/explanation/stability.md: short ones)"),
         matched ? "these steps, of which it takes no others" : in_words(best.certified),
+        projected_family(question.family)
+            ? "\n             for waves at normal incidence; in the plane oblique waves may grow"
+            : "",
         best.reflected, best.cfl, best.time_step, best.loss, table_of(all, question, tolerance));
 }
 

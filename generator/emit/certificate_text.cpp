@@ -7,6 +7,7 @@
 
 #include "generator/emit/cpp_source.hpp"
 #include "generator/exact/algebraic_number.hpp"
+#include "generator/names/projected_family.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -121,7 +122,10 @@ std::string certificate_statement(const Table& table) {
         return "not examined";
     }
     const Specification& what = table.specification;
-    return (what.damping > 0 ? damped_statement() : undamped_statement()) +
+    return (projected_family(what.family)
+                ? "of the chain that waves at normal incidence see, nothing of oblique waves: "
+                : "") +
+           (what.damping > 0 ? damped_statement() : undamped_statement()) +
            (what.time_step > 0
                 ? "; matched in time steps: modal, contractive and steps are for the G at which "
                   "its own step is certified"

@@ -7,6 +7,7 @@
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/family.hpp"
+#include "generator/families/projected.hpp"
 #include "generator/lattice/symbol.hpp"
 
 namespace nmbcgen {
@@ -18,6 +19,11 @@ std::span<const Family> families() {
         Family{"chain1d", chain1d},
     };
     return list;
+}
+
+bool is_stabilised(std::string_view family) {
+    const auto projected = projected_family(family);
+    return has_stabilisation(projected ? projected_model(*projected) : make_model(family, 1));
 }
 
 const Family& find_family(std::string_view name) {
@@ -56,9 +62,9 @@ void damp(Model& model, const Rational& damping) {
 
 Model make_model(std::string_view family, unsigned horizon, const Rational& damping,
                  std::span<const Rational> weights) {
-    const std::vector<Rational> constant_influence(horizon, Rational(1));
+    const std::vector<Rational> ones(horizon, Rational(1));
     if (weights.empty()) {
-        weights = constant_influence;
+        weights = ones;
     }
     if (weights.size() != horizon ||
         std::ranges::any_of(weights, [](const Rational& weight) { return weight <= 0; })) {
@@ -66,8 +72,16 @@ Model make_model(std::string_view family, unsigned horizon, const Rational& damp
             "horizon {} has bonds of {} lengths: as many weights are needed, all positive", horizon,
             horizon));
     }
-    Model model = find_family(family).describe(horizon, weights);
-    if (std::ranges::count(weights, weights[0]) != std::ptrdiff_t(horizon)) {
+    const auto projected = projected_family(family);
+    const bool constant_influence =
+        std::ranges::count(weights, weights[0]) == std::ptrdiff_t(horizon);
+    if (projected && (horizon != horizon_of(*projected) || !constant_influence)) {
+        throw NoSuchModel(fmt::format("{} has horizon {} and weights of its own", family,
+                                      horizon_of(*projected)));
+    }
+    Model model =
+        projected ? projected_model(*projected) : find_family(family).describe(horizon, weights);
+    if (!constant_influence) {
         std::string list;
         for (const Rational& weight : weights) {
             list += (list.empty() ? "" : ", ") + to_string(weight);

@@ -44,10 +44,14 @@ std::span<const Family> families();
 /// Throws NoSuchModel where there is no such family.
 const Family& find_family(std::string_view name);
 
-/// The model of a family at a horizon, with damping tau >= 0 [c/dX] and the influence w_1 .. w_n,
-/// constant where it is empty; symbol and damping are derived from its energy. Throws NoSuchModel
-/// where there is no such family or horizon, where tau < 0, for tau > 0 in a family without
-/// stabilisation, and where there are not n positive weights.
+/// Whether its models, or the model of a projected family, have a G. Throws NoSuchModel.
+bool is_stabilised(std::string_view family);
+
+/// The model of a family, or of a projected one (names/projected_family.hpp), at a horizon, with
+/// damping tau >= 0 [c/dX] and the influence w_1 .. w_n, constant where it is empty; symbol and
+/// damping are derived from its energy. Throws NoSuchModel where there is no such family or
+/// horizon, where tau < 0, for tau > 0 in a family without stabilisation, and where there are not n
+/// positive weights.
 Model make_model(std::string_view family, unsigned horizon, const Rational& damping = 0,
                  std::span<const Rational> weights = {});
 

@@ -3,14 +3,10 @@
 
 #include "generator/exact/rational.hpp"
 #include "generator/names/names.hpp"
+#include "generator/names/projected_family.hpp"
 
 namespace nmbcgen {
 namespace {
-
-/// PoQ, which a C++ name may have in it.
-std::string p_over_q(const Rational& value) {
-    return numerator(value).str() + "o" + denominator(value).str();
-}
 
 /// FAMILY_nH[_w_PoQ_PoQ ..]
 std::string undamped_name(const Specification& specification) {
@@ -80,8 +76,11 @@ std::string regenerating_command(const Specification& specification) {
     const std::string condition = specification.points.empty()
                                       ? fmt::format("--order {}", specification.order)
                                       : "--match " + matching_text(specification);
-    std::string command = fmt::format("nmbcgen --family {} {} --horizon {}", specification.family,
-                                      condition, specification.horizon);
+    const auto projected = projected_family(specification.family);
+    std::string command = projected
+                              ? fmt::format("nmbcgen {} {}", options_of(*projected), condition)
+                              : fmt::format("nmbcgen --family {} {} --horizon {}",
+                                            specification.family, condition, specification.horizon);
     if (!specification.weights.empty()) {
         command += " --weights " + weights_text(specification);
     }

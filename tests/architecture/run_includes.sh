@@ -23,7 +23,7 @@ text='fmt/'
 allow generator/table 'generator/table/|nmbc/table.hpp|boost/'
 allow generator/exact 'generator/(table|exact)/|nmbc/table.hpp|boost/'
 allow generator/lattice 'generator/(table|exact|lattice)/|boost/'
-allow generator/families "generator/(table|exact|lattice|families)/|$text"
+allow generator/families "generator/(table|exact|lattice|names|families)/|$text"
 allow generator/names "generator/(table|exact|names)/|$text"
 allow generator/stability 'generator/(table|exact|lattice|stability)/|boost/|Eigen/'
 allow generator/matching "generator/(table|exact|lattice|matching)/|ginac/|$text"

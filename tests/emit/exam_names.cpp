@@ -5,6 +5,7 @@
 #include <set>
 
 #include "generator/names/names.hpp"
+#include "generator/names/projected_family.hpp"
 #include "generator/pipeline.hpp"
 
 using namespace nmbcgen;
@@ -108,4 +109,33 @@ TEST_CASE("different requests have different names and commands") {
     CHECK(requests == 3 * 3 * 3 * 4 * 3 * 3);
     CHECK(names.size() == requests);
     CHECK(commands.size() == requests);
+}
+
+TEST_CASE("a projected family's name says all of it, and is read back") {
+    const ProjectedFamily P{.family = "nopd2d",
+                            .radius_squared = 4,
+                            .poisson = Rational(1, 4),
+                            .polarisation = Polarisation::P};
+    CHECK(name_of(P) == "nopd2d_r4_nu1o4_P");
+    CHECK(options_of(P) == "--family nopd2d --radius2 4 --nu 1/4 --polarisation P");
+    ProjectedFamily S = P;
+    S.poisson = Rational(-1, 3);
+    S.plane_strain = true;
+    S.polarisation = Polarisation::S;
+    CHECK(name_of(S) == "nopd2d_r4_num1o3_strain_S");
+    CHECK(options_of(S) == "--family nopd2d --radius2 4 --nu -1/3 --state strain --polarisation S");
+    const ProjectedFamily bonds{
+        .family = "bond2d", .radius_squared = 2, .weights = {1, Rational(1, 2)}};
+    CHECK(name_of(bonds) == "bond2d_r2_w_1o1_1o2_P");
+    CHECK(options_of(bonds) == "--family bond2d --radius2 2 --weights 1,1/2 --polarisation P");
+    for (const ProjectedFamily& each : {P, S, bonds}) {
+        const auto read = projected_family(name_of(each));
+        REQUIRE(read);
+        CHECK(name_of(*read) == name_of(each));
+        CHECK(options_of(*read) == options_of(each));
+    }
+    for (const char* name : {"nopd1d", "", "nopd2d_r4", "nopd2d_r4_nu1o4_X", "nopd2d_r04_nu1o4_P",
+                             "nopd2d_r4_nu2o8_P", "nopd2d_r4_nu1_P", "nopd2d_r4_w_P", "_r1_P_"}) {
+        CHECK_FALSE(projected_family(name));
+    }
 }

@@ -144,6 +144,30 @@ for bad in 0 1 1.5; do
 done
 refuses --cfl "'x'" "non-negative exact number" -- --order 2 --horizon 1 --G 1 --cfl x
 refuses --G "requires --G" -- --order 1 --horizon 1 --require-stable
+plane="--order 1 --family nopd2d"
+refuses --family "nopd2d needs --radius2 and --polarisation, and --nu" -- $plane --horizon 1
+refuses --radius2 "no node of the square lattice is at a distance of 3 squared" "below is 2" -- \
+    $plane --radius2 3 --nu 1/4 --polarisation P
+refuses --radius2 "'0'" -- $plane --radius2 0 --nu 1/4 --polarisation P
+refuses --radius2 --horizon excludes -- $plane --radius2 1 --horizon 1 --nu 1/4 --polarisation P
+refuses --nu "Poisson's ratio 1: plane stress needs -1 < nu < 1" -- \
+    $plane --radius2 1 --nu 1 --polarisation P
+refuses --nu "Poisson's ratio 1/2: plane strain needs -1 < nu < 1/2" -- \
+    $plane --radius2 1 --nu 1/2 --state strain --polarisation P
+refuses --nu "Poisson's ratio -1:" -- $plane --radius2 1 --nu -1 --polarisation P
+refuses --polarisation "'SV'" "allowed: P, S" -- $plane --radius2 1 --nu 1/4 --polarisation SV
+refuses --state "'plane'" "allowed: stress, strain" -- \
+    $plane --radius2 1 --nu 1/4 --state plane --polarisation P
+refuses --weights "nopd2d has constant influence" -- \
+    $plane --radius2 1 --nu 1/4 --polarisation P --weights 1
+refuses --radius2 "nopd1d is no plane family" -- --order 1 --radius2 1
+plane="--order 1 --family bond2d --polarisation S"
+refuses --weights "bond2d needs w_1,w_2,.." -- $plane --radius2 2
+refuses --weights "2 weights are needed" "(1, 0), (1, 1)" -- $plane --radius2 2 --weights 1
+refuses --weights "long waves of this polarisation do not travel" -- $plane --radius2 1 --weights 1
+refuses --nu "bond2d has no Poisson's ratio" -- $plane --radius2 2 --weights 1,1 --nu 1/3
+refuses --state "bond2d has no plane stress or strain" -- \
+    $plane --radius2 2 --weights 1,1 --state stress
 refuses --G "recommend requires --G" -- recommend --horizon 1
 refuses --G "reflect requires --G" -- reflect --horizon 1 --order 1
 refuses --G "dispersion requires --G" -- dispersion --horizon 1

@@ -51,6 +51,23 @@ writes out/nopd1d_n1_order2.hpp --order 2 --horizon 1 --time-step 0 --out out
 writes out/nopd1d_n1_order2_dt3o5_G1o2.hpp --order 2 --horizon 1 --cfl 3/5 --G 1/2 --out out
 # At G = 1, omega_max^2 = 8: dt = 0.3 sqrt(2) = 0.4242..
 writes out/nopd1d_n1_order3_dt53o125_G1o1.hpp --order 3 --horizon 1 --cfl 0.6 --G 1 --out out
+# Waves at normal incidence of plane models are chains of their own.
+plane=(--family nopd2d --radius2 4 --nu 1/4 --out out)
+writes out/nopd2d_r4_nu1o4_P_n2_order2.hpp "${plane[@]}" --polarisation P --order 2
+try --family nopd2d --radius2 4 --nu 0.25 --state stress --polarisation P --order 2 --stdout
+expect "the command with the plane model's own options" grep -q \
+    "Regenerate: nmbcgen --family nopd2d --radius2 4 --nu 1/4 --polarisation P --order 2$" "$scratch/stdout"
+expect "that the certificate is a chain's" grep -q \
+    "^// stable  of the chain that waves at normal incidence see, nothing of oblique waves: " "$scratch/stdout"
+writes out/nopd2d_r4_nu1o4_S_n2_order1_s2_G1o2.json "${plane[@]}" --polarisation S --order 1 \
+    --stride 2 --G 1/2 --format json
+writes out/nopd2d_r1_num1o3_strain_P_n1_order1.hpp --family nopd2d --radius2 1 --nu -1/3 \
+    --state strain --polarisation P --order 1 --out out
+writes out/bond2d_r2_w_1o1_1o4_S_n1_order2.hpp --family bond2d --radius2 2 --weights 1,0.25 \
+    --polarisation S --order 2 --out out --uncertified
+try recommend --family nopd2d --radius2 4 --nu 1/4 --polarisation P --G 1/2 --order 1
+expect_exit 0
+expect_stdout_line "             for waves at normal incidence; in the plane oblique waves may grow"
 writes out/chain1d_n1_order2.hpp --family chain1d --order 2 --horizon 1 --out out
 writes out/nopd1d_n2_w_1o1_1o2_order1.hpp --order 1 --horizon 2 --weights conical --out out
 cp out/nopd1d_n2_w_1o1_1o2_order1.hpp "$scratch/weights"

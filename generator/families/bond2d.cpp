@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+/// Two-dimensional bond-based peridynamics, linearised: a spring for every bond.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "generator/exact/rational.hpp"
+#include "generator/exact/rational_function.hpp"
+#include "generator/families/family.hpp"
+#include "generator/families/vector_family.hpp"
+
+namespace nmbcgen {
+namespace {
+
+/// The bond of its class with i >= j >= 0.
+Offset class_of(const Offset& bond) {
+    const int one = std::abs(bond[0]);
+    const int other = std::abs(bond[1]);
+    return {std::max(one, other), std::min(one, other), 0};
+}
+
+}  // namespace
+
+VectorModel bond2d(const VectorChoice& choice) {
+    const std::vector<Offset> classes = bond_classes_in_plane(choice.radius_squared);
+    if (choice.weights.size() != classes.size() ||
+        std::ranges::any_of(choice.weights, [](const Rational& weight) { return weight < 0; })) {
+        std::string list;
+        for (const Offset& bond : classes) {
+            list += fmt::format("{}({}, {})", list.empty() ? "" : ", ", bond[0], bond[1]);
+        }
+        throw NoSuchModel(fmt::format("{} weights are needed, none negative: of the bonds {}",
+                                      classes.size(), list));
+    }
+    VectorModel model{.description = fmt::format("2D bond-based peridynamics, family radius {} "
+                                                 "(squared, in dX^2), weights",
+                                                 choice.radius_squared),
+                      .source = "Silling 2000: bond-based, linear in the stretch of a bond",
+                      .dimensions = 2,
+                      .energy = {}};
+    for (const Rational& weight : choice.weights) {
+        model.description += " " + to_string(weight);
+    }
+    for (const Offset& bond : neighbours_in_plane(choice.radius_squared)) {
+        if (bond < Offset{}) {
+            continue;  // each bond once
+        }
+        // weight (R . (u_J - u_I))^2/2: a spring of the constant weight |R|^2.
+        const auto which = std::ranges::find(classes, class_of(bond)) - classes.begin();
+        const Rational& weight = choice.weights[std::size_t(which)];
+        const std::array<Rational, 3> along{bond[0], bond[1], 0};
+        const std::array<Rational, 3> against{-bond[0], -bond[1], 0};
+        if (weight != 0) {
+            model.energy.push_back(
+                {EnergyPart::strain, constant(weight), {{Offset{}, against}, {bond, along}}});
+        }
+    }
+    return model;
+}
+
+}  // namespace nmbcgen

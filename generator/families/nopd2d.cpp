@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+/// Two-dimensional non-ordinary peridynamics (NOPD), correspondence material, constant influence,
+/// stabilised after Silling (Nicely 2018, sections 2, 3 and 6).
+#include <fmt/format.h>
+
+#include "generator/exact/rational.hpp"
+#include "generator/exact/rational_function.hpp"
+#include "generator/families/family.hpp"
+#include "generator/families/vector_family.hpp"
+
+namespace nmbcgen {
+namespace {
+
+constexpr std::size_t x = 0;
+constexpr std::size_t y = 1;
+
+/// Bulk modulus of the plane k' (10) and shear modulus, E = 1.
+struct Moduli {
+    Rational bulk;
+    Rational shear;
+};
+
+Moduli moduli_of(const VectorChoice& choice) {
+    const Rational& nu = choice.poisson;
+    if (nu <= -1 || nu >= 1 || (choice.plane_strain && nu >= Rational(1, 2))) {
+        throw NoSuchModel(fmt::format("Poisson's ratio {}: {} needs -1 < nu < {}", to_string(nu),
+                                      choice.plane_strain ? "plane strain" : "plane stress",
+                                      choice.plane_strain ? "1/2" : "1"));
+    }
+    return {.bulk = choice.plane_strain ? 1 / (2 * (1 + nu) * (1 - 2 * nu)) : 1 / (2 * (1 - nu)),
+            .shear = 1 / (2 * (1 + nu))};
+}
+
+/// The square of terms . u, without terms that vanish.
+VectorSquare square_of(EnergyPart part, Polynomial weight, std::vector<VectorTerm> terms) {
+    std::erase_if(
+        terms, [](const VectorTerm& term) { return term.factors[x] == 0 && term.factors[y] == 0; });
+    return {part, std::move(weight), std::move(terms)};
+}
+
+}  // namespace
+
+VectorModel nopd2d(const VectorChoice& choice) {
+    const Moduli moduli = moduli_of(choice);
+    const std::vector<Offset> family = neighbours_in_plane(choice.radius_squared);
+    Rational shape = 0;  // A, the diagonal of the shape tensor (61) at V = w = dX = 1
+    for (const Offset& bond : family) {
+        shape += bond[x] * bond[x];
+    }
+
+    // The gradient (62) of u: d(u_a)/d(x_b) = sum_J x_b u_a / A; the terms at I cancel. The energy
+    // of the strain (64) is (1/2) [k' (e_xx + e_yy)^2 + mu (e_xx - e_yy)^2 + mu (2 e_xy)^2], whose
+    // weights are positive at every nu.
+    const auto strain = [&](Rational weight, auto factors_at) {
+        std::vector<VectorTerm> terms;
+        for (const Offset& bond : family) {
+            terms.push_back(
+                {bond, factors_at(Rational(bond[x]) / shape, Rational(bond[y]) / shape)});
+        }
+        return square_of(EnergyPart::strain, constant(weight), std::move(terms));
+    };
+    using Factors = std::array<Rational, 3>;
+    VectorModel model{
+        .description = fmt::format(
+            "2D non-ordinary peridynamics, plane {}, nu = {}, constant influence, family radius {} "
+            "(squared, in dX^2), stabilisation g = G/pi",
+            choice.plane_strain ? "strain" : "stress", to_string(choice.poisson),
+            choice.radius_squared),
+        .source = "Nicely 2018: gradient (62), strain (64), stabilisation (9) to (12)",
+        .dimensions = 2,
+        .energy = {strain(moduli.bulk,
+                          [](auto dx, auto dy) {
+                              return Factors{dx, dy, 0};
+                          }),
+                   strain(moduli.shear,
+                          [](auto dx, auto dy) {
+                              return Factors{dx, -dy, 0};
+                          }),
+                   strain(moduli.shear, [](auto dx, auto dy) {
+                       return Factors{dy, dx, 0};
+                   })}};
+
+    // z = u_J - u_I - (grad u) R on every bond R, |z|^2 with the weight G C_BB/m of (9) to (11),
+    // m bonds, C_BB = 12 k'/(pi delta^4).
+    const Rational radius_squared = choice.radius_squared;
+    const Rational weight =
+        12 * moduli.bulk / (radius_squared * radius_squared * Rational(family.size()));
+    for (const Offset& bond : family) {
+        for (const std::size_t direction : {x, y}) {
+            std::vector<VectorTerm> terms{{Offset{}, {}}};
+            terms.front().factors[direction] = -1;
+            for (const Offset& other : family) {
+                terms.push_back({other, {}});
+                terms.back().factors[direction] =
+                    int(other == bond) - Rational(bond[x] * other[x] + bond[y] * other[y]) / shape;
+            }
+            model.energy.push_back(square_of(EnergyPart::stabilisation,
+                                             Polynomial(std::vector<Rational>{0, weight}),
+                                             std::move(terms)));
+        }
+    }
+    return model;
+}
+
+}  // namespace nmbcgen

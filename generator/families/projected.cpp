@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "generator/families/projected.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "generator/families/family.hpp"
+#include "generator/families/vector_family.hpp"
+#include "generator/lattice/projection.hpp"
+
+namespace nmbcgen {
+
+Model projected_model(const ProjectedFamily& projected) {
+    const bool is_P = projected.polarisation == Polarisation::P;
+    try {
+        Model model = project(find_vector_family(projected.family)
+                                  .describe({.radius_squared = projected.radius_squared,
+                                             .poisson = projected.poisson.value_or(0),
+                                             .plane_strain = projected.plane_strain,
+                                             .weights = projected.weights}),
+                              is_P ? 0 : 1);
+        model.description =
+            fmt::format("{} waves along x in {}", is_P ? "P" : "S", model.description);
+        model.source += fmt::format("; at normal incidence; c is the speed of long {} waves{}",
+                                    is_P ? "P" : "S",
+                                    has_stabilisation(model) ? ", G the model's G over pi" : "");
+        return model;
+    } catch (const NoProjection& reason) {
+        throw NoSuchModel(reason.what());
+    }
+}
+
+unsigned horizon_of(const ProjectedFamily& projected) {
+    return unsigned(std::sqrt(double(projected.radius_squared)) + 1e-9);  // exact below 2^31
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "generator/families/family.hpp"
+#include "generator/families/vector_family.hpp"
+
+namespace nmbcgen {
+
+std::span<const VectorFamily> vector_families() {
+    static constexpr std::array list{
+        VectorFamily{
+            .name = "nopd2d", .has_poisson = true, .has_weights = false, .describe = nopd2d},
+        VectorFamily{
+            .name = "bond2d", .has_poisson = false, .has_weights = true, .describe = bond2d},
+    };
+    return list;
+}
+
+const VectorFamily& find_vector_family(std::string_view name) {
+    const auto known = vector_families();
+    const auto found = std::ranges::find(known, name, &VectorFamily::name);
+    if (found == known.end()) {
+        throw NoSuchModel("there is no plane family '" + std::string(name) + "'");
+    }
+    return *found;
+}
+
+std::vector<Offset> neighbours_in_plane(unsigned radius_squared) {
+    const auto bound = int(radius_squared);
+    std::vector<Offset> offsets;
+    bool is_reached = false;
+    for (int i = -bound; i <= bound; ++i) {
+        for (int j = -bound; j <= bound; ++j) {
+            const int square = i * i + j * j;
+            if (square > 0 && square <= bound) {
+                offsets.push_back({i, j, 0});
+                is_reached = is_reached || square == bound;
+            }
+        }
+    }
+    if (!is_reached) {
+        unsigned lower = 0;
+        for (const Offset& offset : offsets) {
+            lower = std::max(lower, unsigned(offset[0] * offset[0] + offset[1] * offset[1]));
+        }
+        throw NoSuchModel(fmt::format(
+            "no node of the square lattice is at a distance of {} squared: it is no sum "
+            "of two squares. The radius below is {}",
+            radius_squared, lower));
+    }
+    return offsets;
+}
+
+std::vector<Offset> bond_classes_in_plane(unsigned radius_squared) {
+    std::vector<Offset> classes = neighbours_in_plane(radius_squared);
+    std::erase_if(classes, [](const Offset& bond) { return bond[1] < 0 || bond[0] < bond[1]; });
+    std::ranges::sort(classes, [](const Offset& one, const Offset& other) {
+        const auto length = [](const Offset& bond) {
+            return bond[0] * bond[0] + bond[1] * bond[1];
+        };
+        return length(one) != length(other) ? length(one) < length(other) : one[0] > other[0];
+    });
+    return classes;
+}
+
+}  // namespace nmbcgen

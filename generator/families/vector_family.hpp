@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+/// Families of lattice models whose nodes move in two directions (or three: a model states its
+/// dimensions). A new family is one file that states an energy as a sum of squares, and one line in
+/// vector_families.cpp.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/table/vector_model.hpp"
+
+namespace nmbcgen {
+
+/// Which model of a family.
+struct VectorChoice {
+    unsigned radius_squared = 1;      ///< of a node's neighbours, delta^2 [dX^2]
+    Rational poisson = {};            ///< nu
+    bool plane_strain = false;        ///< or plane stress
+    std::vector<Rational> weights{};  ///< of the bond classes, in the order of bond_classes()
+};
+
+struct VectorFamily {
+    std::string_view name;
+    bool has_poisson;  ///< and a choice of plane stress and plane strain
+    bool has_weights;  ///< of bond classes
+    /// Throws NoSuchModel (families/family.hpp) where there is none.
+    VectorModel (*describe)(const VectorChoice& choice);
+};
+
+/// The families there are, in the order they are listed to a user.
+std::span<const VectorFamily> vector_families();
+
+/// Throws NoSuchModel where there is no such family.
+const VectorFamily& find_vector_family(std::string_view name);
+
+/// All offsets of the plane with 0 < i^2 + j^2 <= radius_squared. Throws NoSuchModel where no node
+/// has exactly this distance: another radius then has the same neighbours.
+std::vector<Offset> neighbours_in_plane(unsigned radius_squared);
+
+/// (i, j), i >= j >= 0: a class has all bonds that the square lattice's symmetries make of it;
+/// shortest first, and of equal ones that of larger i.
+std::vector<Offset> bond_classes_in_plane(unsigned radius_squared);
+
+VectorModel nopd2d(const VectorChoice& choice);
+VectorModel bond2d(const VectorChoice& choice);
+
+}  // namespace nmbcgen

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "generator/lattice/projection.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+
+#include "generator/exact/rational_function.hpp"
+#include "generator/lattice/force_constants.hpp"
+
+namespace nmbcgen {
+namespace {
+
+/// Of displacements that depend on x alone: sum over y and z of the factors, by offset in x.
+std::map<int, Rational> along_x(const VectorSquare& square, std::size_t direction) {
+    std::map<int, Rational> sums;
+    for (const VectorTerm& term : square.terms) {
+        sums[term.offset[0]] += term.factors[direction];
+    }
+    std::erase_if(sums, [](const auto& entry) { return entry.second == 0; });
+    return sums;
+}
+
+void require_uncoupled(const VectorModel& model, const ForceConstants& phi, std::size_t direction) {
+    for (std::size_t other = 0; other < model.dimensions; ++other) {
+        std::map<int, Polynomial> coupling;
+        for (const auto& [offset, matrix] : phi) {
+            coupling[offset[0]] += matrix[direction][other];
+        }
+        if (other != direction && std::ranges::any_of(coupling, [](const auto& entry) {
+                return !entry.second.is_zero();
+            })) {
+            throw NoProjection("waves along x of this model are neither P nor S");
+        }
+    }
+}
+
+/// A stencil from -reach to reach, its first entry that is not zero positive: the square of a
+/// stencil does not know its sign.
+std::vector<Rational> stencil_of(const std::map<int, Rational>& sums) {
+    const int reach = std::max(std::abs(sums.begin()->first), std::abs(sums.rbegin()->first));
+    const int sign = sums.begin()->second > 0 ? 1 : -1;
+    std::vector<Rational> stencil(std::size_t(2 * reach + 1));
+    for (const auto& [offset, factor] : sums) {
+        stencil[std::size_t(offset + reach)] = sign * factor;
+    }
+    return stencil;
+}
+
+}  // namespace
+
+Polynomial speed_squared(const VectorModel& model, std::size_t direction) {
+    // sum_R Phi(R) exp(i xi R_x) = c^2 xi^2 + ..
+    Polynomial square;
+    for (const auto& [offset, matrix] : force_constants(model)) {
+        square -= matrix[direction][direction] * constant(Rational(offset[0] * offset[0], 2));
+    }
+    return square;
+}
+
+Model project(const VectorModel& model, std::size_t direction) {
+    require_uncoupled(model, force_constants(model), direction);
+    const Polynomial square_of_speed = speed_squared(model, direction);
+    if (square_of_speed.is_zero()) {
+        throw NoProjection("long waves of this polarisation do not travel in this model");
+    }
+    if (square_of_speed.degree() > 0) {
+        throw NoProjection("the speed of long waves depends on G in this model");
+    }
+    const Polynomial per_unit = constant(1 / square_of_speed[0]);
+    Model projected{.description = model.description,
+                    .source = model.source,
+                    .energy = {},
+                    .symbol = {},
+                    .damping = {}};
+    for (const VectorSquare& square : model.energy) {
+        const std::map<int, Rational> sums = along_x(square, direction);
+        if (sums.empty()) {
+            continue;
+        }
+        const std::vector<Rational> stencil = stencil_of(sums);
+        const auto like = std::ranges::find_if(projected.energy, [&](const ExactSquare& one) {
+            return one.part == square.part && one.stencil == stencil;
+        });
+        if (like == projected.energy.end()) {
+            projected.energy.push_back({square.part, square.weight * per_unit, stencil});
+        } else {
+            like->weight += square.weight * per_unit;
+        }
+    }
+    return projected;
+}
+
+}  // namespace nmbcgen

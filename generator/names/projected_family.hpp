@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+/// Names of the chains that waves along an axis see of a plane model: families of their own, such
+/// as nopd2d_r4_nu1o4_P.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/table/exact.hpp"
+
+namespace nmbcgen {
+
+enum class Polarisation { P, S };
+
+struct ProjectedFamily {
+    std::string family;                 ///< of the plane models
+    unsigned radius_squared = 1;        ///< delta^2 [dX^2]
+    std::optional<Rational> poisson{};  ///< nu, where the family has one
+    bool plane_strain = false;
+    std::vector<Rational> weights{};  ///< of bond classes, where the family has them
+    Polarisation polarisation = Polarisation::P;
+};
+
+/// FAMILY_rR[_nuPoQ][_strain][_w_PoQ_PoQ ..]_P or _S; mPoQ is -P/Q.
+std::string name_of(const ProjectedFamily& projected);
+
+/// What has this name; none where it is not such a name.
+std::optional<ProjectedFamily> projected_family(std::string_view name);
+
+/// --family FAMILY --radius2 R .., as on the command line.
+std::string options_of(const ProjectedFamily& projected);
+
+/// PoQ, which a C++ name may have in it.
+std::string p_over_q(const Rational& value);
+
+}  // namespace nmbcgen
