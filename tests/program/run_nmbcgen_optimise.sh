@@ -96,7 +96,7 @@ refused() {
 }
 all=(--order 1 --horizon 1 --G 1 --band 0.3..0.8)
 refused "--order is required" --horizon 1 --G 1 --band 0.3..0.8
-refused "--horizon is required" --order 1 --G 1 --band 0.3..0.8
+refused "--horizon (or --radius2) is required" --order 1 --G 1 --band 0.3..0.8
 refused "optimise requires --G" --order 1 --horizon 1 --band 0.3..0.8
 refused "--band is required" --order 1 --horizon 1 --G 1
 for order in 0 9 99999999999 -1 1.5 nan ""; do

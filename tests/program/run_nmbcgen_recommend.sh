@@ -73,7 +73,7 @@ refused() {
     expect_no_stdout
     expect_stderr "$text"
 }
-refused "--horizon is required" --G 1
+refused "--horizon (or --radius2) is required" --G 1
 refused "recommend requires --G" --horizon 1
 refused "is not a whole number from 1 to 99" --horizon 0 --G 1
 for tolerance in 0 1 -1 nan inf 1e-4x ""; do
