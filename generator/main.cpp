@@ -145,6 +145,14 @@ void print_curves(const Curves& curves) {
     }
 }
 
+void print_curves(std::string_view family, const PlaneCurves& curves,
+                  const std::vector<Rational>& values) {
+    print(std::string(plane_dispersion_columns));
+    for (const Rational& g : values) {
+        print(plane_dispersion_rows(family, curves, g));
+    }
+}
+
 /// Puts a time step in the place of cfl.
 Request settled(Request request) {
     if (request.cfl) {
@@ -175,7 +183,11 @@ int run(const Request& request) {
             }));
             return done;
         case Action::dispersion:
-            print_curves(request.curves);
+            if (request.plane_curves) {
+                print_curves(request.curves.family, *request.plane_curves, request.curves.G);
+            } else {
+                print_curves(request.curves);
+            }
             return done;
         case Action::reflect:
             print(reflection_csv(derive(request.specification), request.samples));

@@ -15,7 +15,7 @@ namespace nmbcgen {
 namespace {
 
 /// --radius2 and what goes with it.
-CLI::Option* add_plane(CLI::App& app, PlaneOptions& plane) {
+CLI::Option* add_plane_model(CLI::App& app, PlaneOptions& plane) {
     CLI::Option* const radius =
         add_parsed(app, "--radius2", plane.radius_squared, parse_radius_squared,
                    "of a plane family, in place of --horizon: square of a node's family radius "
@@ -24,9 +24,23 @@ CLI::Option* add_plane(CLI::App& app, PlaneOptions& plane) {
                "of nopd2d: Poisson's ratio, an exact number such as 1/4");
     add_parsed(app, "--state", plane.plane_strain, parse_plane_state,
                "of nopd2d: plane stress or strain (default stress)");
+    return radius;
+}
+
+CLI::Option* add_plane(CLI::App& app, PlaneOptions& plane) {
     add_parsed(app, "--polarisation", plane.polarisation, parse_polarisation,
                "of a plane family: P or S waves, at normal incidence");
-    return radius;
+    return add_plane_model(app, plane);
+}
+
+/// The size of the neighbourhood, of a chain or of a plane lattice.
+void require_one_of(CLI::App& app, CLI::Option* horizon, CLI::Option* radius) {
+    horizon->excludes(radius);
+    app.parse_complete_callback([horizon, radius] {
+        if (horizon->count() + radius->count() == 0) {
+            throw CLI::RequiredError("--horizon (or --radius2)");
+        }
+    });
 }
 
 struct SpecificationOptions {
@@ -111,11 +125,17 @@ CLI::App* add_dispersion(CLI::App& app, Curves& curves, Pending& pending) {
     auto* const dispersion = app.add_subcommand(
         "dispersion",
         "print dispersion relations over the band as CSV (docs/explanation/dispersion.md)");
-    add_parsed(*dispersion, "--family", curves.family, parse_chain_family,
-               "lattice model: " + chain_family_names() + " (default nopd1d)");
-    add_parsed(*dispersion, "--horizon", curves.horizons, parse_counts,
-               "horizons n in units of dX, with commas between, such as 1,2,3")
-        ->required();
+    add_parsed(*dispersion, "--family", curves.family, parse_family,
+               "lattice model: " + family_names() + " (default nopd1d)");
+    CLI::Option* const horizon =
+        add_parsed(*dispersion, "--horizon", curves.horizons, parse_counts,
+                   "horizons n in units of dX, with commas between, such as 1,2,3");
+    CLI::Option* const radius = add_plane_model(*dispersion, pending.plane);
+    require_one_of(*dispersion, horizon, radius);
+    add_parsed(
+        *dispersion, "--angle", pending.plane.angles, parse_angles,
+        "of a plane family: directions of the waves against x in degrees, with commas between "
+        "(default 0,15,30,45)");
     add_weights(*dispersion, pending.weights);
     add_parsed(*dispersion, "--G", curves.G, parse_rationals,
                "values of the stabilisation G, exact numbers with commas between, such as 0,1/2,1");
@@ -136,12 +156,7 @@ CLI::App* add_recommend(CLI::App& app, Question& question, Pending& pending) {
     CLI::Option* const horizon = add_parsed(*recommend, "--horizon", question.horizon, parse_count,
                                             "horizon n in units of dX, >= 1");
     CLI::Option* const radius = add_plane(*recommend, pending.plane);
-    horizon->excludes(radius);
-    recommend->parse_complete_callback([horizon, radius] {
-        if (horizon->count() + radius->count() == 0) {
-            throw CLI::RequiredError("--horizon (or --radius2)");
-        }
-    });
+    require_one_of(*recommend, horizon, radius);
     add_weights(*recommend, pending.weights);
     add_parsed(*recommend, "--G", question.G, parse_rational,
                "stabilisation G of the model, an exact number such as 1/2 or 0.3");
@@ -176,11 +191,7 @@ CLI::App* add_optimise(CLI::App& app, Request& request, Pending& pending) {
     add_parsed(*optimise, "--band", request.aim.band, parse_wide_band,
                "wave numbers LO..HI in 1/dX over which the reflected energy is averaged")
         ->required();
-    optimise->parse_complete_callback([options] {
-        if (options.horizon->count() + options.radius->count() == 0) {
-            throw CLI::RequiredError("--horizon (or --radius2)");
-        }
-    });
+    require_one_of(*optimise, options.horizon, options.radius);
     return optimise;
 }
 

@@ -7,6 +7,7 @@
 
 #include "generator/commands/dispersion.hpp"
 #include "generator/commands/optimise.hpp"
+#include "generator/commands/plane_dispersion.hpp"
 #include "generator/commands/recommend.hpp"
 #include "generator/emit/closed_forms.hpp"
 #include "generator/emit/emit.hpp"
@@ -37,6 +38,7 @@ struct Request {
     Question question;            ///< of Action::recommend
     Aim aim;                      ///< of Action::optimise, its condition but for the stride apart
     Curves curves;                ///< of Action::dispersion
+    std::optional<PlaneCurves> plane_curves;  ///< instead, of the plane family that `curves` names
     const ClosedFormat* closed_format = &closed_formats().front();  ///< of Action::closed_forms
     std::optional<std::filesystem::path> cache;                     ///< folder of kept certificates
     std::filesystem::path folder = "generated/nmbc/tables";

@@ -281,6 +281,20 @@ std::vector<Rational> parse_rationals(const std::string& text) {
     return parse_list<Rational>(text, [](const std::string& item) { return parse_rational(item); });
 }
 
+std::vector<double> parse_angles(const std::string& text) {
+    return parse_list<double>(text, [](const std::string& item) {
+        constexpr double half_turn = 180;
+        double angle = 0;
+        const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), angle);
+        if (error != std::errc() || end != item.data() + item.size() ||
+            !(std::abs(angle) <= half_turn)) {
+            throw std::invalid_argument("'" + item.substr(0, 60) +
+                                        "' is not an angle from -180 to 180 degrees");
+        }
+        return angle;
+    });
+}
+
 double parse_recommended_cfl(const std::string& text) {
     constexpr double least = 0.01;  // that a table is ever certified for
     const double value = nearest_double(parse_cfl(text));

@@ -33,6 +33,7 @@ unsigned parse_radius_squared(const std::string& text);   ///< 1 to 99
 Rational parse_poisson(const std::string& text);          ///< may be negative
 bool parse_plane_state(const std::string& text);          ///< "strain", or "stress": false
 Polarisation parse_polarisation(const std::string& text);
+std::vector<double> parse_angles(const std::string& text);  ///< -180 to 180 degrees
 const Format* parse_format(const std::string& text);
 std::string closed_format_names();
 const ClosedFormat* parse_closed_format(const std::string& text);

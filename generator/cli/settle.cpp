@@ -6,9 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "generator/cli/settle_plane.hpp"
 #include "generator/families/family.hpp"
-#include "generator/families/projected.hpp"
-#include "generator/families/vector_family.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -113,66 +112,6 @@ std::vector<Rational> settled_weights(const WeightChoice& choice, unsigned horiz
     } catch (const std::invalid_argument& error) {
         throw CLI::ValidationError("--weights", error.what());
     }
-}
-
-/// What there is no model of is the fault of this option.
-template <class Make>
-void require_model(const char* option, Make make) {
-    try {
-        make();
-    } catch (const NoSuchModel& reason) {
-        throw CLI::ValidationError(option, reason.what());
-    }
-}
-
-/// The plane family and its options as the name of a projected family, with its horizon. Takes the
-/// weights, which are those of bond classes then.
-void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
-    PlaneOptions& plane = pending.plane;
-    std::string& family = request.action == Action::recommend ? request.question.family
-                                                              : request.specification.family;
-    unsigned& horizon = request.action == Action::recommend ? request.question.horizon
-                                                            : request.specification.horizon;
-    const auto known = std::ranges::find(vector_families(), family, &VectorFamily::name);
-    if (known == vector_families().end()) {
-        for (const char* option : {"--radius2", "--nu", "--state", "--polarisation"}) {
-            if (is_given(used, option)) {
-                throw CLI::ValidationError(option, family + " is no plane family");
-            }
-        }
-        return;
-    }
-    if (!plane.radius_squared || !plane.polarisation || (known->has_poisson && !plane.poisson)) {
-        throw CLI::ValidationError("--family", family + " needs --radius2 and --polarisation" +
-                                                   (known->has_poisson ? ", and --nu" : ""));
-    }
-    if (plane.poisson && !known->has_poisson) {
-        throw CLI::ValidationError("--nu", family + " has no Poisson's ratio to choose");
-    }
-    if (plane.plane_strain && !known->has_poisson) {
-        throw CLI::ValidationError("--state", family + " has no plane stress or strain");
-    }
-    if (known->has_weights != pending.weights.has_value() ||
-        (pending.weights && pending.weights->named != nullptr)) {
-        throw CLI::ValidationError(
-            "--weights", known->has_weights
-                             ? family +
-                                   " needs w_1,w_2,.., one for each class of bonds, shortest "
-                                   "first: of (1, 0), (1, 1), (2, 0), (2, 1), .."
-                             : family + " has constant influence");
-    }
-    const ProjectedFamily projected{
-        .family = family,
-        .radius_squared = *plane.radius_squared,
-        .poisson = plane.poisson,
-        .plane_strain = plane.plane_strain.value_or(false),
-        .weights = pending.weights ? pending.weights->values : std::vector<Rational>{},
-        .polarisation = *plane.polarisation};
-    require_model("--radius2", [&] { neighbours_in_plane(*plane.radius_squared); });
-    require_model(known->has_poisson ? "--nu" : "--weights", [&] { projected_model(projected); });
-    family = name_of(projected);
-    horizon = horizon_of(projected);
-    pending.weights.reset();
 }
 
 void settle_weights(Request& request, const WeightChoice& weights) {

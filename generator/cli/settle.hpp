@@ -17,6 +17,7 @@ struct PlaneOptions {
     std::optional<Rational> poisson;
     std::optional<bool> plane_strain;
     std::optional<Polarisation> polarisation;
+    std::optional<std::vector<double>> angles;  ///< of dispersion
 };
 
 /// What becomes part of the request then.

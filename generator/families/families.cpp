@@ -8,6 +8,7 @@
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/family.hpp"
 #include "generator/families/projected.hpp"
+#include "generator/families/vector_family.hpp"
 #include "generator/lattice/symbol.hpp"
 
 namespace nmbcgen {
@@ -23,7 +24,10 @@ std::span<const Family> families() {
 
 bool is_stabilised(std::string_view family) {
     const auto projected = projected_family(family);
-    return has_stabilisation(projected ? projected_model(*projected) : make_model(family, 1));
+    const std::string_view plane = projected ? std::string_view(projected->family) : family;
+    const auto known = std::ranges::find(vector_families(), plane, &VectorFamily::name);
+    return known != vector_families().end() ? known->has_stabilisation
+                                            : has_stabilisation(make_model(family, 1));
 }
 
 const Family& find_family(std::string_view name) {

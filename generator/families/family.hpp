@@ -44,7 +44,7 @@ std::span<const Family> families();
 /// Throws NoSuchModel where there is no such family.
 const Family& find_family(std::string_view name);
 
-/// Whether its models, or the model of a projected family, have a G. Throws NoSuchModel.
+/// Whether its models have a G; of a projected or a plane family, too. Throws NoSuchModel.
 bool is_stabilised(std::string_view family);
 
 /// The model of a family, or of a projected one (names/projected_family.hpp), at a horizon, with

@@ -22,10 +22,11 @@ struct Moduli {
 
 Moduli moduli_of(const VectorChoice& choice) {
     const Rational& nu = choice.poisson;
-    if (nu <= -1 || nu >= 1 || (choice.plane_strain && nu >= Rational(1, 2))) {
-        throw NoSuchModel(fmt::format("Poisson's ratio {}: {} needs -1 < nu < {}", to_string(nu),
-                                      choice.plane_strain ? "plane strain" : "plane stress",
-                                      choice.plane_strain ? "1/2" : "1"));
+    const Rational highest = choice.plane_strain ? Rational(1, 2) : Rational(1);
+    if (nu <= -1 || nu >= highest) {
+        throw NoSuchModel(fmt::format("Poisson's ratio {}: plane {} needs -1 < nu < {}",
+                                      to_string(nu), choice.plane_strain ? "strain" : "stress",
+                                      to_string(highest)));
     }
     return {.bulk = choice.plane_strain ? 1 / (2 * (1 + nu) * (1 - 2 * nu)) : 1 / (2 * (1 - nu)),
             .shear = 1 / (2 * (1 + nu))};
@@ -51,8 +52,9 @@ VectorModel nopd2d(const VectorChoice& choice) {
     // The gradient (62) of u: d(u_a)/d(x_b) = sum_J x_b u_a / A; the terms at I cancel. The energy
     // of the strain (64) is (1/2) [k' (e_xx + e_yy)^2 + mu (e_xx - e_yy)^2 + mu (2 e_xy)^2], whose
     // weights are positive at every nu.
-    const auto strain = [&](Rational weight, auto factors_at) {
+    const auto strain = [&](const Rational& weight, auto factors_at) {
         std::vector<VectorTerm> terms;
+        terms.reserve(family.size());
         for (const Offset& bond : family) {
             terms.push_back(
                 {bond, factors_at(Rational(bond[x]) / shape, Rational(bond[y]) / shape)});

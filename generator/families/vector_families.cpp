@@ -11,10 +11,16 @@ namespace nmbcgen {
 
 std::span<const VectorFamily> vector_families() {
     static constexpr std::array list{
-        VectorFamily{
-            .name = "nopd2d", .has_poisson = true, .has_weights = false, .describe = nopd2d},
-        VectorFamily{
-            .name = "bond2d", .has_poisson = false, .has_weights = true, .describe = bond2d},
+        VectorFamily{.name = "nopd2d",
+                     .has_poisson = true,
+                     .has_weights = false,
+                     .has_stabilisation = true,
+                     .describe = nopd2d},
+        VectorFamily{.name = "bond2d",
+                     .has_poisson = false,
+                     .has_weights = true,
+                     .has_stabilisation = false,
+                     .describe = bond2d},
     };
     return list;
 }

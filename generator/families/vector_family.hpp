@@ -25,6 +25,7 @@ struct VectorFamily {
     std::string_view name;
     bool has_poisson;  ///< and a choice of plane stress and plane strain
     bool has_weights;  ///< of bond classes
+    bool has_stabilisation;
     /// Throws NoSuchModel (families/family.hpp) where there is none.
     VectorModel (*describe)(const VectorChoice& choice);
 };

@@ -18,8 +18,8 @@ using Offset = std::array<int, 3>;
 
 /// What the displacement of one node adds to a square, direction by direction.
 struct VectorTerm {
-    Offset offset;
-    std::array<Rational, 3> factors;
+    Offset offset{};
+    std::array<Rational, 3> factors{};
 };
 
 /// One square of the potential energy of a node I,

@@ -29,7 +29,7 @@ allow generator/stability 'generator/(table|exact|lattice|stability)/|boost/|Eig
 allow generator/matching "generator/(table|exact|lattice|matching)/|ginac/|$text"
 allow generator/emit "generator/(table|exact|lattice|names|emit)/|nlohmann/|$text"
 allow generator/support "generator/(table|emit|names|support)/|nlohmann/|CLI/|fcntl.h|unistd.h|sys/(file|stat).h|$text"
-allow generator/commands "generator/(table|exact|lattice|families|names|stability|matching|emit|support|commands)/|generator/pipeline.hpp|$text"
+allow generator/commands "generator/(table|exact|lattice|families|names|stability|matching|emit|support|commands)/|generator/pipeline.hpp|Eigen/|$text"
 allow generator/cli "generator/(table|exact|families|names|emit|commands|support|cli)/|generator/matching/real.hpp|CLI/|$text"
 allow generator "generator/|unistd.h|$text"
 allow generated/nmbc/tables 'nmbc/table.hpp|nmbc/tables/'

@@ -145,7 +145,9 @@ done
 refuses --cfl "'x'" "non-negative exact number" -- --order 2 --horizon 1 --G 1 --cfl x
 refuses --G "requires --G" -- --order 1 --horizon 1 --require-stable
 plane="--order 1 --family nopd2d"
-refuses --family "nopd2d needs --radius2 and --polarisation, and --nu" -- $plane --horizon 1
+refuses --radius2 "--radius2 is required" -- $plane --horizon 1
+refuses --nu "--nu is required" -- $plane --radius2 1 --polarisation P
+refuses --polarisation "--polarisation is required" -- $plane --radius2 1 --nu 0
 refuses --radius2 "no node of the square lattice is at a distance of 3 squared" "below is 2" -- \
     $plane --radius2 3 --nu 1/4 --polarisation P
 refuses --radius2 "'0'" -- $plane --radius2 0 --nu 1/4 --polarisation P
@@ -164,7 +166,7 @@ refuses --radius2 "nopd1d is no plane family" -- --order 1 --radius2 1
 plane="--order 1 --family bond2d --polarisation S"
 refuses --weights "bond2d needs w_1,w_2,.." -- $plane --radius2 2
 refuses --weights "2 weights are needed" "(1, 0), (1, 1)" -- $plane --radius2 2 --weights 1
-refuses --weights "long waves of this polarisation do not travel" -- $plane --radius2 1 --weights 1
+refuses --polarisation "long waves of this polarisation do not travel" -- $plane --radius2 1 --weights 1
 refuses --nu "bond2d has no Poisson's ratio" -- $plane --radius2 2 --weights 1,1 --nu 1/3
 refuses --state "bond2d has no plane stress or strain" -- \
     $plane --radius2 2 --weights 1,1 --state stress

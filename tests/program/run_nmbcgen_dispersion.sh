@@ -47,7 +47,7 @@ refuses() {
     expect_nothing_written
     expect_stderr "$text"
 }
-refuses "--horizon is required" --G 1
+refuses "--horizon (or --radius2) is required" --G 1
 refuses "dispersion requires --G" --horizon 1
 for list in "" "," "1," ",1" "1,,2"; do
     refuses "--horizon: '$list' has an empty item" --G 1 --horizon "$list"
@@ -80,5 +80,30 @@ code=0
 "$program" dispersion --horizon 1 --G 1 2>"$scratch/stderr" >/dev/full || code=$?
 expect_exit 5
 expect_stderr "No space left"
+
+# Plane models: P, then S, at each angle. delta = 1, G = 0: omega^2 = c_P^2 (sin^2 xi_x + sin^2 xi_y),
+# c_P^2 = 16/15, c_S^2 = 2/5 (tests/families/exam_nopd2d_printed.cpp).
+plane=(--family nopd2d --radius2 1 --nu 1/4)
+try dispersion "${plane[@]}" --G 0 --angle 0,30 --samples 40
+expect_exit 0
+expect_no_stderr
+expect "what (70) is where it is right" awk -F, '
+    NR == 1 { bad = $0 != "wave,radius2,g,angle,xi,omega,phase_velocity,group_velocity,group_angle"; next }
+    { rows += 1; alpha = $4 * atan2(0, -1) / 180; x = $5 * cos(alpha); y = $5 * sin(alpha)
+      square = ($1 == "P" ? 16 / 15 : 2 / 5) * (sin(x) ^ 2 + sin(y) ^ 2)
+      if (($6 ^ 2 - square) ^ 2 > 1e-24 || ($6 / $5 - $7) ^ 2 > 1e-24) { print; bad = 1 }
+      if ($6 < 1e-7) next
+      gx = sin(2 * x); gy = sin(2 * y); size = ($1 == "P" ? 8 / 15 : 1 / 5) * sqrt(gx ^ 2 + gy ^ 2) / $6
+      if (($8 - size) ^ 2 > 1e-20) { print; bad = 1 } }
+    END { exit bad || rows != 160 }' "$scratch/stdout"
+try dispersion "${plane[@]}" --G 0,1/2
+expect "four angles, 200 wave numbers, two waves, two values of g" test "$(wc -l <"$scratch/stdout")" -eq 3201
+try dispersion --family bond2d --radius2 2 --weights 1,1/2 --samples 1
+expect_exit 0
+refuses "--limit: plane families state no continuum limit" "${plane[@]}" --G 0 --limit
+refuses "--angle: '181' is not an angle from -180 to 180 degrees" "${plane[@]}" --G 0 --angle 181
+refuses "--angle: nopd1d is no plane family" --horizon 1 --G 0 --angle 1
+refuses "--radius2 is required" --family nopd2d --horizon 1 --G 0
+refuses "dispersion requires --G" "${plane[@]}"
 
 finish

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/cli/settle_plane.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "generator/families/family.hpp"
+#include "generator/families/projected.hpp"
+#include "generator/families/vector_family.hpp"
+
+namespace nmbcgen {
+namespace {
+
+/// What there is no model of is the fault of this option.
+template <class Make>
+void require_model(const char* option, Make make) {
+    try {
+        make();
+    } catch (const NoSuchModel& reason) {
+        throw CLI::ValidationError(option, reason.what());
+    }
+}
+
+void refuse_options(const std::string& family, const CLI::App& used) {
+    for (const char* option : {"--radius2", "--nu", "--state", "--polarisation", "--angle"}) {
+        const CLI::Option* const given = used.get_option_no_throw(option);
+        if (given != nullptr && given->count() > 0) {
+            throw CLI::ValidationError(option, family + " is no plane family");
+        }
+    }
+}
+
+void require_fit(const VectorFamily& family, const PlaneOptions& plane,
+                 const std::optional<WeightChoice>& weights) {
+    const std::string name(family.name);
+    if (!plane.radius_squared) {
+        throw CLI::RequiredError("--radius2");
+    }
+    if (family.has_poisson && !plane.poisson) {
+        throw CLI::RequiredError("--nu");
+    }
+    if (plane.poisson && !family.has_poisson) {
+        throw CLI::ValidationError("--nu", name + " has no Poisson's ratio to choose");
+    }
+    if (plane.plane_strain && !family.has_poisson) {
+        throw CLI::ValidationError("--state", name + " has no plane stress or strain");
+    }
+    if (family.has_weights != weights.has_value() || (weights && weights->named != nullptr)) {
+        throw CLI::ValidationError(
+            "--weights", family.has_weights
+                             ? name +
+                                   " needs w_1,w_2,.., one for each class of bonds, shortest "
+                                   "first: of (1, 0), (1, 1), (2, 0), (2, 1), .."
+                             : name + " has constant influence");
+    }
+}
+
+}  // namespace
+
+void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
+    const bool recommends = request.action == Action::recommend;
+    const bool disperses = request.action == Action::dispersion;
+    std::string& family = recommends  ? request.question.family
+                          : disperses ? request.curves.family
+                                      : request.specification.family;
+    const auto known = std::ranges::find(vector_families(), family, &VectorFamily::name);
+    if (known == vector_families().end()) {
+        refuse_options(family, used);
+        return;
+    }
+    const PlaneOptions& plane = pending.plane;
+    require_fit(*known, plane, pending.weights);
+    const VectorChoice choice{
+        .radius_squared = *plane.radius_squared,
+        .poisson = plane.poisson.value_or(0),
+        .plane_strain = plane.plane_strain.value_or(false),
+        .weights = pending.weights ? pending.weights->values : std::vector<Rational>{}};
+    pending.weights.reset();
+    const char* const blamed = known->has_poisson ? "--nu" : "--weights";
+    require_model("--radius2", [&] { neighbours_in_plane(choice.radius_squared); });
+    require_model(blamed, [&] { known->describe(choice); });
+    if (disperses) {
+        if (request.curves.limit) {
+            throw CLI::ValidationError("--limit", "plane families state no continuum limit");
+        }
+        request.plane_curves = {.model = choice,
+                                .angles = plane.angles.value_or(std::vector<double>{0, 15, 30, 45}),
+                                .samples = request.curves.samples};
+        return;
+    }
+    if (!plane.polarisation) {
+        throw CLI::RequiredError("--polarisation");
+    }
+    const ProjectedFamily projected{.family = family,
+                                    .radius_squared = choice.radius_squared,
+                                    .poisson = plane.poisson,
+                                    .plane_strain = choice.plane_strain,
+                                    .weights = choice.weights,
+                                    .polarisation = *plane.polarisation};
+    require_model("--polarisation", [&] { projected_model(projected); });
+    family = name_of(projected);
+    (recommends ? request.question.horizon : request.specification.horizon) = horizon_of(projected);
+}
+
+}  // namespace nmbcgen
