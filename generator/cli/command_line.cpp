@@ -21,16 +21,20 @@ CLI::Option* add_plane_model(CLI::App& app, PlaneOptions& plane) {
                    "of a plane family, in place of --horizon: square of a node's family radius "
                    "delta in units of dX^2, a sum of two squares such as 1, 2, 4, 5, 8, 9");
     add_parsed(app, "--nu", plane.poisson, parse_poisson,
-               "of nopd2d: Poisson's ratio, an exact number such as 1/4");
+               "of nopd2d: Poisson's ratio, an exact number such as 1/4")
+        ->needs(radius);
     add_parsed(app, "--state", plane.plane_strain, parse_plane_state,
-               "of nopd2d: plane stress or strain (default stress)");
+               "of nopd2d: plane stress or strain (default stress)")
+        ->needs(radius);
     return radius;
 }
 
 CLI::Option* add_plane(CLI::App& app, PlaneOptions& plane) {
+    CLI::Option* const radius = add_plane_model(app, plane);
     add_parsed(app, "--polarisation", plane.polarisation, parse_polarisation,
-               "of a plane family: P or S waves, at normal incidence");
-    return add_plane_model(app, plane);
+               "of a plane family: P or S waves, at normal incidence")
+        ->needs(radius);
+    return radius;
 }
 
 /// The size of the neighbourhood, of a chain or of a plane lattice.
@@ -60,7 +64,9 @@ struct SpecificationOptions {
 CLI::Option* add_weights(CLI::App& app, std::optional<WeightChoice>& weights) {
     return add_parsed(app, "--weights", weights, parse_weights,
                       "influence function: w_1,w_2,.. of bonds of 1, 2, .. dX, exact numbers, or " +
-                          influence_names() + " (default constant)");
+                          influence_names() +
+                          " (default constant); of bond2d: w of the energy w (R . du)^2/2 of each "
+                          "class of bonds R, shortest first");
 }
 
 SpecificationOptions add_specification(CLI::App& app, Request& request, Pending& pending) {
@@ -82,7 +88,8 @@ SpecificationOptions add_specification(CLI::App& app, Request& request, Pending&
         .stride = add_parsed(app, "--stride", what.stride, parse_count,
                              "node offsets of the condition are 0, s, 2s, .. Ns (default 1)"),
         .damping = add_parsed(app, "--damping", what.damping, parse_rational,
-                              "tau, viscous damping of the stabilisation, an exact number in c/dX "
+                              "tau, viscous damping of the stabilisation at G = 1 (of nopd2d: g = "
+                              "1), an exact number in c/dX "
                               "such as 1/10 (default 0)"),
         .time_step =
             add_parsed(app, "--time-step", what.time_step, parse_rational,
@@ -91,9 +98,10 @@ SpecificationOptions add_specification(CLI::App& app, Request& request, Pending&
         .cfl = add_parsed(app, "--cfl", request.cfl, parse_cfl,
                           "with --G: --time-step by cfl = dt omega_max/2, as the largest multiple "
                           "of 1/1000 dX/c that is not above"),
-        .G = add_parsed(app, "--G", what.stabilisation, parse_rational,
-                        "fix the stabilisation G, an exact number such as 1/2 or 0.3 "
-                        "(default: coefficients are functions of G)"),
+        .G =
+            add_parsed(app, "--G", what.stabilisation, parse_rational,
+                       "fix the stabilisation G (of nopd2d: g = G/pi), an exact number such as 1/2 "
+                       "or 0.3 (default: coefficients are functions of G)"),
     };
     options.cfl->excludes(options.time_step);
     options.match->excludes(options.order);
@@ -138,7 +146,8 @@ CLI::App* add_dispersion(CLI::App& app, Curves& curves, Pending& pending) {
         "(default 0,15,30,45)");
     add_weights(*dispersion, pending.weights);
     add_parsed(*dispersion, "--G", curves.G, parse_rationals,
-               "values of the stabilisation G, exact numbers with commas between, such as 0,1/2,1");
+               "values of the stabilisation G (of nopd2d: g = G/pi), exact numbers with commas "
+               "between, such as 0,1/2,1");
     add_parsed(*dispersion, "--samples", curves.samples, parse_samples,
                "wave numbers in 0 < xi <= pi (default 200)");
     dispersion
@@ -158,8 +167,9 @@ CLI::App* add_recommend(CLI::App& app, Question& question, Pending& pending) {
     CLI::Option* const radius = add_plane(*recommend, pending.plane);
     require_one_of(*recommend, horizon, radius);
     add_weights(*recommend, pending.weights);
-    add_parsed(*recommend, "--G", question.G, parse_rational,
-               "stabilisation G of the model, an exact number such as 1/2 or 0.3");
+    add_parsed(
+        *recommend, "--G", question.G, parse_rational,
+        "stabilisation G of the model (of nopd2d: g = G/pi), an exact number such as 1/2 or 0.3");
     add_parsed(*recommend, "--order", question.order, parse_recommended_order,
                "this order only (default: 1 to 4)");
     add_parsed(*recommend, "--tolerance", question.tolerance, parse_fraction,

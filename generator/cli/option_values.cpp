@@ -175,22 +175,27 @@ std::string parse_chain_family(const std::string& text) {
 }
 
 std::string parse_family(const std::string& text) {
-    if (std::ranges::find(vector_families(), text, &VectorFamily::name) !=
-        vector_families().end()) {
-        return text;
-    }
-    if (std::ranges::find(families(), text, &Family::name) == families().end()) {
+    if (std::ranges::find(vector_families(), text, &VectorFamily::name) ==
+            vector_families().end() &&
+        std::ranges::find(families(), text, &Family::name) == families().end()) {
         throw std::invalid_argument("'" + text + "' is not a family; allowed: " + family_names());
     }
     return text;
 }
 
 unsigned parse_radius_squared(const std::string& text) {
-    return parse_whole_number(text, highest_count);
+    return parse_whole_number(text, largest_radius_squared);
 }
 
 Rational parse_poisson(const std::string& text) {
-    return text.starts_with('-') ? -parse_rational(text.substr(1)) : parse_rational(text);
+    const bool negative = text.starts_with('-');
+    try {
+        const Rational size = parse_rational(text.substr(negative ? 1 : 0));
+        return negative ? -size : size;
+    } catch (const std::invalid_argument&) {
+        throw std::invalid_argument("'" + text.substr(0, 60) +
+                                    "' is not an exact number such as 1/4 or -1/3");
+    }
 }
 
 bool parse_plane_state(const std::string& text) {

@@ -55,6 +55,15 @@ void require_fit(const VectorFamily& family, const PlaneOptions& plane,
     }
 }
 
+/// Over the first one: a factor of all says nothing.
+std::vector<Rational> relative(const std::optional<WeightChoice>& choice) {
+    std::vector<Rational> weights = choice ? choice->values : std::vector<Rational>{};
+    std::ranges::transform(weights, weights.begin(),
+                           [first = weights.empty() ? Rational(1) : weights.front()](
+                               const Rational& weight) { return weight / first; });
+    return weights;
+}
+
 }  // namespace
 
 void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
@@ -70,11 +79,10 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
     }
     const PlaneOptions& plane = pending.plane;
     require_fit(*known, plane, pending.weights);
-    const VectorChoice choice{
-        .radius_squared = *plane.radius_squared,
-        .poisson = plane.poisson.value_or(0),
-        .plane_strain = plane.plane_strain.value_or(false),
-        .weights = pending.weights ? pending.weights->values : std::vector<Rational>{}};
+    const VectorChoice choice{.radius_squared = *plane.radius_squared,
+                              .poisson = plane.poisson.value_or(0),
+                              .plane_strain = plane.plane_strain.value_or(false),
+                              .weights = relative(pending.weights)};
     pending.weights.reset();
     const char* const blamed = known->has_poisson ? "--nu" : "--weights";
     require_model("--radius2", [&] { neighbours_in_plane(choice.radius_squared); });

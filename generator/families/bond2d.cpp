@@ -25,12 +25,12 @@ Offset class_of(const Offset& bond) {
 VectorModel bond2d(const VectorChoice& choice) {
     const std::vector<Offset> classes = bond_classes_in_plane(choice.radius_squared);
     if (choice.weights.size() != classes.size() ||
-        std::ranges::any_of(choice.weights, [](const Rational& weight) { return weight < 0; })) {
+        std::ranges::any_of(choice.weights, [](const Rational& weight) { return weight <= 0; })) {
         std::string list;
         for (const Offset& bond : classes) {
             list += fmt::format("{}({}, {})", list.empty() ? "" : ", ", bond[0], bond[1]);
         }
-        throw NoSuchModel(fmt::format("{} weights are needed, none negative: of the bonds {}",
+        throw NoSuchModel(fmt::format("{} weights are needed, all positive: of the bonds {}",
                                       classes.size(), list));
     }
     VectorModel model{.description = fmt::format("2D bond-based peridynamics, family radius {} "
@@ -51,10 +51,8 @@ VectorModel bond2d(const VectorChoice& choice) {
         const Rational& weight = choice.weights[std::size_t(which)];
         const std::array<Rational, 3> along{bond[0], bond[1], 0};
         const std::array<Rational, 3> against{-bond[0], -bond[1], 0};
-        if (weight != 0) {
-            model.energy.push_back(
-                {EnergyPart::strain, constant(weight), {{Offset{}, against}, {bond, along}}});
-        }
+        model.energy.push_back(
+            {EnergyPart::strain, constant(weight), {{Offset{}, against}, {bond, along}}});
     }
     return model;
 }

@@ -32,7 +32,7 @@ Model projected_model(const ProjectedFamily& projected) {
 }
 
 unsigned horizon_of(const ProjectedFamily& projected) {
-    return unsigned(std::sqrt(double(projected.radius_squared)) + 1e-9);  // exact below 2^31
+    return unsigned(std::sqrt(double(projected.radius_squared)));
 }
 
 }  // namespace nmbcgen

@@ -15,10 +15,11 @@ namespace nmbcgen {
 
 /// Which model of a family.
 struct VectorChoice {
-    unsigned radius_squared = 1;      ///< of a node's neighbours, delta^2 [dX^2]
-    Rational poisson = {};            ///< nu
-    bool plane_strain = false;        ///< or plane stress
-    std::vector<Rational> weights{};  ///< of the bond classes, in the order of bond_classes()
+    unsigned radius_squared = 1;  ///< of a node's neighbours, delta^2 [dX^2]
+    Rational poisson = {};        ///< nu
+    bool plane_strain = false;    ///< or plane stress
+    std::vector<Rational>
+        weights{};  ///< of the bond classes, in the order of bond_classes_in_plane()
 };
 
 struct VectorFamily {

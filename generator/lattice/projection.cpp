@@ -6,7 +6,6 @@
 #include <map>
 
 #include "generator/exact/rational_function.hpp"
-#include "generator/lattice/force_constants.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -21,15 +20,22 @@ std::map<int, Rational> along_x(const VectorSquare& square, std::size_t directio
     return sums;
 }
 
-void require_uncoupled(const VectorModel& model, const ForceConstants& phi, std::size_t direction) {
+/// The coupling of two directions is sum of weight times the correlation of their factors.
+void require_uncoupled(const VectorModel& model, std::size_t direction) {
     for (std::size_t other = 0; other < model.dimensions; ++other) {
-        std::map<int, Polynomial> coupling;
-        for (const auto& [offset, matrix] : phi) {
-            coupling[offset[0]] += matrix[direction][other];
+        if (other == direction) {
+            continue;
         }
-        if (other != direction && std::ranges::any_of(coupling, [](const auto& entry) {
-                return !entry.second.is_zero();
-            })) {
+        std::map<int, Polynomial> coupling;  // by the difference of offsets
+        for (const VectorSquare& square : model.energy) {
+            for (const auto& [i, own] : along_x(square, direction)) {
+                for (const auto& [j, coupled] : along_x(square, other)) {
+                    coupling[j - i] += square.weight * constant(own * coupled);
+                }
+            }
+        }
+        if (std::ranges::any_of(coupling,
+                                [](const auto& entry) { return !entry.second.is_zero(); })) {
             throw NoProjection("waves along x of this model are neither P nor S");
         }
     }
@@ -50,16 +56,20 @@ std::vector<Rational> stencil_of(const std::map<int, Rational>& sums) {
 }  // namespace
 
 Polynomial speed_squared(const VectorModel& model, std::size_t direction) {
-    // sum_R Phi(R) exp(i xi R_x) = c^2 xi^2 + ..
-    Polynomial square;
-    for (const auto& [offset, matrix] : force_constants(model)) {
-        square -= matrix[direction][direction] * constant(Rational(offset[0] * offset[0], 2));
+    // Of long waves a square sees the strain i xi sum x s_x: its factors add up to 0.
+    Polynomial sum;
+    for (const VectorSquare& square : model.energy) {
+        Rational strain = 0;
+        for (const auto& [offset, factor] : along_x(square, direction)) {
+            strain += offset * factor;
+        }
+        sum += square.weight * constant(strain * strain);
     }
-    return square;
+    return sum;
 }
 
 Model project(const VectorModel& model, std::size_t direction) {
-    require_uncoupled(model, force_constants(model), direction);
+    require_uncoupled(model, direction);
     const Polynomial square_of_speed = speed_squared(model, direction);
     if (square_of_speed.is_zero()) {
         throw NoProjection("long waves of this polarisation do not travel in this model");

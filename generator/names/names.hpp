@@ -24,6 +24,9 @@ std::string to_string(const MatchingPoint& point);
 /// All that is matched, as on the command line: 0:5,6/5:2.
 std::string matching_text(const Specification& specification);
 
+/// PoQ, which a C++ name may have in it.
+std::string p_over_q(const Rational& value);
+
 /// The command line that makes this table again.
 std::string regenerating_command(const Specification& specification);
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
+#include "generator/names/names.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -97,8 +98,10 @@ std::optional<ProjectedFamily> projected_family(std::string_view name) {
     std::from_chars(radius.data(), radius.data() + radius.size(), projected.radius_squared);
     const std::span between(parts.begin() + 2, parts.end() - 1);
     // One model has one name.
-    return take(projected, between) && name_of(projected) == name ? std::optional(projected)
-                                                                  : std::nullopt;
+    return projected.radius_squared <= largest_radius_squared && take(projected, between) &&
+                   name_of(projected) == name
+               ? std::optional(projected)
+               : std::nullopt;
 }
 
 std::string options_of(const ProjectedFamily& projected) {

@@ -26,13 +26,13 @@ struct ProjectedFamily {
 /// FAMILY_rR[_nuPoQ][_strain][_w_PoQ_PoQ ..]_P or _S; mPoQ is -P/Q.
 std::string name_of(const ProjectedFamily& projected);
 
-/// What has this name; none where it is not such a name.
+/// Larger families take minutes.
+inline constexpr unsigned largest_radius_squared = 99;
+
+/// What has this name; none where it is not such a name, or of a radius above the largest.
 std::optional<ProjectedFamily> projected_family(std::string_view name);
 
 /// --family FAMILY --radius2 R .., as on the command line.
 std::string options_of(const ProjectedFamily& projected);
-
-/// PoQ, which a C++ name may have in it.
-std::string p_over_q(const Rational& value);
 
 }  // namespace nmbcgen

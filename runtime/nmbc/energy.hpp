@@ -111,7 +111,7 @@ Energies energies(const BasicChain<Real>& chain, std::size_t first, std::size_t 
             sums.kinetic[i] += velocity * velocity;
         }
         for (const auto& [part, weight, stencil] : chain.lattice().energy) {
-            const std::size_t start = node - stencil.size() / 2;  // at most ghosts() / 2 before it
+            const std::size_t start = node - stencil.size() / 2;  // at most ghosts() before it
             detail::add_square(std::span(stencil), std::sqrt(weight), dt, &u[start], &v[start],
                                nodes, part == EnergyPart::strain ? sums.strain : sums.stabilisation,
                                sums.staggered);

@@ -82,7 +82,7 @@ for drawn in "${run[*]:0:2} --plot" "chart $scene --long-run 4000"; do
     # shellcheck disable=SC2086  # words
     PATH=$PWD/failing:$PATH try $drawn "${small[@]}" --set time.end=4 --quiet
     expect_exit 0
-    expect_stderr "nmbcrun: warning: this could not draw: gnuplot -c "
+    expect_stderr "nmbcrun: warning: gnuplot failed"
     expect_stderr_lines 1
     # shellcheck disable=SC2086  # words
     PATH=$PWD/stopping:$PATH try $drawn "${small[@]}" --set time.end=4 --quiet

@@ -206,21 +206,23 @@ std::vector<Polynomial> symbol_along_x(unsigned radius_squared, std::size_t dire
 }  // namespace
 
 TEST_CASE("families: how many bonds, and the shape tensor's diagonal") {
-    for (const auto& [squared, bonds, shape] : radii) {
+    for (const Radius& radius : radii) {
+        const unsigned squared = radius.squared;
         CAPTURE(squared);
         const auto family = neighbours_in_plane(squared);
-        CHECK(family.size() == bonds);
+        CHECK(family.size() == radius.bonds);
         int sum = 0;
         for (const Offset& bond : family) {
             sum += bond[0] * bond[0];
         }
-        CHECK(sum == shape);
+        CHECK(sum == radius.shape);
     }
 }
 
 TEST_CASE("the force is that of (2) to (12), evaluated to the letter") {
     unsigned seed = 0;
-    for (const auto& [squared, bonds, shape] : radii) {
+    for (const Radius& radius : radii) {
+        const unsigned squared = radius.squared;
         for (const bool plane_strain : {false, true}) {
             for (const Rational& nu : {Rational(1, 4), Rational(-1, 3), Rational(0)}) {
                 const VectorChoice choice{
@@ -236,21 +238,23 @@ TEST_CASE("the force is that of (2) to (12), evaluated to the letter") {
 }
 
 TEST_CASE("the dynamical matrix in closed form: no square root, at every angle") {
-    for (const auto& [squared, bonds, shape] : radii) {
+    for (const Radius& radius : radii) {
+        const unsigned squared = radius.squared;
         CAPTURE(squared);
         const Rational nu(3, 10);
         const auto [lambda, mu, bulk] = elasticity(nu, false);
         std::array<Laurent, 2> i_kappa;  // i kappa = sum R exp(i xi . R)/A
         Laurent q;                       // sum 1 - cos
         for (const Offset& bond : neighbours_in_plane(squared)) {
-            i_kappa[0].add(bond, constant(Rational(bond[0], shape)));
-            i_kappa[1].add(bond, constant(Rational(bond[1], shape)));
+            i_kappa[0].add(bond, constant(Rational(bond[0], radius.shape)));
+            i_kappa[1].add(bond, constant(Rational(bond[1], radius.shape)));
             q = q + Laurent(Rational(1)) - Laurent(bond, 1);
         }
         const Laurent minus_square = i_kappa[0] * i_kappa[0] + i_kappa[1] * i_kappa[1];
         // S = (g 12 k'/(delta^4 m)) (2 q - A |kappa|^2)
-        const Rational factor = 12 * bulk / (Rational(squared) * squared * bonds);
-        const Laurent S = g * (Laurent(2 * factor) * q + Laurent(factor * shape) * minus_square);
+        const Rational factor = 12 * bulk / (Rational(squared) * squared * radius.bonds);
+        const Laurent S =
+            g * (Laurent(2 * factor) * q + Laurent(factor * radius.shape) * minus_square);
         const ForceConstants phi =
             force_constants(nopd2d({.radius_squared = squared, .poisson = nu}));
         for (std::size_t a = 0; a < 2; ++a) {
@@ -292,7 +296,8 @@ TEST_CASE("omega^2 of P and S at normal incidence, nu = 1/4: fixed answers") {
 }
 
 TEST_CASE("projections: the speed of long waves is 1, and that of the model c_L and c_S") {
-    for (const auto& [squared, bonds, shape] : radii) {
+    for (const Radius& radius : radii) {
+        const unsigned squared = radius.squared;
         CAPTURE(squared);
         const Rational nu(3, 10);
         const VectorModel model = nopd2d({.radius_squared = squared, .poisson = nu});

@@ -192,7 +192,9 @@ int main(int argc, char** argv) {
                 scene = nmbcrun::as_advised(scene, arguments.tolerance, arguments.quiet,
                                             stop_where_interrupted);
                 nmbcrun::end_at_interrupts(stopped);  // until the run writes
-                stop_where_interrupted();
+                if (nmbcrun::interrupted()) {
+                    throw nmbcrun::Interrupted("stopped; nothing was written");
+                }
             }
             nmbcrun::run(scene, {arguments.folder, arguments.quiet, arguments.resume,
                                  arguments.keep_checkpoint});

@@ -128,7 +128,9 @@ class Measurement {
             job();
         } catch (const SceneError& error) {
             point.refused = error.what();
-        } catch (const std::logic_error& error) {  // the runtime's: at a pole, for one
+        } catch (const std::invalid_argument& error) {
+            point.refused = error.what();
+        } catch (const nmbc::CoefficientError& error) {
             point.refused = error.what();
         }
     }

@@ -12,7 +12,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <ranges>
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
@@ -49,7 +48,11 @@ std::string quoted(const std::string& text) {
 }
 
 std::string as_command(const std::vector<std::string>& words) {
-    return fmt::format("{}", fmt::join(words | std::views::transform(quoted), " "));
+    std::string command;
+    for (const std::string& word : words) {
+        command += (command.empty() ? "" : " ") + quoted(word);
+    }
+    return command;
 }
 
 /// Whether it has done its work; a complaint on stderr where it is installed, and has not.
@@ -75,7 +78,7 @@ bool run_program(std::vector<std::string> words) {
         throw Interrupted("stopped while it was drawn; the numbers are written");
     }
     if (!is_done) {
-        fmt::print(stderr, "nmbcrun: warning: this could not draw: {}\n", as_command(words));
+        fmt::print(stderr, "nmbcrun: warning: gnuplot failed\n");
     }
     return is_done;
 }
