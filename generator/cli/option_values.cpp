@@ -175,8 +175,7 @@ std::string parse_chain_family(const std::string& text) {
 }
 
 std::string parse_family(const std::string& text) {
-    if (std::ranges::find(vector_families(), text, &VectorFamily::name) ==
-            vector_families().end() &&
+    if (vector_family(text) == nullptr &&
         std::ranges::find(families(), text, &Family::name) == families().end()) {
         throw std::invalid_argument("'" + text + "' is not a family; allowed: " + family_names());
     }

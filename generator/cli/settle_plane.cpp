@@ -72,15 +72,15 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
     std::string& family = recommends  ? request.question.family
                           : disperses ? request.curves.family
                                       : request.specification.family;
-    const auto known = std::ranges::find(vector_families(), family, &VectorFamily::name);
-    if (known == vector_families().end()) {
+    const VectorFamily* const known = vector_family(family);
+    if (known == nullptr) {
         refuse_options(family, used);
         return;
     }
     const PlaneOptions& plane = pending.plane;
     require_fit(*known, plane, pending.weights);
     const VectorChoice choice{.radius_squared = *plane.radius_squared,
-                              .poisson = plane.poisson.value_or(0),
+                              .poisson = plane.poisson,
                               .plane_strain = plane.plane_strain.value_or(false),
                               .weights = relative(pending.weights)};
     pending.weights.reset();
@@ -99,12 +99,8 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
     if (!plane.polarisation) {
         throw CLI::RequiredError("--polarisation");
     }
-    const ProjectedFamily projected{.family = family,
-                                    .radius_squared = choice.radius_squared,
-                                    .poisson = plane.poisson,
-                                    .plane_strain = choice.plane_strain,
-                                    .weights = choice.weights,
-                                    .polarisation = *plane.polarisation};
+    const ProjectedFamily projected{
+        .family = family, .model = choice, .polarisation = *plane.polarisation};
     require_model("--polarisation", [&] { projected_model(projected); });
     family = name_of(projected);
     (recommends ? request.question.horizon : request.specification.horizon) = horizon_of(projected);

@@ -24,10 +24,8 @@ std::span<const Family> families() {
 
 bool is_stabilised(std::string_view family) {
     const auto projected = projected_family(family);
-    const std::string_view plane = projected ? std::string_view(projected->family) : family;
-    const auto known = std::ranges::find(vector_families(), plane, &VectorFamily::name);
-    return known != vector_families().end() ? known->has_stabilisation
-                                            : has_stabilisation(make_model(family, 1));
+    const VectorFamily* const plane = vector_family(projected ? projected->family : family);
+    return plane != nullptr ? plane->has_stabilisation : has_stabilisation(make_model(family, 1));
 }
 
 const Family& find_family(std::string_view name) {

@@ -21,7 +21,7 @@ struct Moduli {
 };
 
 Moduli moduli_of(const VectorChoice& choice) {
-    const Rational& nu = choice.poisson;
+    const Rational nu = choice.poisson.value_or(0);
     const Rational highest = choice.plane_strain ? Rational(1, 2) : Rational(1);
     if (nu <= -1 || nu >= highest) {
         throw NoSuchModel(fmt::format("Poisson's ratio {}: plane {} needs -1 < nu < {}",
@@ -66,7 +66,7 @@ VectorModel nopd2d(const VectorChoice& choice) {
         .description = fmt::format(
             "2D non-ordinary peridynamics, plane {}, nu = {}, constant influence, family radius {} "
             "(squared, in dX^2), stabilisation g = G/pi",
-            choice.plane_strain ? "strain" : "stress", to_string(choice.poisson),
+            choice.plane_strain ? "strain" : "stress", to_string(choice.poisson.value_or(0)),
             choice.radius_squared),
         .source = "Nicely 2018: gradient (62), strain (64), stabilisation (9) to (12)",
         .dimensions = 2,

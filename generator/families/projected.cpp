@@ -14,12 +14,8 @@ namespace nmbcgen {
 Model projected_model(const ProjectedFamily& projected) {
     const bool is_P = projected.polarisation == Polarisation::P;
     try {
-        Model model = project(find_vector_family(projected.family)
-                                  .describe({.radius_squared = projected.radius_squared,
-                                             .poisson = projected.poisson.value_or(0),
-                                             .plane_strain = projected.plane_strain,
-                                             .weights = projected.weights}),
-                              is_P ? 0 : 1);
+        Model model =
+            project(find_vector_family(projected.family).describe(projected.model), is_P ? 0 : 1);
         model.description =
             fmt::format("{} waves along x in {}", is_P ? "P" : "S", model.description);
         model.source += fmt::format("; at normal incidence; c is the speed of long {} waves{}",
@@ -32,7 +28,7 @@ Model projected_model(const ProjectedFamily& projected) {
 }
 
 unsigned horizon_of(const ProjectedFamily& projected) {
-    return unsigned(std::sqrt(double(projected.radius_squared)));
+    return unsigned(std::sqrt(double(projected.model.radius_squared)));
 }
 
 }  // namespace nmbcgen

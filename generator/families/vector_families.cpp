@@ -25,10 +25,15 @@ std::span<const VectorFamily> vector_families() {
     return list;
 }
 
-const VectorFamily& find_vector_family(std::string_view name) {
+const VectorFamily* vector_family(std::string_view name) {
     const auto known = vector_families();
     const auto found = std::ranges::find(known, name, &VectorFamily::name);
-    if (found == known.end()) {
+    return found == known.end() ? nullptr : &*found;
+}
+
+const VectorFamily& find_vector_family(std::string_view name) {
+    const VectorFamily* const found = vector_family(name);
+    if (found == nullptr) {
         throw NoSuchModel("there is no plane family '" + std::string(name) + "'");
     }
     return *found;

@@ -13,19 +13,10 @@
 
 namespace nmbcgen {
 
-/// Which model of a family.
-struct VectorChoice {
-    unsigned radius_squared = 1;  ///< of a node's neighbours, delta^2 [dX^2]
-    Rational poisson = {};        ///< nu
-    bool plane_strain = false;    ///< or plane stress
-    std::vector<Rational>
-        weights{};  ///< of the bond classes, in the order of bond_classes_in_plane()
-};
-
 struct VectorFamily {
     std::string_view name;
     bool has_poisson;  ///< and a choice of plane stress and plane strain
-    bool has_weights;  ///< of bond classes
+    bool has_weights;  ///< of bond classes, in the order of bond_classes_in_plane()
     bool has_stabilisation;
     /// Throws NoSuchModel (families/family.hpp) where there is none.
     VectorModel (*describe)(const VectorChoice& choice);
@@ -33,6 +24,9 @@ struct VectorFamily {
 
 /// The families there are, in the order they are listed to a user.
 std::span<const VectorFamily> vector_families();
+
+/// nullptr where there is no such family.
+const VectorFamily* vector_family(std::string_view name);
 
 /// Throws NoSuchModel where there is no such family.
 const VectorFamily& find_vector_family(std::string_view name);

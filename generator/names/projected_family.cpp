@@ -53,13 +53,13 @@ bool take(ProjectedFamily& projected, std::span<const std::string> parts) {
             if (!weight) {
                 return false;
             }
-            projected.weights.push_back(*weight);
+            projected.model.weights.push_back(*weight);
         } else if (part == "w") {
             in_weights = true;
         } else if (part == "strain") {
-            projected.plane_strain = true;
+            projected.model.plane_strain = true;
         } else if (part.starts_with("nu")) {
-            projected.poisson = value_of(part.substr(2));
+            projected.model.poisson = value_of(part.substr(2));
         } else {
             return false;
         }
@@ -74,13 +74,13 @@ std::string p_over_q(const Rational& value) {
 }
 
 std::string name_of(const ProjectedFamily& projected) {
-    std::string name = fmt::format("{}_r{}", projected.family, projected.radius_squared);
-    if (projected.poisson) {
-        name += "_nu" + signed_p_over_q(*projected.poisson);
+    std::string name = fmt::format("{}_r{}", projected.family, projected.model.radius_squared);
+    if (projected.model.poisson) {
+        name += "_nu" + signed_p_over_q(*projected.model.poisson);
     }
-    name += projected.plane_strain ? "_strain" : "";
-    for (std::size_t i = 0; i < projected.weights.size(); ++i) {
-        name += (i == 0 ? "_w_" : "_") + p_over_q(projected.weights[i]);
+    name += projected.model.plane_strain ? "_strain" : "";
+    for (std::size_t i = 0; i < projected.model.weights.size(); ++i) {
+        name += (i == 0 ? "_w_" : "_") + p_over_q(projected.model.weights[i]);
     }
     return name + (projected.polarisation == Polarisation::P ? "_P" : "_S");
 }
@@ -95,10 +95,10 @@ std::optional<ProjectedFamily> projected_family(std::string_view name) {
         .family = parts[0],
         .polarisation = parts.back() == "P" ? Polarisation::P : Polarisation::S};
     const std::string radius = parts[1].substr(1);
-    std::from_chars(radius.data(), radius.data() + radius.size(), projected.radius_squared);
+    std::from_chars(radius.data(), radius.data() + radius.size(), projected.model.radius_squared);
     const std::span between(parts.begin() + 2, parts.end() - 1);
     // One model has one name.
-    return projected.radius_squared <= largest_radius_squared && take(projected, between) &&
+    return projected.model.radius_squared <= largest_radius_squared && take(projected, between) &&
                    name_of(projected) == name
                ? std::optional(projected)
                : std::nullopt;
@@ -106,13 +106,13 @@ std::optional<ProjectedFamily> projected_family(std::string_view name) {
 
 std::string options_of(const ProjectedFamily& projected) {
     std::string options =
-        fmt::format("--family {} --radius2 {}", projected.family, projected.radius_squared);
-    if (projected.poisson) {
-        options += " --nu " + to_string(*projected.poisson);
+        fmt::format("--family {} --radius2 {}", projected.family, projected.model.radius_squared);
+    if (projected.model.poisson) {
+        options += " --nu " + to_string(*projected.model.poisson);
     }
-    options += projected.plane_strain ? " --state strain" : "";
-    for (std::size_t i = 0; i < projected.weights.size(); ++i) {
-        options += (i == 0 ? " --weights " : ",") + to_string(projected.weights[i]);
+    options += projected.model.plane_strain ? " --state strain" : "";
+    for (std::size_t i = 0; i < projected.model.weights.size(); ++i) {
+        options += (i == 0 ? " --weights " : ",") + to_string(projected.model.weights[i]);
     }
     return options +
            (projected.polarisation == Polarisation::P ? " --polarisation P" : " --polarisation S");

@@ -6,20 +6,16 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "generator/table/exact.hpp"
+#include "generator/table/vector_model.hpp"
 
 namespace nmbcgen {
 
 enum class Polarisation { P, S };
 
 struct ProjectedFamily {
-    std::string family;                 ///< of the plane models
-    unsigned radius_squared = 1;        ///< delta^2 [dX^2]
-    std::optional<Rational> poisson{};  ///< nu, where the family has one
-    bool plane_strain = false;
-    std::vector<Rational> weights{};  ///< of bond classes, where the family has them
+    std::string family;  ///< of the plane models
+    VectorChoice model{};
     Polarisation polarisation = Polarisation::P;
 };
 

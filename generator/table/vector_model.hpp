@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,14 @@ struct VectorSquare {
     EnergyPart part;
     Polynomial weight;  ///< in g = G/pi: stabilisation is proportional to it
     std::vector<VectorTerm> terms;
+};
+
+/// Which model of a family.
+struct VectorChoice {
+    unsigned radius_squared = 1;        ///< of a node's neighbours, delta^2 [dX^2]
+    std::optional<Rational> poisson{};  ///< nu, of families that have one; none: 0
+    bool plane_strain = false;          ///< or plane stress
+    std::vector<Rational> weights{};    ///< of the bond classes, of families that have them
 };
 
 /// A lattice model as its energy: forces, dynamical matrix and projections follow from it.

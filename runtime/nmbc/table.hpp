@@ -80,7 +80,11 @@ struct StableStep {
     double cfl = 0;
     double from = 0;
 
-    constexpr bool allows(double other_cfl) const { return from <= other_cfl && other_cfl <= cfl; }
+    /// Up to roundings of a cfl that was a time step on its way here.
+    constexpr bool allows(double other_cfl) const {
+        constexpr double roundings = 1e-9;
+        return other_cfl >= from * (1 - roundings) && other_cfl <= cfl * (1 + roundings);
+    }
 };
 
 /// A lattice at every G: a family's model at one horizon, with its influence and damping.

@@ -113,19 +113,18 @@ TEST_CASE("different requests have different names and commands") {
 
 TEST_CASE("a projected family's name says all of it, and is read back") {
     const ProjectedFamily P{.family = "nopd2d",
-                            .radius_squared = 4,
-                            .poisson = Rational(1, 4),
+                            .model = {.radius_squared = 4, .poisson = Rational(1, 4)},
                             .polarisation = Polarisation::P};
     CHECK(name_of(P) == "nopd2d_r4_nu1o4_P");
     CHECK(options_of(P) == "--family nopd2d --radius2 4 --nu 1/4 --polarisation P");
     ProjectedFamily S = P;
-    S.poisson = Rational(-1, 3);
-    S.plane_strain = true;
+    S.model.poisson = Rational(-1, 3);
+    S.model.plane_strain = true;
     S.polarisation = Polarisation::S;
     CHECK(name_of(S) == "nopd2d_r4_num1o3_strain_S");
     CHECK(options_of(S) == "--family nopd2d --radius2 4 --nu -1/3 --state strain --polarisation S");
-    const ProjectedFamily bonds{
-        .family = "bond2d", .radius_squared = 2, .weights = {1, Rational(1, 2)}};
+    const ProjectedFamily bonds{.family = "bond2d",
+                                .model = {.radius_squared = 2, .weights = {1, Rational(1, 2)}}};
     CHECK(name_of(bonds) == "bond2d_r2_w_1o1_1o2_P");
     CHECK(options_of(bonds) == "--family bond2d --radius2 2 --weights 1,1/2 --polarisation P");
     for (const ProjectedFamily& each : {P, S, bonds}) {

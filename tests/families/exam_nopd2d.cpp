@@ -73,7 +73,7 @@ class Literal {
   public:
     Literal(const VectorChoice& choice, const Rational& stabilisation, Field u)
         : family_(neighbours_in_plane(choice.radius_squared)),
-          elastic_(elasticity(choice.poisson, choice.plane_strain)),
+          elastic_(elasticity(choice.poisson.value(), choice.plane_strain)),
           u_(std::move(u)) {
         const Rational square = choice.radius_squared;
         const Rational w_0 = Rational(family_.size());

@@ -27,12 +27,6 @@ constexpr double margin = 1.1;
 /// Of the tolerance: waves that add up to less are not followed.
 constexpr double negligible = 1e-3;
 
-/// Up to roundings: the cfl was a time step on its way here.
-bool allows(const nmbc::StableStep& steps, double cfl) {
-    constexpr double roundings = 1e-9;
-    return cfl >= steps.from * (1 - roundings) && cfl <= steps.cfl * (1 + roundings);
-}
-
 /// Whether what a boundary sends back can meet a tolerance in shorter steps yet. Beside what it
 /// sends back in continuous time the error is of second order in the steps or higher.
 class InShorterSteps {
@@ -149,7 +143,7 @@ template <class ErrorAt>
 void Search::add(const std::string& name, const Boundary& boundary, const nmbc::StableStep& steps,
                  const std::string& limit, ErrorAt error_at) {
     const auto given = given_cfl();
-    if (given && !allows(steps, *given)) {
+    if (given && !steps.allows(*given)) {
         leave_out(name,
                   fmt::format("certified {}up to cfl = {:.3g}, and the scene has {:.3g}",
                               steps.from > 0 ? fmt::format("from cfl = {:.3g} ", steps.from) : "",
@@ -224,7 +218,7 @@ void Search::add_table(const nmbc::MatchingTable& table) {
     }
     const double matched = nmbc::detail::nearest_to_fraction(table.time_step);
     const double own_cfl = matched * omega_max_ / 2;
-    if (matched > 0 && (given_cfl() || !allows(steps, own_cfl))) {
+    if (matched > 0 && (given_cfl() || !steps.allows(own_cfl))) {
         leave_out(name, given_cfl() ? "its step is not the scene's" : "its step is not certified");
         return;
     }
