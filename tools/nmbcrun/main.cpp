@@ -67,6 +67,23 @@ const CLI::Validator not_empty(
     },
     "", "not_empty");
 
+void run_as_asked(nmbcrun::Scene scene, const Arguments& arguments) {
+    if (arguments.tolerance > 0) {
+        nmbcrun::note_interrupts();
+        scene = nmbcrun::as_advised(scene, arguments.tolerance, arguments.quiet,
+                                    stop_where_interrupted);
+        nmbcrun::end_at_interrupts(stopped);  // until the run writes
+        if (nmbcrun::interrupted()) {
+            throw nmbcrun::Interrupted("stopped; nothing was written");
+        }
+    }
+    nmbcrun::run(scene,
+                 {arguments.folder, arguments.quiet, arguments.resume, arguments.keep_checkpoint});
+    if (arguments.plot) {
+        nmbcrun::draw_run(scene, arguments.folder);
+    }
+}
+
 /// The exit code of a command, errors told.
 template <class Command>
 int exit_code_of(Command command) {
@@ -180,27 +197,15 @@ int main(int argc, char** argv) {
             return nmbcrun::verify(scene, arguments.tolerance, arguments.quiet) ? done
                                                                                 : does_not_hold;
         }
-        if (!run->parsed() || arguments.tolerance > 0) {
-            nmbcrun::note_interrupts();
+        if (run->parsed()) {
+            run_as_asked(std::move(scene), arguments);
+            return done;
         }
+        nmbcrun::note_interrupts();
         if (advise->parsed()) {
             nmbcrun::advise(scene, arguments.tolerance, arguments.quiet, stop_where_interrupted);
-        } else if (chart->parsed()) {
-            nmbcrun::chart(scene, {arguments.folder, arguments.long_run, arguments.quiet});
         } else {
-            if (arguments.tolerance > 0) {
-                scene = nmbcrun::as_advised(scene, arguments.tolerance, arguments.quiet,
-                                            stop_where_interrupted);
-                nmbcrun::end_at_interrupts(stopped);  // until the run writes
-                if (nmbcrun::interrupted()) {
-                    throw nmbcrun::Interrupted("stopped; nothing was written");
-                }
-            }
-            nmbcrun::run(scene, {arguments.folder, arguments.quiet, arguments.resume,
-                                 arguments.keep_checkpoint});
-            if (arguments.plot) {
-                nmbcrun::draw_run(scene, arguments.folder);
-            }
+            nmbcrun::chart(scene, {arguments.folder, arguments.long_run, arguments.quiet});
         }
         return done;
     });
