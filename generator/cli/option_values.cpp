@@ -168,8 +168,8 @@ unsigned parse_closed_order(const std::string& text) {
 
 std::string parse_chain_family(const std::string& text) {
     if (std::ranges::find(families(), text, &Family::name) == families().end()) {
-        throw std::invalid_argument("'" + text +
-                                    "' is not a family; allowed: " + chain_family_names());
+        throw std::invalid_argument(
+            "'" + text + "' is not a family of chains; allowed: " + chain_family_names());
     }
     return text;
 }

@@ -122,9 +122,8 @@ std::string certificate_statement(const Table& table) {
         return "not examined";
     }
     const Specification& what = table.specification;
-    return (projected_family(what.family)
-                ? "of the chain that waves at normal incidence see, nothing of oblique waves: "
-                : "") +
+    return (projected_family(what.family) ? "for waves at normal incidence, oblique ones may grow. "
+                                          : "") +
            (what.damping > 0 ? damped_statement() : undamped_statement()) +
            (what.time_step > 0
                 ? "; matched in time steps: modal, contractive and steps are for the G at which "

@@ -93,11 +93,23 @@ TEST_CASE("what comes back is foretold, and what is amplified") {
     scene.right = {.kind = BoundaryKind::free};
     CHECK(prospect_of(Simulation(scene)).ends.empty());
     scene.left = {.kind = BoundaryKind::sponge, .layer = 10};
-    CHECK(prospect_of(Simulation(scene)).ends == "nothing is predicted of an end that is sponge");
+    CHECK(prospect_of(Simulation(scene)).ends ==
+          "nothing is predicted of an end that is sponge: nmbcrun verify measures it");
     scene.left = {.kind = BoundaryKind::exact};
     scene.end = 300;
     CHECK(prospect_of(Simulation(scene)).ends ==
           "nothing of the energy that reaches them comes back");
+}
+
+TEST_CASE("what an extended end sends back is what gets to its far end and has the time") {
+    // Long waves travel 180 spacings, 100 of them to each end: 80 are left.
+    Scene scene = with_pulse(scene_of(2, 32.0 / 15, 200, 180), Shape::gaussian, 8);
+    const auto ends_of = [&](std::size_t layer) {
+        scene.left = scene.right = {.kind = BoundaryKind::extended, .layer = layer};
+        return prospect_of(Simulation(scene)).ends;
+    };
+    CHECK(ends_of(20).starts_with("about 1 of the energy that reaches them comes back"));
+    CHECK(ends_of(90) == "nothing of the energy that reaches them comes back");
 }
 
 TEST_CASE("a width that would do does, and a packet of short waves has none") {

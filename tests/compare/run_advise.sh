@@ -156,7 +156,7 @@ done
 mkfifo "$scratch/full"
 exec 8<>"$scratch/full"
 dd if=/dev/zero of="$scratch/full" oflag=nonblock bs=4096 count=100 2>/dev/null || true
-env --default-signal=INT stdbuf -oL "$program" run "${bar[@]}" --tolerance 1e-3 --out early \
+env --default-signal=INT "$program" run "${bar[@]}" --tolerance 1e-3 --out early \
     >"$scratch/full" 2>"$scratch/stderr" &
 run=$!
 asleep=0

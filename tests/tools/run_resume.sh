@@ -111,6 +111,12 @@ for place in 3 12 20 30 $((size / 2)) $((size - 1)); do
 done
 damage=(rm "$checkpoint")
 refused 5 "cannot go on from results/bar1d.checkpoint: there is no such file"
+# A new run says that it ends what could have gone on.
+fresh
+try run "$scene" "${long[@]}" --quiet
+expect_exit 0
+expect_stderr "bar1d.checkpoint is of an earlier run, which --resume would have gone on with"
+expect "no checkpoint is left" test ! -e "$checkpoint"
 journal() { echo results/bar1d.csv.new-*; }
 shorten() { truncate -s 10 "$(journal)"; }
 damage=(shorten)

@@ -131,6 +131,8 @@ source_of 2 'initial.direction must be "both" of a velocity' "${pulse[@]}" initi
 source_of 2 "initial.file has no meaning for this shape" "${pulse[@]}" initial.file=a.csv
 source_of 2 "initial.widht is not a key of a scene; the nearest one is initial.width" "${pulse[@]}" initial.widht=2
 source_of 2 "must be from a tenth to 1e6 of domain.spacing, not 0.01 of it" "${pulse[@]}" initial.direction=right initial.width=0.01
+source_of 2 "initial.width is missing; is initial.widht meant for it?" "${pulse[@]:0:2}" initial.widht=2
+setting 2 "boundary.lefft is not a key of a scene; the nearest one is boundary.left" boundary.lefft.kind=fixed
 source_of 2 "initial must be a table" initial=3
 source_of 2 "initial.file is missing" initial.shape=csv
 source_of 2 "initial.centre has no meaning for a csv" initial.shape=csv initial.file=a.csv initial.centre=3

@@ -48,7 +48,8 @@ void stop_where_interrupted() {
 constexpr const char* exit_codes =
     "Exit codes: 0 done; 1 verify: the error is above the tolerance, advise and run --tolerance:\n"
     "nothing meets it; 2 wrong arguments or scene; 3 there is no such boundary condition;\n"
-    "4 the ends are not stable together, or the run became non-finite or had no energy;\n"
+    "4 the ends are not stable together or amplify what comes, or the run became non-finite, grew\n"
+    "or had no energy;\n"
     "5 a file could not be read or written; 130 stopped by Ctrl-C, SIGTERM or SIGHUP.";
 
 /// What CLI11 says, but of what is no subcommand: that alone, and not that one is required.
@@ -72,6 +73,7 @@ void run_as_asked(nmbcrun::Scene scene, const Arguments& arguments) {
         nmbcrun::note_interrupts();
         scene = nmbcrun::as_advised(scene, arguments.tolerance, arguments.quiet,
                                     stop_where_interrupted);
+        std::fflush(stdout);  // through a pipe, too, the advice is read before the run
         nmbcrun::end_at_interrupts(stopped);  // until the run writes
         if (nmbcrun::interrupted()) {
             throw nmbcrun::Interrupted("stopped; nothing was written");

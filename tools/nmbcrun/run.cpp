@@ -72,6 +72,7 @@ class Run {
             highlights_ = from.highlights;
             is_stored_ = true;
         } else {
+            replaces_earlier_ = std::filesystem::exists(checkpoint_);
             recorder_.emplace(
                 scene, simulation_.chain(), options.folder,
                 fmt::format("nmbcrun   {}\n{}step      {}\nunits     those of the scene, any "
@@ -88,6 +89,9 @@ class Run {
 
     const Simulation& simulation() const { return simulation_; }
     const Prospect& prospect() const { return prospect_; }
+
+    /// What the user may not expect of this run, each in one line.
+    std::vector<std::string> warnings() const;
 
   private:
     /// What a run with a later end goes on from, without the last row where that run has none.
@@ -118,7 +122,8 @@ class Run {
     RunOptions options_;
     std::filesystem::path checkpoint_;
     std::optional<End> end_;
-    bool is_stored_ = false;  // whether the checkpoint is one of this run
+    bool is_stored_ = false;         // whether the checkpoint is one of this run
+    bool replaces_earlier_ = false;  // whether it is of one that cannot go on then
 };
 
 std::string Run::place() const {
@@ -131,7 +136,8 @@ Unstable Run::unstable(const std::string& what) const {
 }
 
 /// After its sources nothing feeds the chain any more: an energy that grows tenfold from there is
-/// as unstable as one that is not finite. Those overflow long before the fields do.
+/// as unstable as one that is not finite. Those overflow long before the fields do. What a source
+/// gave since the last look is in this sample alone, so that this one counts as driven.
 void Run::look_at(const Sample& sample) {
     const double total = sample.energies.total();
     if (!std::isfinite(total) || (simulation_.is_done() && !chain().is_finite())) {
@@ -142,7 +148,8 @@ void Run::look_at(const Sample& sample) {
     highlights_.peak = std::max(highlights_.peak, total);
     highlights_.drift = std::max(highlights_.drift, std::abs(sample.balance.drift));
     double& driven_peak = highlights_.driven_peak;
-    if (simulation_.is_driven(chain().time())) {
+    const double between = double(look_every) * simulation_.plan().time_step;
+    if (simulation_.is_driven(std::max(0.0, chain().time() - between))) {
         driven_peak = std::max(driven_peak, total);
     } else if (driven_peak > 0 && total > 10 * driven_peak) {
         throw unstable(fmt::format(
@@ -215,6 +222,19 @@ void Run::publish_end() {
         store();
         throw;
     }
+}
+
+std::vector<std::string> Run::warnings() const {
+    std::vector<std::string> all{simulation_.plan().objection, simulation_.warning()};
+    std::erase(all, "");
+    all.insert(all.end(), prospect_.warnings.begin(), prospect_.warnings.end());
+    if (replaces_earlier_) {
+        all.push_back(
+            fmt::format("{} is of an earlier run, which --resume would have gone on with; "
+                        "this run removes it when it ends",
+                        checkpoint_.string()));
+    }
+    return all;
 }
 
 std::string Run::what_is_kept() const {
@@ -299,14 +319,8 @@ void Run::print() const {
 
 void run(const Scene& scene, const RunOptions& options) {
     Run run(scene, options);
-    if (!run.simulation().plan().objection.empty()) {
-        fmt::print(stderr, "nmbcrun: warning: {}\n", run.simulation().plan().objection);
-    }
-    if (!run.simulation().warning().empty()) {
-        fmt::print(stderr, "nmbcrun: warning: {}\n", printable(run.simulation().warning()));
-    }
-    for (const std::string& warning : run.prospect().warnings) {
-        fmt::print(stderr, "nmbcrun: warning: {}\n", warning);
+    for (const std::string& warning : run.warnings()) {
+        fmt::print(stderr, "nmbcrun: warning: {}\n", printable(warning));
     }
     if (!options.quiet) {
         const Plan& plan = run.simulation().plan();

@@ -25,9 +25,10 @@ double sum_of(const Energies& energies) {
     return sum;
 }
 
-/// What gets to an end before the run is over, directly or by way of a physical end opposite.
+/// What gets to an end, or as many nodes beyond it, before the run is over, directly or by way of a
+/// physical end opposite.
 Energies arriving_at(nmbc::End side, const Simulation& simulation,
-                     const std::vector<SourceSpectrum>& sources) {
+                     const std::vector<SourceSpectrum>& sources, std::size_t beyond = 0) {
     const Scene& scene = simulation.scene();
     const bool left = side == nmbc::End::left;
     const auto last = double(scene.nodes) - 1;
@@ -43,12 +44,29 @@ Energies arriving_at(nmbc::End side, const Simulation& simulation,
         for (std::size_t part = 0; part < source.spectrum.parts(); ++part) {
             const double xi = source.spectrum.wave_number(part);
             const double speed = std::abs(group_velocity(simulation.chain().lattice(), xi, step));
-            if (speed * scene.end / unit >= way) {
+            if (speed * scene.end / unit >= way + double(beyond)) {
                 energies[xi] += source.spectrum.energy() * source.spectrum.share(part);
             }
         }
     }
     return energies;
+}
+
+/// By wave number, the part of the arriving energy that an end sends back before the run is over;
+/// nothing where it is not known.
+std::optional<std::function<double(double xi)>> sent_back(
+    nmbc::End side, const Simulation& simulation, const std::vector<SourceSpectrum>& sources,
+    const Energies& arriving) {
+    const Scene& scene = simulation.scene();
+    const Boundary& end = side == nmbc::End::left ? scene.left : scene.right;
+    if (end.kind == BoundaryKind::extended && end.layer > 0 && !is_damped(scene)) {
+        // Its far end is fixed: all comes back that has the time.
+        return [arriving, back = arriving_at(side, simulation, sources, 2 * end.layer)](double xi) {
+            const auto found = back.find(xi);
+            return found == back.end() ? 0.0 : found->second / arriving.at(xi);
+        };
+    }
+    return reflected_energy_of(scene, end, simulation.plan().time_step / unit_of_time(scene));
 }
 
 /// What comes back of the waves that get to one end or both.
@@ -92,7 +110,7 @@ class Returned {
                    ? ""
                    : fmt::format(
                          "sends back up to {:.2g} times the energy that comes, at xi dX = "
-                         "{:.2g} to {:.2g}, where {:.1g} of the energy is that gets there",
+                         "{:.2g} to {:.2g}, which holds {:.1g} of the energy that gets there",
                          most_, amplified_.begin()->first, amplified_.rbegin()->first, share);
     }
 
@@ -213,14 +231,14 @@ Prospect prospect_of(const Simulation& simulation) {
             continue;
         }
         has_artificial = true;
-        const auto reflected_energy = reflected_energy_of(scene, end, step);
+        const Energies arriving = arriving_at(side, simulation, sources);
+        const auto reflected_energy = sent_back(side, simulation, sources, arriving);
         if (!reflected_energy) {
             unknown = is_damped(scene) ? "of a damped lattice"
                                        : fmt::format("of an end that is {}", name_of(end.kind));
             continue;
         }
-        const Energies arriving = arriving_at(side, simulation, sources);
-        if (!(end == scene.left)) {
+        if (!(end == scene.left) || end.kind == BoundaryKind::extended) {
             known.clear();
         }
         const auto known_or_found = [&](double xi) {
@@ -237,7 +255,9 @@ Prospect prospect_of(const Simulation& simulation) {
         }
     }
     if (has_artificial) {
-        prospect.ends = unknown.empty() ? returned.in_words() : "nothing is predicted " + unknown;
+        prospect.ends = unknown.empty()
+                            ? returned.in_words()
+                            : "nothing is predicted " + unknown + ": nmbcrun verify measures it";
     }
     return prospect;
 }

@@ -130,8 +130,7 @@ std::string read_name(SceneReader& reader, const std::string& path) {
     if (name && (name->empty() || name->find("..") != std::string::npos ||
                  std::ranges::any_of(*name, forbidden))) {
         reader.fail("output.name",
-                    "must be a file name without a folder or an ending, without '..' and control "
-                    "characters");
+                    "must be a file name without a folder, '..' and control characters");
     }
     return name.value_or(std::filesystem::path(path).stem().string());
 }
@@ -143,12 +142,15 @@ double read_G(SceneReader& reader, const Scene& scene) {
         return nmbc::detail::nearest_to_fraction(*read_exact(reader, "model.G"));
     }
     const auto G = reader.number("model.G", not_negative);
-    if (!G && scene.family != "chain1d" && scene.family != "bond1d") {
+    const bool has_G = scene.family.starts_with("nopd");
+    if (!G && has_G) {
         reader.fail("model.G",
-                    fmt::format("is missing: 0 is standard NOPD, whose zero-energy modes no end "
-                                "absorbs; \"{}\" makes the dispersion of long waves least at "
-                                "horizon {} and constant influence",
-                                best_G(scene.horizon), scene.horizon));
+                    "is missing: 0 is standard NOPD, whose zero-energy modes no end absorbs" +
+                        (scene.family == "nopd1d"
+                             ? fmt::format("; \"{}\" makes the dispersion of long waves least at "
+                                           "horizon {} and constant influence",
+                                           best_G(scene.horizon), scene.horizon)
+                             : ""));
     }
     return G.value_or(0);
 }

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numeric>
+#include <set>
 
 #include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/scene/toml_text.hpp"
@@ -165,7 +166,14 @@ void SceneReader::missing(std::string_view key) const {
     if (document_.contains(group) && !document_.get(group)->is_table()) {
         fail(group, "must be a table");
     }
-    throw SceneError(fmt::format("{}: {} is missing", path_, key));
+    const auto given = this->given();
+    const auto meant = std::ranges::find_if(given, [&](const auto& one) {
+        return std::ranges::find(known_, one.first) == known_.end() &&
+               3 * edit_distance(one.first, std::string(key)) <= key.size();
+    });
+    throw SceneError(fmt::format(
+        "{}: {} is missing{}", path_, key,
+        meant == given.end() ? "" : fmt::format("; is {} meant for it?", meant->first)));
 }
 
 std::optional<double> SceneReader::number(std::string_view key, const Bounds& bounds) {
@@ -299,7 +307,13 @@ void SceneReader::fail_unknown(const std::string& key,
     const auto distance = [&](const std::string& other) {
         return other.ends_with("." + key) ? 0 : edit_distance(key, other);
     };
-    const auto nearest = std::ranges::min_element(known, {}, distance);
+    std::set<std::string> names(known.begin(), known.end());
+    for (const std::string& name : known) {  // the groups of them, too
+        for (auto dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1)) {
+            names.insert(name.substr(0, dot));
+        }
+    }
+    const auto nearest = std::ranges::min_element(names, {}, distance);
     // One that shares less than half its letters is no help.
     const bool near = 2 * distance(*nearest) <= key.size();
     fail(key,
