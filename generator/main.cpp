@@ -12,6 +12,7 @@
 #include "generator/commands/check.hpp"
 #include "generator/commands/closed_forms.hpp"
 #include "generator/commands/dispersion.hpp"
+#include "generator/commands/plane_sides.hpp"
 #include "generator/commands/reflect.hpp"
 #include "generator/commands/require_stable.hpp"
 #include "generator/commands/time_step.hpp"
@@ -174,8 +175,12 @@ int run(const Request& request) {
             return done;
         case Action::recommend:
             print(with_progress([&request](const Progress& progress) {
-                return recommendation(request.question, progress);
+                return request.side ? side_recommendation(*request.side, progress)
+                                    : recommendation(request.question, progress);
             }));
+            return done;
+        case Action::passive:
+            print(passive_json(*request.side));
             return done;
         case Action::optimise:
             print(with_progress([&request](const Progress& progress) {

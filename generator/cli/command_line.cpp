@@ -156,6 +156,19 @@ CLI::App* add_dispersion(CLI::App& app, Curves& curves, Pending& pending) {
     return dispersion;
 }
 
+/// nmbcgen passive.
+CLI::App* add_passive(CLI::App& app, Question& question, Pending& pending) {
+    auto* const passive = app.add_subcommand(
+        "passive", "design a side of a plane lattice that is stable by construction; JSON");
+    add_parsed(*passive, "--family", question.family, parse_family, "lattice model: nopd2d, bond2d")
+        ->required();
+    add_plane_model(*passive, pending.plane)->required();
+    add_weights(*passive, pending.weights);
+    add_parsed(*passive, "--G", question.G, parse_rational,
+               "of nopd2d: its stabilisation g = G/pi, an exact number such as 1/2 or 0.3");
+    return passive;
+}
+
 /// nmbcgen recommend.
 CLI::App* add_recommend(CLI::App& app, Question& question, Pending& pending) {
     auto* const recommend = app.add_subcommand(
@@ -268,6 +281,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     require_stable->excludes(uncertified);
     auto* const reflect = add_reflect(app, request, pending);
     auto* const recommend = add_recommend(app, request.question, pending);
+    auto* const passive = add_passive(app, request.question, pending);
     auto* const optimise = add_optimise(app, request, pending);
     auto* const dispersion = add_dispersion(app, request.curves, pending);
     auto* const closed_forms = add_closed_forms(app, request);
@@ -292,6 +306,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
             request.action = Action::reflect;
         } else if (recommend->parsed()) {
             request.action = Action::recommend;
+        } else if (passive->parsed()) {
+            request.action = Action::passive;
         } else if (optimise->parsed()) {
             request.action = Action::optimise;
         } else if (dispersion->parsed()) {

@@ -7,6 +7,7 @@
 
 #include "generator/commands/dispersion.hpp"
 #include "generator/commands/optimise.hpp"
+#include "generator/commands/passive.hpp"
 #include "generator/commands/plane_dispersion.hpp"
 #include "generator/commands/recommend.hpp"
 #include "generator/emit/closed_forms.hpp"
@@ -21,6 +22,7 @@ enum class Action {
     check,
     reflect,
     recommend,
+    passive,
     optimise,
     dispersion,
     closed_forms
@@ -32,12 +34,13 @@ struct Request {
     std::optional<Rational> cfl;  ///< dt omega_max / 2, which is to give the time step
     const Format* format = &formats().front();
     bool to_stdout = false;
-    bool certified = true;        ///< with certificates of stability
-    bool require_stable = false;  ///< nothing is written unless the certificate covers G
-    unsigned samples = 200;       ///< wave numbers of Action::reflect
-    Question question;            ///< of Action::recommend
-    Aim aim;                      ///< of Action::optimise, its condition but for the stride apart
-    Curves curves;                ///< of Action::dispersion
+    bool certified = true;           ///< with certificates of stability
+    bool require_stable = false;     ///< nothing is written unless the certificate covers G
+    unsigned samples = 200;          ///< wave numbers of Action::reflect
+    Question question;               ///< of Action::recommend
+    std::optional<PlaneModel> side;  ///< of Action::passive; instead of the question of a chain
+    Aim aim;        ///< of Action::optimise, its condition but for the stride apart
+    Curves curves;  ///< of Action::dispersion
     std::optional<PlaneCurves> plane_curves;  ///< instead, of the plane family that `curves` names
     const ClosedFormat* closed_format = &closed_formats().front();  ///< of Action::closed_forms
     std::optional<std::filesystem::path> cache;                     ///< folder of kept certificates

@@ -41,6 +41,7 @@ void require_options_behind(const CLI::App& app) {
 const std::string& family_of(const Request& request) {
     switch (request.action) {
         case Action::recommend:
+        case Action::passive:
             return request.question.family;
         case Action::dispersion:
             return request.curves.family;
@@ -52,8 +53,8 @@ const std::string& family_of(const Request& request) {
 /// The option or the command that asks for a G; empty where none is needed.
 std::string needs_G(const Request& request, const CLI::App& used) {
     const Action action = request.action;
-    if (action == Action::recommend || action == Action::reflect || action == Action::optimise ||
-        action == Action::dispersion) {
+    if (action == Action::recommend || action == Action::passive || action == Action::reflect ||
+        action == Action::optimise || action == Action::dispersion) {
         return used.get_name();
     }
     for (const char* option : {"--match", "--cfl", "--require-stable"}) {
@@ -70,8 +71,9 @@ Rational largest_G(const Request& request) {
         const std::vector<Rational>& all = request.curves.G;
         return all.empty() ? Rational(0) : *std::ranges::max_element(all);
     }
-    return request.action == Action::recommend ? request.question.G
-                                               : request.specification.stabilisation.value_or(0);
+    return request.action == Action::recommend || request.action == Action::passive
+               ? request.question.G
+               : request.specification.stabilisation.value_or(0);
 }
 
 void settle_G(Request& request, const CLI::App& used) {

@@ -30,6 +30,17 @@ void refuse_options(const std::string& family, const CLI::App& used) {
     }
 }
 
+/// A side of the plane is not one condition in steps of its own.
+void refuse_options_of_chains(const CLI::App& used) {
+    for (const char* option : {"--order", "--tolerance", "--cfl", "--band"}) {
+        const CLI::Option* const given = used.get_option_no_throw(option);
+        if (given != nullptr && given->count() > 0) {
+            throw CLI::ValidationError(option,
+                                       "is of the waves of one polarisation: --polarisation");
+        }
+    }
+}
+
 void require_fit(const VectorFamily& family, const PlaneOptions& plane,
                  const std::optional<WeightChoice>& weights) {
     const std::string name(family.name);
@@ -67,12 +78,16 @@ std::vector<Rational> relative(const std::optional<WeightChoice>& choice) {
 }  // namespace
 
 void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
-    const bool recommends = request.action == Action::recommend;
+    const bool designs = request.action == Action::passive;
+    const bool recommends = request.action == Action::recommend || designs;
     const bool disperses = request.action == Action::dispersion;
     std::string& family = recommends  ? request.question.family
                           : disperses ? request.curves.family
                                       : request.specification.family;
     const VectorFamily* const known = vector_family(family);
+    if (known == nullptr && designs) {
+        throw CLI::ValidationError("--family", "passive sides are of the plane: nopd2d, bond2d");
+    }
     if (known == nullptr) {
         refuse_options(family, used);
         return;
@@ -94,6 +109,16 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
         request.plane_curves = {.model = choice,
                                 .angles = plane.angles.value_or(std::vector<double>{0, 15, 30, 45}),
                                 .samples = request.curves.samples};
+        return;
+    }
+    if (recommends && !plane.polarisation) {
+        refuse_options_of_chains(used);
+        for (const Polarisation polarisation : {Polarisation::P, Polarisation::S}) {
+            require_model(blamed, [&] {
+                projected_model({.family = family, .model = choice, .polarisation = polarisation});
+            });
+        }
+        request.side = {.family = family, .choice = choice, .g = request.question.G};
         return;
     }
     if (!plane.polarisation) {

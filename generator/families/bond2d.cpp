@@ -57,4 +57,9 @@ VectorModel bond2d(const VectorChoice& choice) {
     return model;
 }
 
+std::vector<VectorSquare> bond2d_at_edge(const VectorChoice& choice, unsigned /*layer*/,
+                                         const Rational& /*beta*/) {
+    return bond2d(choice).energy;  // a bond is counted with the node that is nearer to the edge
+}
+
 }  // namespace nmbcgen

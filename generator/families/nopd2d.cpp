@@ -39,69 +39,92 @@ VectorSquare square_of(EnergyPart part, Polynomial weight, std::vector<VectorTer
     return {part, std::move(weight), std::move(terms)};
 }
 
-}  // namespace
-
-VectorModel nopd2d(const VectorChoice& choice) {
+/// The energy of a node with these neighbours, a family that the reflection of y leaves as it is,
+/// of so many in the body.
+///
+/// The gradient (62) of u: d(u_a)/d(x_b) = sum_J (K^-1 R)_b (u_a,J - u_a,I), K = diag(sum x^2, sum
+/// y^2) the shape tensor (61) at V = w = dX = 1. The energy of the strain (64) is (1/2) [k' (e_xx +
+/// e_yy)^2 + mu (e_xx - e_yy)^2 + mu (2 e_xy)^2], whose weights are positive at every nu, and that
+/// of the null Lagrangian beta (u_x,x u_y,y - u_x,y u_y,x) is beta/4 of the squares of e_xx + e_yy
+/// and of the rotation u_x,y - u_y,x, less those of the other two.
+std::vector<VectorSquare> node_energy(const std::vector<Offset>& family, std::size_t bonds,
+                                      const VectorChoice& choice, const Rational& beta) {
     const Moduli moduli = moduli_of(choice);
-    const std::vector<Offset> family = neighbours_in_plane(choice.radius_squared);
-    Rational shape = 0;  // A, the diagonal of the shape tensor (61) at V = w = dX = 1
+    Rational shape_x = 0;
+    Rational shape_y = 0;
     for (const Offset& bond : family) {
-        shape += bond[x] * bond[x];
+        shape_x += bond[x] * bond[x];
+        shape_y += bond[y] * bond[y];
     }
-
-    // The gradient (62) of u: d(u_a)/d(x_b) = sum_J x_b u_a / A; the terms at I cancel. The energy
-    // of the strain (64) is (1/2) [k' (e_xx + e_yy)^2 + mu (e_xx - e_yy)^2 + mu (2 e_xy)^2], whose
-    // weights are positive at every nu.
-    const auto strain = [&](const Rational& weight, auto factors_at) {
-        std::vector<VectorTerm> terms;
-        terms.reserve(family.size());
-        for (const Offset& bond : family) {
-            terms.push_back(
-                {bond, factors_at(Rational(bond[x]) / shape, Rational(bond[y]) / shape)});
+    const auto slope = [&](const Offset& bond, std::size_t direction) {
+        return Rational(bond[direction]) / (direction == x ? shape_x : shape_y);
+    };
+    std::vector<VectorSquare> energy;
+    const auto add_strain = [&](const Rational& weight, auto factors_at) {
+        if (weight == 0) {
+            return;
         }
-        return square_of(EnergyPart::strain, constant(weight), std::move(terms));
+        std::vector<VectorTerm> terms{{Offset{}, {}}};
+        for (const Offset& bond : family) {
+            terms.push_back({bond, factors_at(slope(bond, x), slope(bond, y))});
+            for (const std::size_t direction : {x, y}) {
+                terms.front().factors[direction] -= terms.back().factors[direction];
+            }
+        }
+        energy.push_back(square_of(EnergyPart::strain, constant(weight), std::move(terms)));
     };
     using Factors = std::array<Rational, 3>;
-    VectorModel model{
-        .description = fmt::format(
-            "2D non-ordinary peridynamics, plane {}, nu = {}, constant influence, family radius {} "
-            "(squared, in dX^2), stabilisation g = G/pi",
-            choice.plane_strain ? "strain" : "stress", to_string(choice.poisson.value_or(0)),
-            choice.radius_squared),
-        .source = "Nicely 2018: gradient (62), strain (64), stabilisation (9) to (12)",
-        .dimensions = 2,
-        .energy = {strain(moduli.bulk,
-                          [](auto dx, auto dy) {
-                              return Factors{dx, dy, 0};
-                          }),
-                   strain(moduli.shear,
-                          [](auto dx, auto dy) {
-                              return Factors{dx, -dy, 0};
-                          }),
-                   strain(moduli.shear, [](auto dx, auto dy) {
-                       return Factors{dy, dx, 0};
-                   })}};
+    add_strain(moduli.bulk + beta / 2, [](auto dx, auto dy) { return Factors{dx, dy, 0}; });
+    add_strain(moduli.shear - beta / 2, [](auto dx, auto dy) { return Factors{dx, -dy, 0}; });
+    add_strain(moduli.shear - beta / 2, [](auto dx, auto dy) { return Factors{dy, dx, 0}; });
+    add_strain(beta / 2, [](auto dx, auto dy) { return Factors{dy, -dx, 0}; });
 
     // z = u_J - u_I - (grad u) R on every bond R, |z|^2 with the weight G C_BB/m of (9) to (11),
-    // m bonds, C_BB = 12 k'/(pi delta^4).
+    // m bonds in the body, C_BB = 12 k'/(pi delta^4).
     const Rational radius_squared = choice.radius_squared;
-    const Rational weight =
-        12 * moduli.bulk / (radius_squared * radius_squared * Rational(family.size()));
+    const Rational weight = 12 * moduli.bulk / (radius_squared * radius_squared * Rational(bonds));
     for (const Offset& bond : family) {
         for (const std::size_t direction : {x, y}) {
             std::vector<VectorTerm> terms{{Offset{}, {}}};
             terms.front().factors[direction] = -1;
             for (const Offset& other : family) {
+                const Rational strain = bond[x] * slope(other, x) + bond[y] * slope(other, y);
                 terms.push_back({other, {}});
-                terms.back().factors[direction] =
-                    int(other == bond) - Rational(bond[x] * other[x] + bond[y] * other[y]) / shape;
+                terms.back().factors[direction] = int(other == bond) - strain;
+                terms.front().factors[direction] += strain;
             }
-            model.energy.push_back(square_of(EnergyPart::stabilisation,
-                                             Polynomial(std::vector<Rational>{0, weight}),
-                                             std::move(terms)));
+            energy.push_back(square_of(EnergyPart::stabilisation,
+                                       Polynomial(std::vector<Rational>{0, weight}),
+                                       std::move(terms)));
         }
     }
-    return model;
+    return energy;
+}
+
+}  // namespace
+
+VectorModel nopd2d(const VectorChoice& choice) {
+    const std::vector<Offset> family = neighbours_in_plane(choice.radius_squared);
+    return {.description = fmt::format(
+                "2D non-ordinary peridynamics, plane {}, nu = {}, constant influence, family "
+                "radius {} (squared, in dX^2), stabilisation g = G/pi",
+                choice.plane_strain ? "strain" : "stress", to_string(choice.poisson.value_or(0)),
+                choice.radius_squared),
+            .source = "Nicely 2018: gradient (62), strain (64), stabilisation (9) to (12)",
+            .dimensions = 2,
+            .energy = node_energy(family, family.size(), choice, 0)};
+}
+
+std::vector<VectorSquare> nopd2d_at_edge(const VectorChoice& choice, unsigned layer,
+                                         const Rational& beta) {
+    std::vector<Offset> family = neighbours_in_plane(choice.radius_squared);
+    const std::size_t bonds = family.size();
+    std::erase_if(family, [&](const Offset& bond) { return bond[x] < -int(layer); });
+    return node_energy(family, bonds, choice, beta);
+}
+
+Rational nopd2d_largest_beta(const VectorChoice& choice) {
+    return 2 * moduli_of(choice).shear;
 }
 
 }  // namespace nmbcgen

@@ -15,12 +15,16 @@ std::span<const VectorFamily> vector_families() {
                      .has_poisson = true,
                      .has_weights = false,
                      .has_stabilisation = true,
-                     .describe = nopd2d},
+                     .describe = nopd2d,
+                     .at_edge = nopd2d_at_edge,
+                     .largest_beta = nopd2d_largest_beta},
         VectorFamily{.name = "bond2d",
                      .has_poisson = false,
                      .has_weights = true,
                      .has_stabilisation = false,
-                     .describe = bond2d},
+                     .describe = bond2d,
+                     .at_edge = bond2d_at_edge,
+                     .largest_beta = [](const VectorChoice&) { return Rational(0); }},
     };
     return list;
 }

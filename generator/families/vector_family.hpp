@@ -20,6 +20,13 @@ struct VectorFamily {
     bool has_stabilisation;
     /// Throws NoSuchModel (families/family.hpp) where there is none.
     VectorModel (*describe)(const VectorChoice& choice);
+    /// The energy of a node so many layers from an edge at x = 0, neighbours beyond which are
+    /// missing. beta is the factor of a null Lagrangian u_x,x u_y,y - u_x,y u_y,x, which adds no
+    /// force to the interior; squares are linear in it.
+    std::vector<VectorSquare> (*at_edge)(const VectorChoice& choice, unsigned layer,
+                                         const Rational& beta);
+    /// Up to this beta the energy is a sum of squares; 0: the family has none.
+    Rational (*largest_beta)(const VectorChoice& choice);
 };
 
 /// The families there are, in the order they are listed to a user.
@@ -41,5 +48,11 @@ std::vector<Offset> bond_classes_in_plane(unsigned radius_squared);
 
 VectorModel nopd2d(const VectorChoice& choice);
 VectorModel bond2d(const VectorChoice& choice);
+
+std::vector<VectorSquare> nopd2d_at_edge(const VectorChoice& choice, unsigned layer,
+                                         const Rational& beta);
+std::vector<VectorSquare> bond2d_at_edge(const VectorChoice& choice, unsigned layer,
+                                         const Rational& beta);
+Rational nopd2d_largest_beta(const VectorChoice& choice);
 
 }  // namespace nmbcgen

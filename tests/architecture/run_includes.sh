@@ -26,10 +26,12 @@ allow generator/lattice 'generator/(table|exact|lattice)/|boost/'
 allow generator/families "generator/(table|exact|lattice|names|families)/|$text"
 allow generator/names "generator/(table|exact|names)/|$text"
 allow generator/stability 'generator/(table|exact|lattice|stability)/|boost/|Eigen/'
+allow generator/plane 'generator/(table|exact|lattice|plane)/|Eigen/'
+allow generator/passive 'generator/(table|exact|plane|passive)/|(unsupported/)?Eigen/'
 allow generator/matching "generator/(table|exact|lattice|matching)/|ginac/|$text"
 allow generator/emit "generator/(table|exact|lattice|names|emit)/|nlohmann/|$text"
 allow generator/support "generator/(table|emit|names|support)/|nlohmann/|CLI/|fcntl.h|unistd.h|sys/(file|stat).h|$text"
-allow generator/commands "generator/(table|exact|lattice|families|names|stability|matching|emit|support|commands)/|generator/pipeline.hpp|Eigen/|$text"
+allow generator/commands "generator/(table|exact|lattice|families|names|stability|plane|passive|matching|emit|support|commands)/|generator/pipeline.hpp|Eigen/|nlohmann/|$text"
 allow generator/cli "generator/(table|exact|families|names|emit|commands|support|cli)/|generator/matching/real.hpp|CLI/|$text"
 allow generator "generator/|unistd.h|$text"
 allow generated/nmbc/tables 'nmbc/table.hpp|nmbc/tables/'

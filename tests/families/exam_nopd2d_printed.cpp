@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// The plane of Nicely 2018, sections 6 and 7: which printed formula holds, (65) to (74) and (84).
+/// The plane of Nicely 2018, sections 6 and 7: which printed formula holds, (65) to (74),
+/// (80), (81), (84), (85).
 /// Units E = rho = dX = 1; angles enter as X = xi_x, Y = xi_y; g = G/pi.
 #include <doctest/doctest.h>
 
@@ -8,6 +9,7 @@
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/vector_family.hpp"
 #include "generator/lattice/force_constants.hpp"
+#include "generator/lattice/projection.hpp"
 #include "tests/support/laurent.hpp"
 
 using namespace nmbcgen;
@@ -194,4 +196,45 @@ TEST_CASE("(73), (74): both stabilisations agree through xi^4") {
             CHECK(difference.moment(power) == Polynomial());
         }
     }
+}
+
+TEST_CASE("long waves of every family have the same speeds at every angle and G") {
+    // -(1/2) sum_R Phi_ab(R) R_i R_j is the tensor of the elastic plane: mu and lambda' + mu.
+    const Rational mu(2, 5);
+    const Rational other(2, 3);  // lambda' + mu = 1/(2 (1 - nu))
+    const auto delta = [](std::size_t i, std::size_t j) { return Rational(i == j ? 1 : 0); };
+    for (const unsigned radius_squared : {1U, 2U, 4U, 5U, 8U, 9U}) {
+        const ForceConstants phi =
+            force_constants(nopd2d({.radius_squared = radius_squared, .poisson = quarter}));
+        for (const std::size_t a : {0, 1}) {
+            for (const std::size_t b : {0, 1}) {
+                for (const std::size_t i : {0, 1}) {
+                    for (const std::size_t j : {0, 1}) {
+                        Polynomial moment;
+                        for (const auto& [offset, matrix] : phi) {
+                            moment += matrix[a][b] * constant(Rational(-offset[i] * offset[j], 2));
+                        }
+                        const Rational elastic =
+                            mu * delta(a, b) * delta(i, j) +
+                            other * (delta(a, i) * delta(b, j) + delta(a, j) * delta(b, i)) / 2;
+                        CHECK(moment == constant(elastic));
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("(80), (81): the coefficients are those of P, for both components") {
+    // i omega = i a_1 xi + O(xi^3), c_0 = c_1 = 1: orders 1 and 2 of the residual are
+    // 2 i a_1 - i b_1 and (-2 a_1 + b_1)/2, so b_1 = 2 a_1. Squares, c = dX = 1:
+    const VectorModel model = nopd2d({.radius_squared = 1, .poisson = quarter});
+    const auto b_1_squared = [&](std::size_t direction) {
+        return constant(4) * speed_squared(model, direction);
+    };
+    const Polynomial printed = constant(Rational(64, 15));  // (8/sqrt 15)^2
+    CHECK(b_1_squared(0) == printed);
+    CHECK(b_1_squared(1) == constant(Rational(8, 5)));
+    // The one sqrt 5 of (80) would need 8/sqrt 5.
+    CHECK(b_1_squared(0) != constant(Rational(64, 5)));
 }

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/commands/passive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "generator/exact/rational.hpp"
+#include "generator/lattice/projection.hpp"
+
+namespace nmbcgen {
+namespace {
+
+std::vector<WeightedWave> designed_waves(const PlaneLattice& lattice) {
+    std::vector<WeightedWave> waves;
+    for (const double angle : {0.0, 15.0, 30.0, 45.0, widest_designed_angle}) {
+        for (const double xi : {0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0}) {
+            for (const bool is_P : {true, false}) {
+                waves.push_back({incident_wave(lattice, is_P, xi, angle * std::numbers::pi / 180),
+                                 1 / std::sqrt(xi)});
+            }
+        }
+    }
+    // The shortest counts as 1 there, the longest one 4.5 times as much.
+    return waves;
+}
+
+using Json = nlohmann::ordered_json;
+
+Json strings(const std::vector<Rational>& values) {
+    Json list = Json::array();
+    for (const Rational& value : values) {
+        list.push_back(to_string(value));
+    }
+    return list;
+}
+
+Json reflections(const PlaneLattice& lattice, const PassiveSide& side) {
+    Json list = Json::array();
+    for (const double angle : {0.0, 20.0, 40.0, 60.0, 70.0, 80.0}) {
+        for (const double xi : {0.05, 0.1, 0.2, 0.5, 1.0}) {
+            const auto reflected = [&](bool is_P) {
+                return reflected_by_edge(
+                    side.task, side.edge,
+                    incident_wave(lattice, is_P, xi, angle * std::numbers::pi / 180));
+            };
+            list.push_back(
+                {{"angle", angle}, {"xi", xi}, {"P", reflected(true)}, {"S", reflected(false)}});
+        }
+    }
+    return list;
+}
+
+}  // namespace
+
+PassiveSide passive_side(const PlaneModel& model) {
+    const VectorFamily& family = find_vector_family(model.family);
+    const PlaneLattice lattice = plane_lattice(family.describe(model.choice), model.g, 0);
+    constexpr std::size_t wave_numbers = 32;
+    const auto node = Eigen::Index(std::sqrt(double(model.choice.radius_squared)));
+    const auto forces = Eigen::Index(lateral_chain(lattice, 0).reach());
+    const EdgeTask task{
+        .node_energy = [&family, choice = model.choice](
+                           unsigned layer,
+                           const Rational& beta) { return family.at_edge(choice, layer, beta); },
+        .dimensions = 2,
+        .reach = {.node = node, .forces = forces, .layers = std::max(forces, 2 * node)},
+        .g = model.g,
+        .largest_beta = family.largest_beta(model.choice),
+        .highest_eigenvalue = highest_eigenvalue(lattice, wave_numbers)};
+    const std::vector<double> speeds{lattice.speed_P, lattice.speed_S};
+    PassiveDesign design = design_edge(task, designed_waves(lattice), speeds);
+    PassiveEdge edge = edge_of(design, speeds);
+    const double ratio =
+        highest_eigenvalue_of_edge(task, edge, wave_numbers) / task.highest_eigenvalue;
+    return {.task = task,
+            .design = std::move(design),
+            .edge = std::move(edge),
+            .highest_eigenvalue_ratio = ratio};
+}
+
+std::string passive_json(const PlaneModel& model) {
+    const PassiveSide side = passive_side(model);
+    const VectorModel described = find_vector_family(model.family).describe(model.choice);
+    const PlaneLattice lattice = plane_lattice(described, model.g, 0);
+    const PassiveDesign& design = side.design;
+    Json factors = Json::array();
+    for (const auto& factor : design.factor) {
+        Json rows = Json::array();
+        for (const auto& row : factor) {
+            rows.push_back(strings(row));
+        }
+        factors.push_back(rows);
+    }
+    const Json all{
+        {"boundary", "passive"},
+        {"family", model.family},
+        {"model", described.description},
+        {"source", described.source},
+        {"g", to_string(model.g)},
+        {"units",
+         "dX, density and Young's modulus are 1; side x = const, layers from the edge "
+         "inwards, components x and y"},
+        {"layers", design.strain.size()},
+        {"strain_weights", strings(design.strain)},
+        {"stabilisation_weights", strings(design.stabilisation)},
+        {"masses", Json::array({strings(design.mass[0]), strings(design.mass[1])})},
+        {"dashpot_factors", factors},
+        {"dashpot_speeds_squared", Json::array({to_string(speed_squared(described, 0)[0]),
+                                                to_string(speed_squared(described, 1)[0])})},
+        {"null_lagrangian", to_string(design.null_lagrangian)},
+        {"proved", "weights and masses are positive, 0 <= null_lagrangian <= " +
+                       to_string(side.task.largest_beta) +
+                       ", dashpots are speed times L L^T: energy is a sum of squares that dashpots "
+                       "alone change, and never raise"},
+        {"highest_eigenvalue_ratio", side.highest_eigenvalue_ratio},
+        {"reflected_energy", reflections(lattice, side)}};
+    return all.dump(2) + "\n";
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#include "generator/passive/design.hpp"
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <unsupported/Eigen/LevenbergMarquardt>
+#include <unsupported/Eigen/NumericalDiff>
+
+#include "generator/exact/rational.hpp"
+
+namespace nmbcgen {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+VectorXd vector_of(const std::vector<double>& values) {
+    return Eigen::Map<const VectorXd>(values.data(), Index(values.size()));
+}
+
+PassiveEdge edge_in_doubles(const EdgeNumbers<double>& numbers, const std::vector<double>& speeds) {
+    PassiveEdge edge{.strain = vector_of(numbers.strain),
+                     .stabilisation = vector_of(numbers.stabilisation),
+                     .mass = MatrixXd(Index(numbers.strain.size()), Index(numbers.mass.size())),
+                     .dashpots = {},
+                     .null_lagrangian = numbers.null_lagrangian};
+    for (std::size_t a = 0; a < numbers.mass.size(); ++a) {
+        edge.mass.col(Index(a)) = vector_of(numbers.mass[a]);
+        MatrixXd lower = MatrixXd::Zero(edge.mass.rows(), edge.mass.rows());
+        for (std::size_t row = 0; row < numbers.factor[a].size(); ++row) {
+            lower.row(Index(row)).head(Index(row) + 1) = vector_of(numbers.factor[a][row]);
+        }
+        edge.dashpots.emplace_back(speeds[a] * lower * lower.transpose());
+    }
+    return edge;
+}
+
+/// The same numbers of another kind.
+template <class To, class From, class Convert>
+EdgeNumbers<To> converted(const EdgeNumbers<From>& from, Convert convert) {
+    const auto each = [&](const std::vector<From>& values) {
+        std::vector<To> result;
+        std::ranges::transform(values, std::back_inserter(result), convert);
+        return result;
+    };
+    EdgeNumbers<To> to{.strain = each(from.strain),
+                       .stabilisation = each(from.stabilisation),
+                       .mass = {},
+                       .factor = {},
+                       .null_lagrangian = convert(from.null_lagrangian)};
+    std::ranges::transform(from.mass, std::back_inserter(to.mass), each);
+    for (const auto& factor : from.factor) {
+        std::ranges::transform(factor, std::back_inserter(to.factor.emplace_back()), each);
+    }
+    return to;
+}
+
+/// Thousandths, and what is positive remains so.
+Rational rounded(double value) {
+    constexpr int thousandth = 1000;
+    const long nearest = std::lround(value * thousandth);
+    return {nearest == 0 && value > 0 ? 1 : nearest, thousandth};
+}
+
+/// Of M^-1 K of the layers whose forces are whole, the others held.
+double largest_eigenvalue(const EdgeEnergies& energies, const PassiveEdge& edge) {
+    const Index size = energies.components;
+    const Index free = size * energies.reach.interior();
+    VectorXd scale = VectorXd::Ones(free);
+    for (Index layer = 0; layer < energies.reach.layers; ++layer) {
+        for (Index a = 0; a < size; ++a) {
+            scale(size * layer + a) = 1 / std::sqrt(edge.mass(layer, a));
+        }
+    }
+    const MatrixXd stiffness = energies.stiffness(edge).topLeftCorner(free, free);
+    const MatrixXd scaled = scale.asDiagonal() * stiffness * scale.asDiagonal();
+    return scaled.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff();
+}
+
+/// The edge as a function of free parameters, and what it reflects.
+class Residuals : public Eigen::DenseFunctor<double> {
+  public:
+    Residuals(const EdgeTask& task, const std::vector<WeightedWave>& waves,
+              const std::vector<double>& speeds)
+        : DenseFunctor(0, 0),
+          task_(task),
+          waves_(waves),
+          speeds_(speeds),
+          layers_(task.reach.layers),
+          has_stabilisation_(task.g != 0),
+          start_(start()) {
+        for (const double wave_number : {0.0, std::numbers::pi / 2, std::numbers::pi}) {
+            stiff_.push_back(task.at(wave_number));
+        }
+        for (const auto& [wave, weight] : waves) {
+            energies_.push_back(task.at(wave.wave_number));
+            entries_ += 2 * std::ranges::count_if(wave.outgoing, &PlaneMode::travels);
+        }
+    }
+
+    Index inputs() const { return start_.size(); }
+    Index values() const { return entries_ + Index(stiff_.size()) + inputs(); }
+
+    /// The lattice as it is, half a cell on its outermost layer, dashpots there alone; next to none
+    /// on the others, since at none the derivatives vanish.
+    VectorXd start() const {
+        constexpr double next_to_none = 0.05;
+        std::vector<double> values;
+        const auto add_logarithms = [&](double outermost) {
+            for (Index layer = 0; layer < layers_; ++layer) {
+                values.push_back(layer == 0 ? std::log(outermost) : 0);
+            }
+        };
+        add_logarithms(0.5);
+        if (has_stabilisation_) {
+            add_logarithms(1);
+        }
+        for (std::size_t a = 0; a < task_.dimensions; ++a) {
+            add_logarithms(0.5);
+        }
+        for (std::size_t a = 0; a < task_.dimensions; ++a) {
+            for (Index entry = 0; entry < layers_ * (layers_ + 1) / 2; ++entry) {
+                values.push_back(entry == 0 ? 1 : next_to_none);
+            }
+        }
+        if (task_.largest_beta != 0) {
+            constexpr double third = -0.3;  // of largest_beta, as sin
+            values.push_back(third);
+        }
+        return Eigen::Map<VectorXd>(values.data(), Index(values.size()));
+    }
+
+    EdgeNumbers<double> numbers(const VectorXd& parameters) const {
+        Index at = 0;
+        const auto weights = [&] {
+            std::vector<double> result;
+            for (Index layer = 0; layer < layers_; ++layer) {
+                result.push_back(std::exp(parameters(at++)));
+            }
+            return result;
+        };
+        EdgeNumbers<double> numbers;
+        numbers.strain = weights();
+        numbers.stabilisation =
+            has_stabilisation_ ? weights() : std::vector<double>(std::size_t(layers_), 1);
+        for (std::size_t a = 0; a < task_.dimensions; ++a) {
+            numbers.mass.push_back(weights());
+        }
+        for (std::size_t a = 0; a < task_.dimensions; ++a) {
+            auto& factor = numbers.factor.emplace_back();
+            for (Index row = 0; row < layers_; ++row) {
+                auto& entries = factor.emplace_back();
+                for (Index column = 0; column <= row; ++column) {
+                    entries.push_back(parameters(at++));
+                }
+            }
+        }
+        if (task_.largest_beta != 0) {
+            numbers.null_lagrangian =
+                nearest_double(task_.largest_beta) * (1 + std::sin(parameters(at++))) / 2;
+        }
+        return numbers;
+    }
+
+    int operator()(const VectorXd& parameters, VectorXd& residuals) const {
+        const PassiveEdge now = edge_in_doubles(numbers(parameters), speeds_);
+        Index at = 0;
+        for (std::size_t i = 0; i < waves_.size(); ++i) {
+            const auto& [wave, weight] = waves_[i];
+            const Eigen::MatrixXcd matrix =
+                edge_reflection(energies_[i], now, wave.outgoing, wave.omega);
+            for (const std::complex<double>& amplitude : matrix.col(wave.column)) {
+                residuals(at++) = weight * amplitude.real();
+                residuals(at++) = weight * amplitude.imag();
+            }
+        }
+        constexpr double long_steps = 0.3;
+        for (const EdgeEnergies& energies : stiff_) {
+            const double ratio = largest_eigenvalue(energies, now) / task_.highest_eigenvalue;
+            residuals(at++) = long_steps * std::max(0.0, ratio - most_stiff);
+        }
+        constexpr double near_the_lattice = 0.03;
+        residuals.tail(inputs()) = near_the_lattice * (parameters - start_);
+        return 0;
+    }
+
+  private:
+    const EdgeTask& task_;
+    const std::vector<WeightedWave>& waves_;
+    const std::vector<double>& speeds_;
+    Index layers_;
+    bool has_stabilisation_;
+    VectorXd start_;
+    std::vector<EdgeEnergies> energies_{};  // at the wave numbers of the waves
+    std::vector<EdgeEnergies> stiff_{};     // at those whose eigenvalues are kept low
+    Index entries_ = 0;
+};
+
+}  // namespace
+
+PassiveEdge edge_of(const PassiveDesign& design, const std::vector<double>& speeds) {
+    return edge_in_doubles(
+        converted<double>(design, [](const Rational& value) { return nearest_double(value); }),
+        speeds);
+}
+
+void require_passive(const PassiveDesign& design, const Rational& largest_beta) {
+    const auto all_positive = [](const std::vector<Rational>& values) {
+        return std::ranges::all_of(values, [](const Rational& value) { return value > 0; });
+    };
+    if (!all_positive(design.strain) || !all_positive(design.stabilisation) ||
+        !std::ranges::all_of(design.mass, all_positive) || design.null_lagrangian < 0 ||
+        design.null_lagrangian > largest_beta) {
+        throw std::logic_error("an edge was designed that is not passive");
+    }
+}
+
+PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>& waves,
+                          const std::vector<double>& speeds) {
+    Residuals residuals(task, waves, speeds);
+    // Central differences: of one-sided ones the gradient vanishes a digit away from the minimum.
+    Eigen::NumericalDiff<Residuals, Eigen::Central> with_differences(residuals);
+    Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Residuals, Eigen::Central>> search(
+        with_differences);
+    constexpr double far_below_a_thousandth = 1e-7;
+    search.setXtol(far_below_a_thousandth);
+    search.setFtol(far_below_a_thousandth);
+    constexpr Index enough = 8000;
+    search.setMaxfev(enough);
+    VectorXd parameters = residuals.start();
+    search.minimize(parameters);
+    PassiveDesign design = converted<Rational>(residuals.numbers(parameters), rounded);
+    design.null_lagrangian = std::min(design.null_lagrangian, task.largest_beta);
+    require_passive(design, task.largest_beta);
+    return design;
+}
+
+double reflected_by_edge(const EdgeTask& task, const PassiveEdge& edge, const IncidentWave& wave) {
+    return edge_reflection(task.at(wave.wave_number), edge, wave.outgoing, wave.omega)
+        .col(wave.column)
+        .squaredNorm();
+}
+
+double highest_eigenvalue_of_edge(const EdgeTask& task, const PassiveEdge& edge,
+                                  std::size_t wave_numbers) {
+    double highest = 0;
+    for (std::size_t i = 0; i <= wave_numbers; ++i) {
+        const double wave_number = std::numbers::pi * double(i) / double(wave_numbers);
+        highest = std::max(highest, largest_eigenvalue(task.at(wave_number), edge));
+    }
+    return highest;
+}
+
+}  // namespace nmbcgen

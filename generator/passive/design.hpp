@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+/// Passive edges that reflect little.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "generator/passive/edge.hpp"
+
+namespace nmbcgen {
+
+/// What there is to design. Node energies are linear in beta, 0 <= beta <= largest_beta.
+struct EdgeTask {
+    NodeEnergy node_energy;
+    std::size_t dimensions = 2;
+    EdgeReach reach;
+    Rational g;
+    Rational largest_beta;  ///< up to it the energy is a sum of squares; 0: no null Lagrangian
+    double highest_eigenvalue = 0;  ///< omega^2 of the interior's shortest waves
+
+    EdgeEnergies at(double wave_number) const {
+        return edge_energies(node_energy, dimensions, reach, g, largest_beta, wave_number);
+    }
+};
+
+/// The numbers of an edge. With weights and masses positive and 0 <= beta <= largest_beta energy is
+/// a sum of squares, and C = c L L^T is one, too: the edge is passive.
+template <class Number>
+struct EdgeNumbers {
+    std::vector<Number> strain;             ///< V, from the edge inwards
+    std::vector<Number> stabilisation;      ///< Vs
+    std::vector<std::vector<Number>> mass;  ///< of each component
+    /// L of each component, the rows of a lower triangle; its c is the speed of the component's
+    /// own long waves along x.
+    std::vector<std::vector<std::vector<Number>>> factor;
+    Number null_lagrangian{};  ///< beta
+};
+
+/// Exact, as short decimals.
+using PassiveDesign = EdgeNumbers<Rational>;
+
+/// speeds are c of each component.
+PassiveEdge edge_of(const PassiveDesign& design, const std::vector<double>& speeds);
+
+/// Throws std::logic_error where one of the conditions above does not hold.
+void require_passive(const PassiveDesign& design, const Rational& largest_beta);
+
+/// A wave that is to leave, and the weight of its reflected amplitudes.
+struct WeightedWave {
+    IncidentWave wave;
+    double weight = 1;
+};
+
+/// Least squares of the waves' reflected amplitudes, from a fixed start; of the logarithms of
+/// weights and masses, too, which keeps the edge near the lattice, and of what its highest
+/// eigenvalue is above most_stiff times the interior's, which keeps steps long.
+inline constexpr double most_stiff = 1.3;
+PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>& waves,
+                          const std::vector<double>& speeds);
+
+/// The part of a wave's energy that comes back, in any polarisation.
+double reflected_by_edge(const EdgeTask& task, const PassiveEdge& edge, const IncidentWave& wave);
+
+/// The largest eigenvalue of M^-1 K of the layers whose forces are not the interior's, the others
+/// held, over so many wave numbers along the edge. Leapfrog steps with midpoint dashpots are stable
+/// while dt^2 times the largest one of the whole body is below 4.
+double highest_eigenvalue_of_edge(const EdgeTask& task, const PassiveEdge& edge,
+                                  std::size_t wave_numbers);
+
+}  // namespace nmbcgen

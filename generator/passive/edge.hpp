@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+/// The edge of a half space that is cut off there: families truncated, and on the outermost layers
+/// weights, masses and dashpots of their own, so that waves leave. Whatever these are, the energy
+///     E = sum_I (V_I W_I + Vs_I Ws_I) + v.Mv/2,   dE/dt = -v.Cv
+/// does not grow while the weights V, Vs and the masses M are positive and C is a sum of squares:
+/// such a boundary is passive, by construction.
+///
+/// Layers are counted from the edge. The outermost I = 0 .. q-1 have numbers of their own; all
+/// others have V = Vs = M = 1 and no dashpots.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "generator/plane/side_reflection.hpp"
+
+namespace nmbcgen {
+
+/// The numbers of a passive edge.
+struct PassiveEdge {
+    Eigen::VectorXd strain;         ///< V, of q layers
+    Eigen::VectorXd stabilisation;  ///< Vs
+    Eigen::MatrixXd mass;           ///< q rows, one column a component
+    /// C, component by component, of q layers.
+    std::vector<Eigen::MatrixXd> dashpots;
+    double null_lagrangian = 0;  ///< beta: it changes tractions, and no force of the interior
+};
+
+/// How far an edge reaches, in layers.
+struct EdgeReach {
+    Eigen::Index node = 1;    ///< n, of the energy of a node
+    Eigen::Index forces = 2;  ///< r, of the forces: from n to 2n
+    Eigen::Index layers = 2;  ///< q, with numbers of their own, at least r - n
+
+    /// Layers from here on have the forces of the interior.
+    Eigen::Index interior() const { return layers + node; }
+    /// Layers from here on can have a sum of the interior's waves.
+    Eigen::Index waves() const { return interior() - forces; }
+};
+
+/// Quadratic forms (1/2) u.K u of the displacements of the outermost layers at one wave number
+/// along the edge, components of layer 0 first: of the nodes of each of the q outermost layers, and
+/// of those further inwards together. Forces are whole on layers below interior().
+struct EdgeEnergies {
+    struct Node {
+        Eigen::MatrixXd strain;           ///< at beta = 0
+        Eigen::MatrixXd null_lagrangian;  ///< what beta = 1 adds
+        Eigen::MatrixXd stabilisation;    ///< at this G
+    };
+    std::vector<Node> outermost;
+    Node further;
+    Eigen::Index components = 0;
+    EdgeReach reach;
+
+    /// K of the edge as a whole.
+    Eigen::MatrixXd stiffness(const PassiveEdge& edge) const;
+};
+
+/// The squares of the energy of a node so many layers from an edge at x = 0, at a value of beta.
+using NodeEnergy = std::function<std::vector<VectorSquare>(unsigned layer, const Rational& beta)>;
+
+/// The squares of a node are linear in beta, and asked for at 0 and at some_beta; where that is 0
+/// there is no null Lagrangian.
+EdgeEnergies edge_energies(const NodeEnergy& node_energy, std::size_t dimensions,
+                           const EdgeReach& reach, const Rational& g, const Rational& some_beta,
+                           double wave_number);
+
+/// R between travelling waves, as in side_reflection().
+Eigen::MatrixXcd edge_reflection(const EdgeEnergies& energies, const PassiveEdge& edge,
+                                 const std::vector<PlaneMode>& outgoing, double omega);
+
+}  // namespace nmbcgen

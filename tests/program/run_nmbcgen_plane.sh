@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck disable=SC1091,SC2016,SC2154  # assert.sh defines what is used here
+# nmbcgen recommend and passive, of the side of a plane lattice.
+# Usage: run_nmbcgen_plane.sh NMBCGEN PAGE
+source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+page=$2
+
+smallest=(--family nopd2d --radius2 1 --nu 1/4)
+try recommend "${smallest[@]}" --G 0
+expect_exit 0
+expect_no_stderr
+expect "the page's table" diff <(sed -n '/^```text/,/^```$/p' "$page" | sed '1d;$d') "$scratch/stdout"
+
+# The published condition is stable there from G = .21 on.
+grade() { expect "the grade $1 of $2" grep -qE "^$2 +$1 " "$scratch/stdout"; }
+try recommend "${smallest[@]}" --G 1/20
+grade passive passive
+grade grows 'NMBC1 as printed, \(81\)'
+try recommend "${smallest[@]}" --G 1/13
+grade paired 'NMBC1 as printed, \(81\)'
+try recommend "${smallest[@]}" --G 1/5
+grade contractive 'NMBC1 as printed, \(81\)'
+grade contractive 'NMBC2 by component'
+try recommend "${smallest[@]}" --G 1/4
+grade grows 'NMBC2 by component'
+try recommend --family bond2d --radius2 2 --weights 1,1/2
+expect_exit 0
+grade passive passive
+
+try passive "${smallest[@]}" --G 1/5
+expect_exit 0
+expect_no_stderr
+cp "$scratch/stdout" "$scratch/once"
+expect "JSON" python3 -c '
+import json, sys
+from fractions import Fraction
+side = json.load(open(sys.argv[1]))
+assert side["layers"] == 2
+for weights in [side["strain_weights"], side["stabilisation_weights"], *side["masses"]]:
+    assert len(weights) == 2 and all(Fraction(weight) > 0 for weight in weights)
+assert 0 <= Fraction(side["null_lagrangian"]) <= Fraction(4, 5)
+assert side["dashpot_speeds_squared"] == ["16/15", "2/5"]
+assert [[len(row) for row in factor] for factor in side["dashpot_factors"]] == [[1, 2], [1, 2]]
+head_on = side["reflected_energy"][0]
+assert head_on["angle"] == 0 and head_on["P"] < 0.005 and head_on["S"] < 0.02
+' "$scratch/once"
+try passive "${smallest[@]}" --G 1/5
+expect "the same again" cmp "$scratch/once" "$scratch/stdout"
+
+refuses() { # CODE TEXT ARGUMENT..
+    local code=$1 text=$2
+    shift 2
+    try "$@"
+    expect_exit "$code"
+    expect_stderr "$text"
+    expect_no_stdout
+}
+refuses 2 "recommend requires --G" recommend "${smallest[@]}"
+refuses 2 "--order: is of the waves of one polarisation: --polarisation" recommend "${smallest[@]}" --G 1 --order 2
+refuses 2 "it is no sum of two squares" recommend --family nopd2d --radius2 3 --nu 1/4 --G 1
+refuses 2 "--nu: Poisson's ratio 1: plane stress needs -1 < nu < 1" passive --family nopd2d --radius2 1 --nu 1 --G 1
+refuses 2 "--nu: Poisson's ratio 1/2: plane strain" passive --family nopd2d --radius2 1 --nu 1/2 --state strain --G 1
+refuses 2 "do not travel" passive --family bond2d --radius2 1 --weights 1
+refuses 2 "passive sides are of the plane: nopd2d, bond2d" passive --family nopd1d --radius2 1 --G 1
+finish
