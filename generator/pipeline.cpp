@@ -16,6 +16,7 @@
 #include "generator/matching/real.hpp"
 #include "generator/matching/reason.hpp"
 #include "generator/matching/taylor.hpp"
+#include "generator/names/projected_family.hpp"
 #include "generator/stability/certify.hpp"
 #include "generator/support/on_all_cores.hpp"
 
@@ -197,6 +198,22 @@ std::vector<Specification> committed_set() {
     for (const unsigned order : {1U, 2U, 3U}) {
         set.push_back(
             {.family = "chain1d", .horizon = 1, .order = order, .stride = 1, .stabilisation = {}});
+    }
+    // P and S waves that meet the side of the paper's plane lattices head-on.
+    for (const unsigned horizon : {1U, 2U, 3U}) {
+        for (const Polarisation polarisation : {Polarisation::P, Polarisation::S}) {
+            const ProjectedFamily projected{
+                .family = "nopd2d",
+                .model = {.radius_squared = horizon * horizon, .poisson = Rational(1, 4)},
+                .polarisation = polarisation};
+            for (const auto& [order, stride] : {std::pair(1U, 1U), std::pair(2U, horizon)}) {
+                set.push_back({.family = name_of(projected),
+                               .horizon = horizon,
+                               .order = order,
+                               .stride = stride,
+                               .stabilisation = {}});
+            }
+        }
     }
     return set;
 }

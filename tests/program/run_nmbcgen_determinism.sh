@@ -20,7 +20,7 @@ for run in $(seq 20); do
     (cd "folder$run" && PADDING=$(printf "%$((run * 997))s" "") TZ="UTC-$((run % 12))" \
         "$program" --all --out . >"$scratch/stdout" 2>"$scratch/stderr") || code=$?
     expect_exit 0
-    expect "70 files" test "$(files_in "folder$run")" -eq 70
+    expect "88 files" test "$(files_in "folder$run")" -eq 88
     expect "run $run is run 1, byte for byte" diff -r folder1 "folder$run"
 done
 

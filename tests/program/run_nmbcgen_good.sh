@@ -199,6 +199,6 @@ expect "every file is printed once" test \
 expect_stdout_line all/nopd1d_n3_order4.hpp
 expect_stdout_line all/tables.hpp
 expect_stdout_line all/tables.json
-expect "53 tables of 15 lattices, tables.hpp and tables.json" test "$(files_in all)" -eq 70
+expect "65 tables of 21 lattices, tables.hpp and tables.json" test "$(files_in all)" -eq 88
 
 finish

@@ -17,6 +17,12 @@
 #include <nmbc/tables/nopd1d_n4_tau1o10.hpp>
 #include <nmbc/tables/nopd1d_n4_tau1o5.hpp>
 #include <nmbc/tables/chain1d_n1.hpp>
+#include <nmbc/tables/nopd2d_r1_nu1o4_P_n1.hpp>
+#include <nmbc/tables/nopd2d_r1_nu1o4_S_n1.hpp>
+#include <nmbc/tables/nopd2d_r4_nu1o4_P_n2.hpp>
+#include <nmbc/tables/nopd2d_r4_nu1o4_S_n2.hpp>
+#include <nmbc/tables/nopd2d_r9_nu1o4_P_n3.hpp>
+#include <nmbc/tables/nopd2d_r9_nu1o4_S_n3.hpp>
 #include <nmbc/tables/nopd1d_n1_order1.hpp>
 #include <nmbc/tables/nopd1d_n1_order2.hpp>
 #include <nmbc/tables/nopd1d_n1_order3.hpp>
@@ -70,6 +76,18 @@
 #include <nmbc/tables/chain1d_n1_order1.hpp>
 #include <nmbc/tables/chain1d_n1_order2.hpp>
 #include <nmbc/tables/chain1d_n1_order3.hpp>
+#include <nmbc/tables/nopd2d_r1_nu1o4_P_n1_order1.hpp>
+#include <nmbc/tables/nopd2d_r1_nu1o4_P_n1_order2.hpp>
+#include <nmbc/tables/nopd2d_r1_nu1o4_S_n1_order1.hpp>
+#include <nmbc/tables/nopd2d_r1_nu1o4_S_n1_order2.hpp>
+#include <nmbc/tables/nopd2d_r4_nu1o4_P_n2_order1.hpp>
+#include <nmbc/tables/nopd2d_r4_nu1o4_P_n2_order2_s2.hpp>
+#include <nmbc/tables/nopd2d_r4_nu1o4_S_n2_order1.hpp>
+#include <nmbc/tables/nopd2d_r4_nu1o4_S_n2_order2_s2.hpp>
+#include <nmbc/tables/nopd2d_r9_nu1o4_P_n3_order1.hpp>
+#include <nmbc/tables/nopd2d_r9_nu1o4_P_n3_order2_s3.hpp>
+#include <nmbc/tables/nopd2d_r9_nu1o4_S_n3_order1.hpp>
+#include <nmbc/tables/nopd2d_r9_nu1o4_S_n3_order2_s3.hpp>
 
 namespace nmbc::generated {
 
@@ -90,6 +108,12 @@ inline constexpr const LatticeTable* lattices[]{
     &nopd1d_n4_tau1o10,
     &nopd1d_n4_tau1o5,
     &chain1d_n1,
+    &nopd2d_r1_nu1o4_P_n1,
+    &nopd2d_r1_nu1o4_S_n1,
+    &nopd2d_r4_nu1o4_P_n2,
+    &nopd2d_r4_nu1o4_S_n2,
+    &nopd2d_r9_nu1o4_P_n3,
+    &nopd2d_r9_nu1o4_S_n3,
 };
 
 /// Every table of this folder; nmbc::find_table looks one up.
@@ -147,6 +171,18 @@ inline constexpr const MatchingTable* tables[]{
     &chain1d_n1_order1,
     &chain1d_n1_order2,
     &chain1d_n1_order3,
+    &nopd2d_r1_nu1o4_P_n1_order1,
+    &nopd2d_r1_nu1o4_P_n1_order2,
+    &nopd2d_r1_nu1o4_S_n1_order1,
+    &nopd2d_r1_nu1o4_S_n1_order2,
+    &nopd2d_r4_nu1o4_P_n2_order1,
+    &nopd2d_r4_nu1o4_P_n2_order2_s2,
+    &nopd2d_r4_nu1o4_S_n2_order1,
+    &nopd2d_r4_nu1o4_S_n2_order2_s2,
+    &nopd2d_r9_nu1o4_P_n3_order1,
+    &nopd2d_r9_nu1o4_P_n3_order2_s3,
+    &nopd2d_r9_nu1o4_S_n3_order1,
+    &nopd2d_r9_nu1o4_S_n3_order2_s3,
 };
 
 }  // namespace nmbc::generated
