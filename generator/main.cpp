@@ -180,7 +180,8 @@ int run(const Request& request) {
             }));
             return done;
         case Action::passive:
-            print(passive_json(*request.side));
+            print(
+                with_progress([&request](const Progress&) { return passive_json(*request.side); }));
             return done;
         case Action::optimise:
             print(with_progress([&request](const Progress& progress) {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "generator/cli/comma_list.hpp"
+#include "generator/cli/whole_number.hpp"
 #include "generator/commands/matching_search.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/families/family.hpp"
@@ -17,19 +18,6 @@
 
 namespace nmbcgen {
 namespace {
-
-unsigned parse_whole_number(const std::string& text, unsigned highest) {
-    unsigned value = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || stop != end || value < 1 || value > highest ||
-        text.front() == '0') {
-        throw std::invalid_argument(
-            fmt::format("'{}' is not a whole number from 1 to {} (no leading zeros)",
-                        text.substr(0, 60), highest));
-    }
-    return value;
-}
 
 constexpr unsigned highest_count = 99;
 
@@ -182,35 +170,6 @@ std::string parse_family(const std::string& text) {
     return text;
 }
 
-unsigned parse_radius_squared(const std::string& text) {
-    return parse_whole_number(text, largest_radius_squared);
-}
-
-Rational parse_poisson(const std::string& text) {
-    const bool negative = text.starts_with('-');
-    try {
-        const Rational size = parse_rational(text.substr(negative ? 1 : 0));
-        return negative ? -size : size;
-    } catch (const std::invalid_argument&) {
-        throw std::invalid_argument("'" + text.substr(0, 60) +
-                                    "' is not an exact number such as 1/4 or -1/3");
-    }
-}
-
-bool parse_plane_state(const std::string& text) {
-    if (text != "stress" && text != "strain") {
-        throw std::invalid_argument("'" + text + "' is not a plane state; allowed: stress, strain");
-    }
-    return text == "strain";
-}
-
-Polarisation parse_polarisation(const std::string& text) {
-    if (text != "P" && text != "S") {
-        throw std::invalid_argument("'" + text + "' is not a polarisation; allowed: P, S");
-    }
-    return text == "P" ? Polarisation::P : Polarisation::S;
-}
-
 std::string parse_folder(const std::string& text) {
     if (text.empty()) {
         throw std::invalid_argument("a folder is needed");
@@ -283,20 +242,6 @@ std::vector<unsigned> parse_counts(const std::string& text) {
 
 std::vector<Rational> parse_rationals(const std::string& text) {
     return parse_list<Rational>(text, [](const std::string& item) { return parse_rational(item); });
-}
-
-std::vector<double> parse_angles(const std::string& text) {
-    return parse_list<double>(text, [](const std::string& item) {
-        constexpr double half_turn = 180;
-        double angle = 0;
-        const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), angle);
-        if (error != std::errc() || end != item.data() + item.size() ||
-            !(std::abs(angle) <= half_turn)) {
-            throw std::invalid_argument("'" + item.substr(0, 60) +
-                                        "' is not an angle from -180 to 180 degrees");
-        }
-        return angle;
-    });
 }
 
 double parse_recommended_cfl(const std::string& text) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/cli/settle_plane.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 
@@ -113,6 +115,12 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
     }
     if (recommends && !plane.polarisation) {
         refuse_options_of_chains(used);
+        if (choice.radius_squared > largest_side_radius_squared) {
+            throw CLI::ValidationError(
+                "--radius2", fmt::format("sides of families above {} take too long: give a "
+                                         "--polarisation, or a smaller family",
+                                         largest_side_radius_squared));
+        }
         for (const Polarisation polarisation : {Polarisation::P, Polarisation::S}) {
             require_model(blamed, [&] {
                 projected_model({.family = family, .model = choice, .polarisation = polarisation});
@@ -128,7 +136,7 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
         .family = family, .model = choice, .polarisation = *plane.polarisation};
     require_model("--polarisation", [&] { projected_model(projected); });
     family = name_of(projected);
-    (recommends ? request.question.horizon : request.specification.horizon) = horizon_of(projected);
+    (recommends ? request.question.horizon : request.specification.horizon) = horizon_of(choice);
 }
 
 }  // namespace nmbcgen

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/commands/passive.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <stdexcept>
 
 #include "generator/exact/rational.hpp"
+#include "generator/families/projected.hpp"
 #include "generator/lattice/projection.hpp"
+#include "generator/pipeline.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -17,12 +22,17 @@ std::vector<WeightedWave> designed_waves(const PlaneLattice& lattice) {
     for (const double angle : {0.0, 15.0, 30.0, 45.0, widest_designed_angle}) {
         for (const double xi : {0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0}) {
             for (const bool is_P : {true, false}) {
-                waves.push_back({incident_wave(lattice, is_P, xi, angle * std::numbers::pi / 180),
-                                 1 / std::sqrt(xi)});
+                const IncidentWave wave =
+                    incident_wave(lattice, is_P, xi, angle * std::numbers::pi / 180);
+                const PlaneMode& mode = wave.outgoing[std::size_t(wave.column)];
+                // Where waves stand, or go backwards, their angle is not that of their energy.
+                const double slow = 0.2 * (is_P ? lattice.speed_P : lattice.speed_S);
+                if (mode.group_velocity > slow) {
+                    waves.push_back({wave, 1 / std::sqrt(xi)});
+                }
             }
         }
     }
-    // The shortest counts as 1 there, the longest one 4.5 times as much.
     return waves;
 }
 
@@ -58,26 +68,33 @@ PassiveSide passive_side(const PlaneModel& model) {
     const VectorFamily& family = find_vector_family(model.family);
     const PlaneLattice lattice = plane_lattice(family.describe(model.choice), model.g, 0);
     constexpr std::size_t wave_numbers = 32;
-    const auto node = Eigen::Index(std::sqrt(double(model.choice.radius_squared)));
+    const auto node = Eigen::Index(horizon_of(model.choice));
     const auto forces = Eigen::Index(lateral_chain(lattice, 0).reach());
-    const EdgeTask task{
-        .node_energy = [&family, choice = model.choice](
-                           unsigned layer,
-                           const Rational& beta) { return family.at_edge(choice, layer, beta); },
-        .dimensions = 2,
-        .reach = {.node = node, .forces = forces, .layers = std::max(forces, 2 * node)},
-        .g = model.g,
-        .largest_beta = family.largest_beta(model.choice),
-        .highest_eigenvalue = highest_eigenvalue(lattice, wave_numbers)};
+    PassiveSide side{
+        .task = {.node_energy =
+                     [&family, choice = model.choice](unsigned layer, const Rational& beta) {
+                         return family.at_edge(choice, layer, beta);
+                     },
+                 .dimensions = 2,
+                 .reach = {.node = node, .forces = forces, .layers = 2 * node},
+                 .g = model.g,
+                 .largest_beta = family.largest_beta(model.choice),
+                 .highest_eigenvalue = highest_eigenvalue(lattice, wave_numbers)},
+        .design = {},
+        .edge = {},
+        .highest_eigenvalue = 0};
     const std::vector<double> speeds{lattice.speed_P, lattice.speed_S};
-    PassiveDesign design = design_edge(task, designed_waves(lattice), speeds);
-    PassiveEdge edge = edge_of(design, speeds);
-    const double ratio =
-        highest_eigenvalue_of_edge(task, edge, wave_numbers) / task.highest_eigenvalue;
-    return {.task = task,
-            .design = std::move(design),
-            .edge = std::move(edge),
-            .highest_eigenvalue_ratio = ratio};
+    try {
+        side.design = design_edge(side.task, designed_waves(lattice), speeds);
+    } catch (const std::domain_error& error) {
+        throw NoSuchBoundary(fmt::format("no passive side was designed at g = {}: {}",
+                                         to_string(model.g), error.what()));
+    }
+    side.edge = edge_of(side.design, speeds);
+    side.highest_eigenvalue =
+        std::max(side.task.highest_eigenvalue,
+                 highest_eigenvalue_of_edge(side.task, side.edge, wave_numbers));
+    return side;
 }
 
 std::string passive_json(const PlaneModel& model) {
@@ -112,9 +129,11 @@ std::string passive_json(const PlaneModel& model) {
         {"null_lagrangian", to_string(design.null_lagrangian)},
         {"proved", "weights and masses are positive, 0 <= null_lagrangian <= " +
                        to_string(side.task.largest_beta) +
-                       ", dashpots are speed times L L^T: energy is a sum of squares that dashpots "
-                       "alone change, and never raise"},
-        {"highest_eigenvalue_ratio", side.highest_eigenvalue_ratio},
+                       ", dashpots are speed times L L^T: the energy of a body with this straight "
+                       "side is a sum of squares, which the side's dashpots never raise"},
+        {"designed_up_to_degrees", widest_designed_angle},
+        {"highest_eigenvalue_interior", side.task.highest_eigenvalue},
+        {"highest_eigenvalue", side.highest_eigenvalue},
         {"reflected_energy", reflections(lattice, side)}};
     return all.dump(2) + "\n";
 }

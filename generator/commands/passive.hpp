@@ -21,15 +21,19 @@ struct PassiveSide {
     EdgeTask task;
     PassiveDesign design;
     PassiveEdge edge;
-    /// of M^-1 K, over the interior's: steps are shorter by its square root where it is over 1
-    double highest_eigenvalue_ratio = 0;
+    /// Of M^-1 K, in the interior or beside the edge, whichever is larger, as found at 33 wave
+    /// numbers.
+    double highest_eigenvalue = 0;
 };
+
+/// Larger families take minutes.
+inline constexpr unsigned largest_side_radius_squared = 25;
 
 inline constexpr double widest_designed_angle = 60;  ///< from the normal [degrees]
 
 /// Designed for P and S waves at angles up to the widest one with xi up to 1/dX, longer ones
-/// counting more. Takes a second at radius 1, and 20 s at radius 3. Throws NoProjection where long
-/// waves of the model have no speed of their own.
+/// counting more. Takes a second at radius 1, and 20 s at radius 3. Throws NoSuchBoundary where
+/// such waves cannot be told from each other, or no design is found.
 PassiveSide passive_side(const PlaneModel& model);
 
 /// The design as JSON (docs/reference/json.md): all of it exact, and what it reflects.

@@ -9,51 +9,13 @@
 #include <numbers>
 
 #include "generator/exact/rational.hpp"
-#include "generator/exact/rational_function.hpp"
-#include "generator/lattice/force_constants.hpp"
+#include "generator/plane/plane_lattice.hpp"
 
 namespace nmbcgen {
 namespace {
 
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
-
-struct Bond {
-    Vector2d offset;
-    Matrix2d phi;
-};
-
-std::vector<Bond> bonds_at(const ForceConstants& phi, const Rational& g) {
-    std::vector<Bond> bonds;
-    for (const auto& [offset, matrix] : phi) {
-        Bond bond{.offset = {offset[0], offset[1]}, .phi = {}};
-        for (std::size_t a = 0; a < 2; ++a) {
-            for (std::size_t b = 0; b < 2; ++b) {
-                bond.phi(Eigen::Index(a), Eigen::Index(b)) =
-                    nearest_double(evaluate(matrix[a][b], g));
-            }
-        }
-        bonds.push_back(bond);
-    }
-    return bonds;
-}
-
-/// The dynamical matrix of a model that inversion leaves as it is, and its derivatives. A shift has
-/// no energy, so sum Phi = 0, and cos t - 1 = -2 sin^2(t/2) keeps the digits of long waves.
-struct DynamicalMatrix {
-    Matrix2d value = Matrix2d::Zero();
-    Matrix2d by_x = Matrix2d::Zero();
-    Matrix2d by_y = Matrix2d::Zero();
-
-    DynamicalMatrix(const std::vector<Bond>& bonds, const Vector2d& wave_vector) {
-        for (const auto& [offset, phi] : bonds) {
-            const double turn = offset.dot(wave_vector);
-            value -= 2 * std::pow(std::sin(turn / 2), 2) * phi;
-            by_x -= std::sin(turn) * offset.x() * phi;
-            by_y -= std::sin(turn) * offset.y() * phi;
-        }
-    }
-};
 
 double degrees(const Vector2d& vector) {
     return std::atan2(vector.y(), vector.x()) * 180 / std::numbers::pi;
@@ -63,8 +25,8 @@ double degrees(const Vector2d& vector) {
 
 std::string plane_dispersion_rows(std::string_view family, const PlaneCurves& curves,
                                   const Rational& g) {
-    const auto bonds =
-        bonds_at(force_constants(find_vector_family(family).describe(curves.model)), g);
+    const std::vector<PlaneBond> bonds =
+        plane_bonds(find_vector_family(family).describe(curves.model), g, 0);
     std::string csv;
     for (const double angle : curves.angles) {
         const double alpha = angle * std::numbers::pi / 180;
@@ -74,7 +36,7 @@ std::string plane_dispersion_rows(std::string_view family, const PlaneCurves& cu
         Vector2d shape_of_P = along;
         for (unsigned i = 1; i <= curves.samples; ++i) {
             const double xi = highest * i / curves.samples;
-            const DynamicalMatrix matrix(bonds, xi * along);
+            const DynamicalMatrix matrix = dynamical_matrix(bonds, xi * along);
             const Eigen::SelfAdjointEigenSolver<Matrix2d> modes(matrix.value);
             const Vector2d overlap = (modes.eigenvectors().transpose() * shape_of_P).cwiseAbs();
             const Eigen::Index P = overlap(1) >= overlap(0) ? 1 : 0;

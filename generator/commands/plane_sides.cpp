@@ -10,8 +10,10 @@
 #include <optional>
 
 #include "generator/exact/rational.hpp"
+#include "generator/families/projected.hpp"
 #include "generator/names/projected_family.hpp"
 #include "generator/pipeline.hpp"
+#include "generator/plane/side_reflection.hpp"
 #include "generator/plane/strip.hpp"
 #include "generator/stability/half_space.hpp"
 #include "generator/support/on_all_cores.hpp"
@@ -30,31 +32,40 @@ struct GhostSide {
     std::string name;
     SideCondition condition;
     LargestAmplification amplification{};
-    StripGrowth growth{};
+    double growth = 0;
     std::optional<Rational> damping{};  ///< the smallest tau tried with which strips do not grow
 };
 
-/// Polarisation by polarisation, from the tables of the chains that waves along x see; nothing
-/// where there is none.
-std::optional<SideCondition> matching_condition(const PlaneModel& model,
-                                                const PlaneLattice& lattice, unsigned order) {
+/// Z in place of Z^stride.
+std::vector<double> spread(const std::vector<double>& coefficients, std::size_t stride,
+                           double factor) {
+    std::vector<double> spread(stride * (coefficients.size() - 1) + 1);
+    for (std::size_t j = 0; j < coefficients.size(); ++j) {
+        spread[stride * j] = factor * coefficients[j];
+    }
+    return spread;
+}
+
+/// NMBC2 of stride n, component by component, from the chains that waves along x see; nothing where
+/// there is none at this g.
+std::optional<SideCondition> second_order_condition(const PlaneModel& model,
+                                                    const PlaneLattice& lattice) {
     SideCondition condition;
     for (const Polarisation polarisation : {Polarisation::P, Polarisation::S}) {
-        const ProjectedFamily projected{
-            .family = model.family, .model = model.choice, .polarisation = polarisation};
-        Specification what;
-        what.family = name_of(projected);
-        what.horizon = unsigned(std::sqrt(double(model.choice.radius_squared)));
-        what.order = order;
         const bool is_P = polarisation == Polarisation::P;
-        const double speed = is_P ? lattice.speed_P : lattice.speed_S;
+        const unsigned horizon = horizon_of(model.choice);
+        const Specification what{
+            .family = name_of(
+                {.family = model.family, .model = model.choice, .polarisation = polarisation}),
+            .horizon = horizon,
+            .order = 2,
+            .stride = horizon,
+            .stabilisation = {}};
         try {
             const HalfSpace half_space = make_half_space(derive(what), model.g);
-            std::vector<double> minus_b = half_space.b;
-            for (double& b : minus_b) {
-                b *= -speed;
-            }
-            condition.residual[is_P ? 0 : 1] = {minus_b, half_space.c};
+            condition.residual[is_P ? 0 : 1] = {
+                spread(half_space.b, horizon, is_P ? -lattice.speed_P : -lattice.speed_S),
+                spread(half_space.c, horizon, 1)};
         } catch (const NoSuchBoundary&) {
             return std::nullopt;
         } catch (const std::domain_error&) {  // a pole
@@ -68,37 +79,43 @@ std::vector<GhostSide> ghost_sides(const PlaneModel& model, const PlaneLattice& 
     std::vector<GhostSide> sides{
         {.name = "NMBC1 as printed, (81)", .condition = published_condition(lattice)},
         {.name = "NMBC1 by component", .condition = polarisation_wise_condition(lattice)}};
-    if (auto second = matching_condition(model, lattice, 2)) {
-        sides.push_back({.name = "NMBC2 by component", .condition = std::move(*second)});
+    if (auto second = second_order_condition(model, lattice)) {
+        sides.push_back(
+            {.name = fmt::format("NMBC2 by component{}",
+                                 horizon_of(model.choice) == 1
+                                     ? ""
+                                     : fmt::format(", s = {}", horizon_of(model.choice))),
+             .condition = std::move(*second)});
     }
     constexpr double shift = 0.002;  // [c/dX] against drift, 1e-3 of the factors' other entries
     sides.push_back({.name = "Higdon, P and S", .condition = higdon_condition(lattice, shift)});
     return sides;
 }
 
-/// Roundings of the eigenvalues of some hundred states.
+/// Over the highest frequency: roundings of the eigenvalues of some hundred states.
 constexpr double growth_limit = 1e-9;
 /// Samples reach 1 at the edges of bands, where waves stand, up to the roundings of a double root.
 constexpr double sampled_limit = 1 + 1e-6;
 
-StripGrowth growth_of(const PlaneModel& model, const Rational& damping,
-                      const SideCondition& condition) {
-    const VectorModel described = find_vector_family(model.family).describe(model.choice);
-    return largest_growth_in_strip(plane_lattice(described, model.g, damping), condition, layers,
-                                   strip_wave_numbers);
+/// 0 where it is roundings.
+double growth_of(const PlaneLattice& lattice, const SideCondition& condition) {
+    const double growth = largest_growth_in_strip(lattice, condition, layers, strip_wave_numbers);
+    constexpr std::size_t steps = 16;
+    return growth > growth_limit * std::sqrt(highest_eigenvalue(lattice, steps)) ? growth : 0;
 }
 
 void examine(GhostSide& side, const PlaneModel& model, const PlaneLattice& lattice) {
     side.amplification = largest_amplification(lattice, side.condition, wave_samples);
-    side.growth = growth_of(model, 0, side.condition);
-    const bool is_stabilised = find_vector_family(model.family).has_stabilisation;
-    if (side.growth.growth <= growth_limit || !is_stabilised) {
+    side.growth = growth_of(lattice, side.condition);
+    const VectorFamily& family = find_vector_family(model.family);
+    if (side.growth == 0 || !family.has_stabilisation) {
         return;
     }
+    const VectorModel described = family.describe(model.choice);
     for (const Rational& damping :
          {Rational(1, 100), Rational(1, 50), Rational(1, 20), Rational(1, 10), Rational(1, 5),
           Rational(1, 2), Rational(1), Rational(2)}) {
-        if (growth_of(model, damping, side.condition).growth <= growth_limit) {
+        if (growth_of(plane_lattice(described, model.g, damping), side.condition) == 0) {
             side.damping = damping;
             return;
         }
@@ -106,8 +123,12 @@ void examine(GhostSide& side, const PlaneModel& model, const PlaneLattice& latti
 }
 
 std::string grade_of(const GhostSide& side) {
-    if (side.growth.growth > growth_limit) {
+    if (side.growth > 0) {
         return "grows";
+    }
+    const LargestAmplification& seen = side.amplification;
+    if (2 * seen.examined < seen.samples) {
+        return "unknown";
     }
     if (side.amplification.value.alone <= sampled_limit) {
         return "contractive";
@@ -115,9 +136,15 @@ std::string grade_of(const GhostSide& side) {
     return side.amplification.value.paired <= sampled_limit ? "paired" : "amplifies";
 }
 
-std::string in_words(double amplification) {
+std::string amplification_of(const GhostSide& side) {
     constexpr double unbounded = 1000;
-    return amplification > unbounded ? "> 1000" : fmt::format("{:.3f}", amplification);
+    const auto& [alone, paired] = side.amplification.value;
+    if (paired > unbounded) {
+        return "> 1000";
+    }
+    constexpr double many = 10;
+    return fmt::format("{}{:.{}f}", side.condition.is_shared() ? "" : "<= ", paired,
+                       paired > many ? 0 : 3);
 }
 
 template <class Reflected>
@@ -132,12 +159,12 @@ std::string reflections(const PlaneLattice& lattice, Reflected reflected) {
     return text;
 }
 
-constexpr const char* row = "{:<24} {:<11} {:>10} {:>9} {:>5} {}\n";
+constexpr const char* row = "{:<26} {:<11} {:>10} {:>9} {:>5} {}\n";
 
 std::string row_of(const GhostSide& side, const PlaneLattice& lattice, std::size_t reach) {
-    const bool grows = side.growth.growth > growth_limit;
-    return fmt::format(row, side.name, grade_of(side), in_words(side.amplification.value.paired),
-                       grows ? fmt::format("{:.2g}", side.growth.growth) : "none",
+    const bool grows = side.growth > 0;
+    return fmt::format(row, side.name, grade_of(side), amplification_of(side),
+                       grows ? fmt::format("{:.2g}", side.growth) : "none",
                        side.damping ? to_string(*side.damping)
                        : grows      ? "-"
                                     : "0",
@@ -147,7 +174,7 @@ std::string row_of(const GhostSide& side, const PlaneLattice& lattice, std::size
 }
 
 std::string heading() {
-    std::string text = fmt::format(row, "boundary", "grade", "round trip", "growth", "tau", "");
+    std::string text = fmt::format(row, "boundary", "grade", "amplifies", "growth", "tau", "");
     text.pop_back();
     for (const double angle : angles) {
         text += fmt::format("  {:>7} deg", angle);
@@ -174,7 +201,7 @@ std::string side_recommendation(const PlaneModel& model, const Progress& progres
         progress(++done, all);
     });
     std::string table =
-        heading() + fmt::format(row, "passive", "passive", "<= 1", "none", "0",
+        heading() + fmt::format(row, "passive", "passive", "no", "none", "0",
                                 reflections(lattice, [&](const IncidentWave& wave) {
                                     return reflected_by_edge(passive->task, passive->edge, wave);
                                 }));
@@ -184,23 +211,28 @@ std::string side_recommendation(const PlaneModel& model, const Progress& progres
     }
     return fmt::format(
         "passive, on the {} outermost layers of {}, g = {}\n"
-        "  proved     no energy comes from it: in bodies of any shape, beside any side that adds "
-        "none\n"
-        "  steps      shorter by {:.2f} than the interior's where its layers are stiffer (1: "
-        "no)\n\n"
+        "  proved     this straight side adds no energy: with others that add none a body keeps "
+        "what "
+        "it has or less\n"
+        "  designed   for waves up to {:g} degrees from the normal; what is left head-on does not "
+        "vanish for long waves\n"
+        "  steps      times {:.2f} of those without it, beside an endless side\n\n"
         "{}\n"
-        "grade: passive is proved; contractive (opposite any passive side), paired (opposite its "
-        "like), amplifies and\n"
-        "  grows were found on samples, {} x {} wave vectors and a strip of {} layers at {} wave "
-        "numbers along it;\n"
-        "  nothing is said of corners\n"
-        "round trip: largest amplification of a wave by one reflection, over pairs of like sides\n"
-        "growth: largest rate in the strip [c/dX, c = sqrt(E/density)]; tau: least damping tried "
-        "that ends it\n"
+        "grade: passive is proved. Found on samples, {} x {} wave vectors and strips of {} layers "
+        "with {} wave numbers\n"
+        "  along them, and without corners: contractive (opposite any passive side), paired "
+        "(opposite its like),\n"
+        "  amplifies, grows (in the strip)\n"
+        "amplifies: amplitudes at one reflection between like sides, the largest; <=: a bound\n"
+        "growth: rate in the strip [sqrt(E/density)/dX]; tau: least of 1/100 .. 2 that ends it in "
+        "this strip, of\n"
+        "  forces tau times those of the stabilisation at g = 1 on velocities [dX "
+        "sqrt(density/E)]; -: none\n"
         "degrees: from the normal; reflected energy of P/S, xi = {:g}/dX\n",
         passive->design.strain.size(), described.description, to_string(model.g),
-        std::sqrt(std::max(1.0, passive->highest_eigenvalue_ratio)), table, wave_samples,
-        wave_samples, layers, strip_wave_numbers + 1, reflected_xi);
+        widest_designed_angle,
+        std::sqrt(passive->task.highest_eigenvalue / passive->highest_eigenvalue), table,
+        wave_samples, wave_samples + 1, layers, strip_wave_numbers + 1, reflected_xi);
 }
 
 }  // namespace nmbcgen

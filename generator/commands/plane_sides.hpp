@@ -7,9 +7,10 @@
 
 namespace nmbcgen {
 
-/// The boundaries there are, the recommended one first, as a text for people: what is proved of
-/// each and what was only found on samples, and what they reflect against the angle. Takes some
-/// seconds at radius 1 and two minutes at radius 3.
+/// The boundaries there are, as a text for people, first the passive side, which alone is proved to
+/// add no energy: what was found of each on samples, and what they reflect against the angle. Takes
+/// some seconds at radius 1 and half a minute at radius 3. Throws NoSuchBoundary where a wave
+/// cannot be told from another one.
 std::string side_recommendation(const PlaneModel& model, const Progress& progress);
 
 }  // namespace nmbcgen

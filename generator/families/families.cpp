@@ -77,9 +77,9 @@ Model make_model(std::string_view family, unsigned horizon, const Rational& damp
     const auto projected = projected_family(family);
     const bool constant_influence =
         std::ranges::count(weights, weights[0]) == std::ptrdiff_t(horizon);
-    if (projected && (horizon != horizon_of(*projected) || !constant_influence)) {
+    if (projected && (horizon != horizon_of(projected->model) || !constant_influence)) {
         throw NoSuchModel(fmt::format("{} has horizon {} and weights of its own", family,
-                                      horizon_of(*projected)));
+                                      horizon_of(projected->model)));
     }
     Model model =
         projected ? projected_model(*projected) : find_family(family).describe(horizon, weights);

@@ -27,8 +27,8 @@ Model projected_model(const ProjectedFamily& projected) {
     }
 }
 
-unsigned horizon_of(const ProjectedFamily& projected) {
-    return unsigned(std::sqrt(double(projected.model.radius_squared)));
+unsigned horizon_of(const VectorChoice& choice) {
+    return unsigned(std::sqrt(double(choice.radius_squared)));
 }
 
 }  // namespace nmbcgen

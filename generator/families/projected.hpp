@@ -12,6 +12,6 @@ namespace nmbcgen {
 Model projected_model(const ProjectedFamily& projected);
 
 /// The nodes along x that a node of the plane model sees, floor(delta/dX).
-unsigned horizon_of(const ProjectedFamily& projected);
+unsigned horizon_of(const VectorChoice& choice);
 
 }  // namespace nmbcgen

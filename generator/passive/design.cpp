@@ -234,6 +234,9 @@ PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>&
     search.setMaxfev(enough);
     VectorXd parameters = residuals.start();
     search.minimize(parameters);
+    if (!parameters.allFinite() || !std::isfinite(search.fnorm())) {
+        throw std::domain_error("the search for its numbers failed");
+    }
     PassiveDesign design = converted<Rational>(residuals.numbers(parameters), rounded);
     design.null_lagrangian = std::min(design.null_lagrangian, task.largest_beta);
     require_passive(design, task.largest_beta);
@@ -246,12 +249,24 @@ double reflected_by_edge(const EdgeTask& task, const PassiveEdge& edge, const In
         .squaredNorm();
 }
 
-double highest_eigenvalue_of_edge(const EdgeTask& task, const PassiveEdge& edge,
+double highest_eigenvalue_of_edge(EdgeTask task, const PassiveEdge& edge,
                                   std::size_t wave_numbers) {
+    // Held layers make the eigenvalue lower: so far behind the edge they no longer matter.
+    const Index own = task.reach.layers;
+    const Index all = own + 4 * task.reach.forces;
+    task.reach.layers = all;
+    PassiveEdge deep{.strain = VectorXd::Ones(all),
+                     .stabilisation = VectorXd::Ones(all),
+                     .mass = MatrixXd::Ones(all, edge.mass.cols()),
+                     .dashpots = {},
+                     .null_lagrangian = edge.null_lagrangian};
+    deep.strain.head(own) = edge.strain;
+    deep.stabilisation.head(own) = edge.stabilisation;
+    deep.mass.topRows(own) = edge.mass;
     double highest = 0;
     for (std::size_t i = 0; i <= wave_numbers; ++i) {
         const double wave_number = std::numbers::pi * double(i) / double(wave_numbers);
-        highest = std::max(highest, largest_eigenvalue(task.at(wave_number), edge));
+        highest = std::max(highest, largest_eigenvalue(task.at(wave_number), deep));
     }
     return highest;
 }

@@ -16,7 +16,7 @@ struct EdgeTask {
     EdgeReach reach;
     Rational g;
     Rational largest_beta;  ///< up to it the energy is a sum of squares; 0: no null Lagrangian
-    double highest_eigenvalue = 0;  ///< omega^2 of the interior's shortest waves
+    double highest_eigenvalue = 0;  ///< the largest omega^2 of the interior
 
     EdgeEnergies at(double wave_number) const {
         return edge_energies(node_energy, dimensions, reach, g, largest_beta, wave_number);
@@ -53,7 +53,8 @@ struct WeightedWave {
 
 /// Least squares of the waves' reflected amplitudes, from a fixed start; of the logarithms of
 /// weights and masses, too, which keeps the edge near the lattice, and of what its highest
-/// eigenvalue is above most_stiff times the interior's, which keeps steps long.
+/// eigenvalue is above most_stiff times the interior's, which keeps steps long. Stops at a minimum
+/// or after 8000 evaluations. Throws std::domain_error where it leaves the numbers that there are.
 inline constexpr double most_stiff = 1.3;
 PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>& waves,
                           const std::vector<double>& speeds);
@@ -61,10 +62,9 @@ PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>&
 /// The part of a wave's energy that comes back, in any polarisation.
 double reflected_by_edge(const EdgeTask& task, const PassiveEdge& edge, const IncidentWave& wave);
 
-/// The largest eigenvalue of M^-1 K of the layers whose forces are not the interior's, the others
-/// held, over so many wave numbers along the edge. Leapfrog steps with midpoint dashpots are stable
-/// while dt^2 times the largest one of the whole body is below 4.
-double highest_eigenvalue_of_edge(const EdgeTask& task, const PassiveEdge& edge,
-                                  std::size_t wave_numbers);
+/// The largest eigenvalue of M^-1 K beside the edge, over so many wave numbers along it. Leapfrog
+/// steps with midpoint dashpots are stable while dt^2 times the largest one of the whole body is
+/// below 4.
+double highest_eigenvalue_of_edge(EdgeTask task, const PassiveEdge& edge, std::size_t wave_numbers);
 
 }  // namespace nmbcgen

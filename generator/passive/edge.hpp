@@ -13,7 +13,7 @@
 #include <functional>
 #include <vector>
 
-#include "generator/plane/side_reflection.hpp"
+#include "generator/plane/plane_modes.hpp"
 
 namespace nmbcgen {
 

@@ -25,8 +25,9 @@ double speed_of(const VectorModel& model, std::size_t direction) {
 
 }  // namespace
 
-PlaneLattice plane_lattice(const VectorModel& model, const Rational& g, const Rational& damping) {
-    PlaneLattice lattice{.bonds = {}, .speed_P = speed_of(model, 0), .speed_S = speed_of(model, 1)};
+std::vector<PlaneBond> plane_bonds(const VectorModel& model, const Rational& g,
+                                   const Rational& damping) {
+    std::vector<PlaneBond> bonds;
     for (const auto& [offset, phi] : force_constants(model)) {
         PlaneBond bond{.offset = {offset[0], offset[1]}, .stiffness = {}, .damping = {}};
         for (std::size_t a = 0; a < 2; ++a) {
@@ -39,14 +40,21 @@ PlaneLattice plane_lattice(const VectorModel& model, const Rational& g, const Ra
                     nearest_double(damping * (evaluate(entry, 1) - evaluate(entry, 0)));
             }
         }
-        lattice.bonds.push_back(bond);
+        bonds.push_back(bond);
     }
-    return lattice;
+    return bonds;
 }
 
-DynamicalMatrix dynamical_matrix(const PlaneLattice& lattice, const Eigen::Vector2d& wave_vector) {
+PlaneLattice plane_lattice(const VectorModel& model, const Rational& g, const Rational& damping) {
+    return {.bonds = plane_bonds(model, g, damping),
+            .speed_P = speed_of(model, 0),
+            .speed_S = speed_of(model, 1)};
+}
+
+DynamicalMatrix dynamical_matrix(const std::vector<PlaneBond>& bonds,
+                                 const Eigen::Vector2d& wave_vector) {
     DynamicalMatrix matrix;
-    for (const auto& [offset, stiffness, damping] : lattice.bonds) {
+    for (const auto& [offset, stiffness, damping] : bonds) {
         const double turn = offset[0] * wave_vector.x() + offset[1] * wave_vector.y();
         // A shift has no energy, so sum Phi = 0, and cos t - 1 keeps the digits of long waves.
         matrix.value -= 2 * std::pow(std::sin(turn / 2), 2) * stiffness;
@@ -62,7 +70,7 @@ double highest_eigenvalue(const PlaneLattice& lattice, std::size_t steps) {
     for (std::size_t i = 0; i <= steps; ++i) {
         for (std::size_t j = 0; j <= steps; ++j) {
             const DynamicalMatrix matrix =
-                dynamical_matrix(lattice, {step * double(i), step * double(j)});
+                dynamical_matrix(lattice.bonds, {step * double(i), step * double(j)});
             highest = std::max(
                 highest, matrix.value.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
         }

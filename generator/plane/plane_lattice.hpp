@@ -24,10 +24,13 @@ struct PlaneLattice {
     double speed_S = 0;
 };
 
-/// damping is tau: forces are of the velocities, too, tau times those of the stabilisation at
-/// g = G/pi = 1 (facts: Silling's operator). Throws NoProjection (lattice/projection.hpp) of a
-/// model without long waves of one speed.
+/// damping is tau [dX sqrt(density/E)]: forces are of the velocities, too, tau times those of the
+/// stabilisation at g = G/pi = 1. Throws NoProjection (lattice/projection.hpp) of a model without
+/// long waves of one speed.
 PlaneLattice plane_lattice(const VectorModel& model, const Rational& g, const Rational& damping);
+
+std::vector<PlaneBond> plane_bonds(const VectorModel& model, const Rational& g,
+                                   const Rational& damping);
 
 /// The dynamical matrix at a wave vector, without damping, of a model that inversion leaves as it
 /// is, and its derivatives.
@@ -37,7 +40,8 @@ struct DynamicalMatrix {
     Eigen::Matrix2d by_y = Eigen::Matrix2d::Zero();
 };
 
-DynamicalMatrix dynamical_matrix(const PlaneLattice& lattice, const Eigen::Vector2d& wave_vector);
+DynamicalMatrix dynamical_matrix(const std::vector<PlaneBond>& bonds,
+                                 const Eigen::Vector2d& wave_vector);
 
 /// The largest omega^2, over so many steps of each wave number from 0 to pi.
 double highest_eigenvalue(const PlaneLattice& lattice, std::size_t steps);

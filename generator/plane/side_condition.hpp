@@ -24,8 +24,8 @@ struct SideCondition {
 ShiftPolynomial product(const ShiftPolynomial& one, const ShiftPolynomial& other);
 
 /// (D + shift)(1 + Z) - 2 speed (Z - 1): a wave of this apparent speed normal to the side,
-/// c/cos(angle), leaves up to the third power of its wave number (Nicely 2018 (85): b_1 = -b_0 = 2
-/// a_1/(dX cos(angle)), not the printed one). A shift > 0 keeps products of such factors from
+/// c/cos(angle), has a residual of the third power of its wave number (Nicely 2018 (85): b_1 = -b_0
+/// = 2 a_1/(dX cos(angle)), not the printed one). A shift > 0 keeps products of such factors from
 /// drifting.
 ShiftPolynomial absorbs(double speed, double shift = 0);
 
@@ -38,7 +38,7 @@ SideCondition polarisation_wise_condition(const PlaneLattice& lattice);
 /// Higdon's product of two factors, for P and for S, on both components.
 SideCondition higdon_condition(const PlaneLattice& lattice, double shift);
 
-/// Ghost layers that do not move: u_tt = 0 there.
+/// Ghost layers that do not move: v = 0.
 SideCondition fixed_condition();
 
 /// What it is at D = s and Z = z.

@@ -16,50 +16,7 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-constexpr double resolved = 1e-6;  // what doubles resolve of a double root, and more
-
-/// Where the farthest forces lack a direction, as if they had a tiny one: modes of z next to 0 and
-/// infinity, which carry nothing, in place of 0 and infinity.
-LateralChain without_gaps(LateralChain chain) {
-    constexpr double tiny = 1e-8;
-    Eigen::FullPivLU<MatrixXd> farthest(chain.stiffness.back());
-    farthest.setThreshold(tiny);
-    if (!farthest.isInvertible()) {
-        const MatrixXd force = tiny * chain.stiffness.back().norm() *
-                               MatrixXd::Identity(chain.components(), chain.components());
-        chain.stiffness.front() += force;
-        chain.stiffness.back() += force;
-    }
-    return chain;
-}
-
-/// The layers I-reach .. I+reach-1 to the next ones: u_{I+reach} from the equation of motion.
-MatrixXd transfer(const LateralChain& chain, double omega) {
-    const auto reach = Index(chain.reach());
-    const Index size = chain.components();
-    const Index last = (2 * reach - 1) * size;
-    const MatrixXd outermost = chain.stiffness.back().inverse();
-    MatrixXd step = MatrixXd::Zero(last + size, last + size);
-    step.topRightCorner(last, last).setIdentity();
-    for (Index r = 0; r < 2 * reach; ++r) {
-        step.block(last, size * r, size, size) = -outermost * chain.stiffness[std::size_t(r)];
-    }
-    step.block(last, size * reach, size, size) += omega * omega * outermost;
-    return step;
-}
-
-/// Of U z^I exp(i omega t), z = exp(i xi): -d(omega)/d(xi), half the derivative of U.K(z)U over
-/// omega.
-double group_velocity(const LateralChain& chain, double omega, Complex z,
-                      const Eigen::VectorXcd& shape) {
-    Complex sum = 0;
-    const auto reach = int(chain.reach());
-    for (int r = -reach; r <= reach; ++r) {
-        sum += Complex(0, r) * std::pow(z, r) *
-               shape.dot(chain.stiffness[std::size_t(r + reach)] * shape);
-    }
-    return -sum.real() / (2 * omega);
-}
+constexpr double resolved = 1e-6;  // unitarity of R_D, in doubles
 
 Complex delta(const SideCondition& condition, std::size_t component, double omega, Complex z) {
     return evaluate(condition.residual[component], Complex(0, omega), z);
@@ -87,15 +44,12 @@ double largest_singular_value(const MatrixXcd& matrix) {
     return std::sqrt(squared.eigenvalues().maxCoeff());
 }
 
-struct Waves {
-    Eigen::Vector2d omega;  ///< ascending
-    Eigen::Matrix2d shapes;
-};
-
-Waves waves_at(const PlaneLattice& lattice, const Eigen::Vector2d& wave_vector) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(
-        dynamical_matrix(lattice, wave_vector).value);
-    return {modes.eigenvalues().cwiseMax(0).cwiseSqrt(), modes.eigenvectors()};
+/// Ascending.
+Eigen::Vector2d frequencies_at(const PlaneLattice& lattice, const Eigen::Vector2d& wave_vector) {
+    const Eigen::Matrix2d matrix = dynamical_matrix(lattice.bonds, wave_vector).value;
+    const double mean = matrix.trace() / 2;
+    const double half = std::hypot((matrix(0, 0) - matrix(1, 1)) / 2, matrix(0, 1));
+    return Eigen::Vector2d(mean - half, mean + half).cwiseMax(0).cwiseSqrt();
 }
 
 /// Looks for a larger value around a wave vector, in ever smaller steps.
@@ -119,45 +73,6 @@ void climb(Value value, Eigen::Vector2d& at, double& highest, double step) {
 }
 
 }  // namespace
-
-PlaneMode mirror_image(PlaneMode mode) {
-    mode.z = 1.0 / mode.z;
-    mode.shape(0) *= -1;
-    mode.group_velocity *= -1;
-    return mode;
-}
-
-std::vector<PlaneMode> outgoing_plane_modes(const LateralChain& chain, double omega) {
-    const Index size = chain.components();
-    const Eigen::EigenSolver<MatrixXd> solver(transfer(without_gaps(chain), omega));
-    std::vector<PlaneMode> travelling;
-    std::vector<PlaneMode> decaying;
-    for (Index i = 0; i < solver.eigenvalues().size(); ++i) {
-        const Complex z = solver.eigenvalues()(i);
-        const double modulus = std::abs(z);
-        // Of a growing solution the last layer, of a decaying one the first has the digits.
-        const Eigen::VectorXcd layers = solver.eigenvectors().col(i);
-        const Eigen::VectorXcd shape =
-            (modulus < 1 ? layers.head(size) : layers.tail(size)).normalized();
-        if (modulus < 1 - resolved) {
-            decaying.push_back({.z = z, .shape = shape});
-        } else if (modulus < 1 + resolved) {
-            const Complex unit = z / modulus;
-            const double speed = group_velocity(chain, omega, unit, shape);
-            if (std::abs(speed) < resolved) {
-                return {};
-            }
-            if (speed > 0) {
-                travelling.push_back({.z = unit, .shape = shape, .group_velocity = speed});
-            }
-        }
-    }
-    if (Index(travelling.size() + decaying.size()) != size * Index(chain.reach())) {
-        return {};
-    }
-    travelling.insert(travelling.end(), decaying.begin(), decaying.end());
-    return travelling;
-}
 
 MatrixXcd side_reflection(const std::vector<PlaneMode>& outgoing, const SideCondition& condition,
                           std::size_t reach, double omega) {
@@ -219,59 +134,47 @@ LargestAmplification largest_amplification(const PlaneLattice& lattice,
     const double step = std::numbers::pi / double(samples);
     const auto value_at = [&](const Eigen::Vector2d& at, Index branch) {
         return amplification(lateral_chain(lattice, at.y()), condition,
-                             waves_at(lattice, at).omega(branch))
-            .value_or(Amplification{});
+                             frequencies_at(lattice, at)(branch));
     };
-    Index branch_alone = 0;
-    Index branch_paired = 0;
+    struct Peak {
+        double value = 0;
+        Eigen::Vector2d at = Eigen::Vector2d::Zero();
+        Index branch = 0;
+
+        void see(double other, const Eigen::Vector2d& there, Index of_branch) {
+            if (!(other <= value)) {
+                *this = {std::isnan(other) ? HUGE_VAL : other, there, of_branch};
+            }
+        }
+    };
+    Peak alone;
+    Peak paired;
     for (std::size_t i = 0; i < samples; ++i) {
         for (std::size_t j = 0; j <= samples; ++j) {  // peaks lie at 0 and at pi, too
             const Eigen::Vector2d at((double(i) + 0.5) * step, double(j) * step);
             for (const Index branch : {0, 1}) {
-                const Amplification value = value_at(at, branch);
-                if (value.alone > largest.value.alone) {
-                    largest.value.alone = value.alone;
-                    largest.alone_at = at;
-                    branch_alone = branch;
-                }
-                if (value.paired > largest.value.paired) {
-                    largest.value.paired = value.paired;
-                    largest.paired_at = at;
-                    branch_paired = branch;
+                const auto value = value_at(at, branch);
+                ++largest.samples;
+                if (value) {
+                    ++largest.examined;
+                    alone.see(value->alone, at, branch);
+                    paired.see(value->paired, at, branch);
                 }
             }
         }
     }
-    climb([&](const Eigen::Vector2d& at) { return value_at(at, branch_alone).alone; },
-          largest.alone_at, largest.value.alone, step / 2);
-    climb([&](const Eigen::Vector2d& at) { return value_at(at, branch_paired).paired; },
-          largest.paired_at, largest.value.paired, step / 2);
+    const auto climb_from = [&](Peak& peak, auto part) {
+        climb(
+            [&](const Eigen::Vector2d& at) {
+                const auto value = value_at(at, peak.branch);
+                return value ? part(*value) : 0.0;
+            },
+            peak.at, peak.value, step / 2);
+    };
+    climb_from(alone, [](const Amplification& value) { return value.alone; });
+    climb_from(paired, [](const Amplification& value) { return value.paired; });
+    largest.value = {.alone = alone.value, .paired = paired.value};
     return largest;
-}
-
-IncidentWave incident_wave(const PlaneLattice& lattice, bool is_P, double xi, double angle) {
-    constexpr double aside = 1e-4;
-    for (const double turned : {angle, angle - aside, angle + aside}) {
-        const Eigen::Vector2d wave_vector(xi * std::cos(turned), xi * std::sin(turned));
-        const Waves waves = waves_at(lattice, wave_vector);
-        const Eigen::Vector2d overlap = (waves.shapes.transpose() * wave_vector).cwiseAbs();
-        IncidentWave wave{.omega = waves.omega((overlap(1) > overlap(0)) == is_P ? 1 : 0),
-                          .wave_number = wave_vector.y(),
-                          .outgoing = {},
-                          .column = 0};
-        wave.outgoing = outgoing_plane_modes(lateral_chain(lattice, wave.wave_number), wave.omega);
-        if (wave.outgoing.empty()) {
-            continue;
-        }
-        const Complex own = std::polar(1.0, wave_vector.x());
-        const auto distance = [&](const PlaneMode& mode) {
-            return mode.travels() ? std::min(std::abs(mode.z - own), std::abs(mode.z - 1.0 / own))
-                                  : 2;
-        };
-        wave.column = std::ranges::min_element(wave.outgoing, {}, distance) - wave.outgoing.begin();
-        return wave;
-    }
-    throw std::domain_error("the modes at a side cannot be told from each other");
 }
 
 double reflected_in_plane(const IncidentWave& wave, const SideCondition& condition,

@@ -2,6 +2,8 @@
 #include "generator/plane/strip.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace nmbcgen {
@@ -21,13 +23,13 @@ class Strip {
           reach_(Index(chain.reach())),
           all_(Index(layers) + 2 * reach_),
           order_(Index(condition.residual[0].size()) - 1),
-          outermost_free_(order_ == 1 ? reach_ : 0),
-          state_(size_ * (2 * all_ - 2 * outermost_free_)),
+          slaved_(order_ == 1 ? reach_ : 0),
+          state_(size_ * (2 * all_ - 2 * slaved_)),
           displacement_(MatrixXd::Identity(size_ * all_, state_)),
           velocity_(MatrixXd::Zero(size_ * all_, state_)),
           acceleration_(MatrixXd::Zero(size_ * all_, state_)) {
-        const Index moving = size_ * (all_ - 2 * outermost_free_);
-        velocity_.block(size_ * outermost_free_, size_ * all_, moving, moving).setIdentity();
+        const Index moving = size_ * (all_ - 2 * slaved_);
+        velocity_.block(size_ * slaved_, size_ * all_, moving, moving).setIdentity();
         if (order_ == 1) {
             close(velocity_, {&displacement_});
         }
@@ -46,8 +48,7 @@ class Strip {
 
     double growth() const {
         MatrixXd rates(state_, state_);
-        rates << velocity_,
-            acceleration_.middleRows(size_ * outermost_free_, state_ - size_ * all_);
+        rates << velocity_, acceleration_.middleRows(size_ * slaved_, state_ - size_ * all_);
         return rates.eigenvalues().real().maxCoeff();
     }
 
@@ -88,8 +89,8 @@ class Strip {
     Index size_;  ///< components of a layer
     Index reach_;
     Index all_;
-    Index order_;           ///< highest power of D
-    Index outermost_free_;  ///< layers a side whose velocities follow from the state
+    Index order_;   ///< highest power of D
+    Index slaved_;  ///< layers a side whose velocities follow from the state
     Index state_;
     MatrixXd displacement_;
     MatrixXd velocity_;
@@ -103,16 +104,13 @@ double growth_in_strip(const LateralChain& chain, const SideCondition& condition
     return Strip(chain, condition, layers).growth();
 }
 
-StripGrowth largest_growth_in_strip(const PlaneLattice& lattice, const SideCondition& condition,
-                                    std::size_t layers, std::size_t wave_numbers) {
-    StripGrowth largest{.growth = -1, .wave_number = 0};
+double largest_growth_in_strip(const PlaneLattice& lattice, const SideCondition& condition,
+                               std::size_t layers, std::size_t wave_numbers) {
+    double largest = -HUGE_VAL;
     for (std::size_t i = 0; i <= wave_numbers; ++i) {
         const double wave_number = std::numbers::pi * double(i) / double(wave_numbers);
-        const double growth =
-            growth_in_strip(lateral_chain(lattice, wave_number), condition, layers);
-        if (growth > largest.growth) {
-            largest = {growth, wave_number};
-        }
+        largest = std::max(largest,
+                           growth_in_strip(lateral_chain(lattice, wave_number), condition, layers));
     }
     return largest;
 }

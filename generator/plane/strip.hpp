@@ -14,14 +14,8 @@ namespace nmbcgen {
 double growth_in_strip(const LateralChain& chain, const SideCondition& condition,
                        std::size_t layers);
 
-/// The largest of wave numbers along the side, with the wave number that has it.
-struct StripGrowth {
-    double growth = 0;
-    double wave_number = 0;  ///< k_t [1/dX]
-};
-
-/// Over wave_numbers equal steps of k_t from 0 to pi.
-StripGrowth largest_growth_in_strip(const PlaneLattice& lattice, const SideCondition& condition,
-                                    std::size_t layers, std::size_t wave_numbers);
+/// The largest over wave_numbers equal steps of k_t from 0 to pi.
+double largest_growth_in_strip(const PlaneLattice& lattice, const SideCondition& condition,
+                               std::size_t layers, std::size_t wave_numbers);
 
 }  // namespace nmbcgen

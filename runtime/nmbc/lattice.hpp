@@ -36,11 +36,15 @@ struct Lattice {
     std::size_t reach() const { return symbol.size() - 1; }
 };
 
-/// The lattice at G >= 0. The table lasts as long as it. Throws std::invalid_argument for a bad G.
+/// The lattice at G >= 0. The table lasts as long as it. Throws std::invalid_argument for a bad G,
+/// and where a square of the energy has a weight below 0 there.
 inline Lattice make_lattice(const LatticeTable& table, double G) {
     Lattice lattice{evaluate(table.symbol, G), {}, evaluate(table.damping, 0), &table, G};
     for (const EnergySquare& square : table.energy) {
         const double weight = evaluate(square.weight, G);
+        if (!(weight >= 0)) {
+            throw std::invalid_argument("the squares of a lattice's energy need weights >= 0");
+        }
         if (weight == 0) {
             continue;
         }

@@ -3,6 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "generator/passive/design.hpp"
@@ -64,6 +67,66 @@ TEST_CASE("a design is passive, reflects little, and keeps steps long") {
         }
         CHECK(design_edge(task, some_waves(lattice), speeds).mass == design.mass);
     }
+}
+
+TEST_CASE("no motion beside an edge grows, and leapfrog is stable to its limit") {
+    // The edge and 12 layers behind it, the next ones held; motions exp(i k_t y).
+    constexpr double G = 0.6;
+    const PlaneLattice lattice = lattice_of_paper(1, G);
+    EdgeTask task = task_at(G, lattice);
+    const std::vector<double> speeds{lattice.speed_P, lattice.speed_S};
+    const PassiveEdge edge = edge_of(design_edge(task, some_waves(lattice), speeds), speeds);
+    constexpr Eigen::Index layers = 14;
+    task.reach.layers = layers;
+    PassiveEdge deep{.strain = Eigen::VectorXd::Ones(layers),
+                     .stabilisation = Eigen::VectorXd::Ones(layers),
+                     .mass = Eigen::MatrixXd::Ones(layers, 2),
+                     .dashpots = {},
+                     .null_lagrangian = edge.null_lagrangian};
+    deep.strain.head(2) = edge.strain;
+    deep.stabilisation.head(2) = edge.stabilisation;
+    deep.mass.topRows(2) = edge.mass;
+    double highest = 0;
+    for (const double wave_number : {0.0, 0.4, 1.3, 2.2, 3.1}) {
+        constexpr Eigen::Index size = 2 * layers;
+        const Eigen::MatrixXd K = task.at(wave_number).stiffness(deep).topLeftCorner(size, size);
+        Eigen::VectorXd mass(size);
+        Eigen::MatrixXd C = Eigen::MatrixXd::Zero(size, size);
+        for (Eigen::Index I = 0; I < layers; ++I) {
+            for (Eigen::Index a = 0; a < 2; ++a) {
+                mass(2 * I + a) = deep.mass(I, a);
+                for (Eigen::Index J = 0; I < 2 && J < 2; ++J) {
+                    C(2 * I + a, 2 * J + a) = edge.dashpots[std::size_t(a)](I, J);
+                }
+            }
+        }
+        const Eigen::MatrixXd inverse_mass = mass.cwiseInverse().asDiagonal();
+        Eigen::MatrixXd rates = Eigen::MatrixXd::Zero(2 * size, 2 * size);
+        rates.topRightCorner(size, size).setIdentity();
+        rates.bottomLeftCorner(size, size) = -inverse_mass * K;
+        rates.bottomRightCorner(size, size) = -inverse_mass * C;
+        CHECK(rates.eigenvalues().real().maxCoeff() < 1e-12);
+
+        // u += dt v, and (M + dt C/2) v = (M - dt C/2) v - dt K u, as one map of (u, v).
+        const auto radius_at = [&](double dt) {
+            const Eigen::MatrixXd M = mass.asDiagonal();
+            const Eigen::MatrixXd solve = (M + dt / 2 * C).inverse();
+            Eigen::MatrixXd step(2 * size, 2 * size);
+            step.bottomLeftCorner(size, size) = -dt * solve * K;
+            step.bottomRightCorner(size, size) = solve * (M - dt / 2 * C);
+            step.topRows(size) = dt * step.bottomRows(size);
+            step.topLeftCorner(size, size) += Eigen::MatrixXd::Identity(size, size);
+            return step.eigenvalues().cwiseAbs().maxCoeff();
+        };
+        const double largest = (inverse_mass * K).eigenvalues().real().maxCoeff();
+        CHECK(radius_at(0.99 * 2 / std::sqrt(largest)) < 1 + 1e-12);
+        highest = std::max(highest, largest);
+    }
+    // As the design says it, for an edge with more behind it.
+    task.reach.layers = 2;
+    const double said = highest_eigenvalue_of_edge(task, edge, 32);
+    CHECK(said > highest - 1e-9);
+    CHECK(said < 1.05 * highest);
 }
 
 TEST_CASE("what is not passive is refused") {

@@ -103,20 +103,25 @@ TEST_CASE("fixed ghost layers keep the energy, and their reflection is symmetric
 }
 
 TEST_CASE("round trips between sides of (81), delta = 1") {
-    // Elsewhere 1.745, 1.569, 1.010, .9999, .997 were found on coarser samples of k_t and omega.
+    // paired: at least what another program found on coarser samples, and no more than this
+    // search finds on finer ones.
     struct Case {
-        double G, paired, alone;
+        double G, least, most, alone;
     };
     constexpr std::size_t samples = 16;
-    for (const auto& [G, paired, alone] :
-         {Case{0, 1.782, 1.990}, Case{.1, 1.570, 1.574}, Case{.18, 1.012, 1.250},
-          Case{.22, 1, 1.209}, Case{.25, 1, 1.176}, Case{.5, 1, 1}}) {
+    for (const auto& [G, least, paired, alone] :
+         {Case{0, 1.745, 1.783, 1.991}, Case{.1, 1.569, 1.571, 1.575},
+          Case{.18, 1.010, 1.013, 1.250}, Case{.22, .9999, 1, 1.209}, Case{.25, .9999, 1, 1.176},
+          Case{.5, .997, 1, 1}}) {
         CAPTURE(G);
         const PlaneLattice lattice = lattice_of_paper(1, G);
-        const Amplification found =
-            largest_amplification(lattice, published_condition(lattice), samples).value;
-        // At least: samples find no more than there is.
-        CHECK(found.paired == doctest::Approx(paired).epsilon(2e-3));
+        const LargestAmplification seen =
+            largest_amplification(lattice, published_condition(lattice), samples);
+        CHECK(seen.examined > seen.samples * 9 / 10);
+        const Amplification found = seen.value;
+        CHECK(found.paired >= least);
+        CHECK(found.paired <= paired + 1e-6);  // 1 is reached where waves stand
+        // Next to waves that stand, where 1 is reached, the search ends a little early.
         CHECK(found.alone == doctest::Approx(alone).epsilon(5e-3));
         CHECK((found.paired > 1 + 1e-6) == (paired > 1));
     }

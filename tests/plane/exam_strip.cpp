@@ -3,6 +3,8 @@
 /// were first found with E = 100, by another program, to two digits.
 #include <doctest/doctest.h>
 
+#include <array>
+#include <cmath>
 #include <map>
 
 #include "generator/plane/strip.hpp"
@@ -19,7 +21,7 @@ constexpr double time_unit = 10;  // sqrt(E = 100)
 constexpr double roundings = 1e-11;
 
 double growth(const PlaneLattice& lattice, const SideCondition& condition) {
-    return time_unit * largest_growth_in_strip(lattice, condition, layers, wave_numbers).growth;
+    return time_unit * largest_growth_in_strip(lattice, condition, layers, wave_numbers);
 }
 
 /// Damping of the paper's units, where it acts as stabilisation does at G = 1.
@@ -30,7 +32,7 @@ PlaneLattice damped(unsigned radius_squared, double G, double tau) {
 
 }  // namespace
 
-TEST_CASE("(81) grows for all families but the smallest, and there up to G of .21") {
+TEST_CASE("(81) grows for all families but the smallest, and there up to G of about .21") {
     const std::array G{0.0, 0.1, 0.25, 0.5, 1.0, 2.0, 8.0};
     const std::map<unsigned, std::array<double, 7>> rates{
         {1, {.046, .009, 0, 0, 0, 0, 0}},         {2, {.48, .45, .39, .30, .16, .23, .39}},
@@ -42,11 +44,21 @@ TEST_CASE("(81) grows for all families but the smallest, and there up to G of .2
             const double found = growth(lattice, published_condition(lattice));
             CAPTURE(radius_squared);
             CAPTURE(G[i]);
-            // Two digits; k_t is sampled at 41 places, there at others.
-            CHECK(found == doctest::Approx(expected[i]).scale(0.05).epsilon(0.1));
+            // Half a unit of the last digit that was given, and a fifth more for other samples.
+            const double digits = expected[i] < .05 && radius_squared == 1 ? .0006 : .006;
+            CHECK(std::abs(found - expected[i]) < digits);
             CHECK((found < roundings) == (expected[i] == 0));
         }
     }
+}
+
+TEST_CASE("the threshold of the smallest family lies between G = .2 and .22") {
+    const auto grows = [](double G) {
+        const PlaneLattice lattice = lattice_of_paper(1, G);
+        return growth(lattice, published_condition(lattice)) > roundings;
+    };
+    CHECK(grows(.2));
+    CHECK_FALSE(grows(.22));
 }
 
 TEST_CASE("waves that meet the side head-on do not grow") {

@@ -43,6 +43,8 @@ assert 0 <= Fraction(side["null_lagrangian"]) <= Fraction(4, 5)
 assert side["dashpot_speeds_squared"] == ["16/15", "2/5"]
 assert [[len(row) for row in factor] for factor in side["dashpot_factors"]] == [[1, 2], [1, 2]]
 head_on = side["reflected_energy"][0]
+assert side["designed_up_to_degrees"] == 60
+assert side["highest_eigenvalue"] >= side["highest_eigenvalue_interior"] > 0
 assert head_on["angle"] == 0 and head_on["P"] < 0.005 and head_on["S"] < 0.02
 ' "$scratch/once"
 try passive "${smallest[@]}" --G 1/5
@@ -61,6 +63,7 @@ refuses 2 "--order: is of the waves of one polarisation: --polarisation" recomme
 refuses 2 "it is no sum of two squares" recommend --family nopd2d --radius2 3 --nu 1/4 --G 1
 refuses 2 "--nu: Poisson's ratio 1: plane stress needs -1 < nu < 1" passive --family nopd2d --radius2 1 --nu 1 --G 1
 refuses 2 "--nu: Poisson's ratio 1/2: plane strain" passive --family nopd2d --radius2 1 --nu 1/2 --state strain --G 1
+refuses 2 "sides of families above 25 take too long" recommend --family nopd2d --radius2 26 --nu 1/4 --G 1
 refuses 2 "do not travel" passive --family bond2d --radius2 1 --weights 1
 refuses 2 "passive sides are of the plane: nopd2d, bond2d" passive --family nopd1d --radius2 1 --G 1
 finish

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "generator/plane/plane_modes.hpp"
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace nmbcgen {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double resolved = 1e-6;  // what doubles resolve of a double root, and more
+
+/// Where the farthest forces lack a component, as if it had a tiny spring there: modes of z next to
+/// 0 and infinity, which carry nothing, in place of 0 and infinity. Long waves have the same energy
+/// with it but for xi^2 times as much.
+LateralChain without_gaps(LateralChain chain) {
+    constexpr double tiny = 1e-8;
+    constexpr double none = 1e-14;  // roundings
+    Eigen::MatrixXd& middle = chain.stiffness[chain.reach()];
+    for (Index a = 0; a < chain.components(); ++a) {
+        const double scale = middle(a, a);
+        if (chain.stiffness.back().row(a).norm() < none * scale) {
+            chain.stiffness.front()(a, a) -= tiny * scale;
+            chain.stiffness.back()(a, a) -= tiny * scale;
+            middle(a, a) += 2 * tiny * scale;
+        }
+    }
+    return chain;
+}
+
+/// The layers I-reach .. I+reach-1 to the next ones: u_{I+reach} from the equation of motion.
+MatrixXd transfer(const LateralChain& chain, double omega) {
+    const auto reach = Index(chain.reach());
+    const Index size = chain.components();
+    const Index last = (2 * reach - 1) * size;
+    const MatrixXd outermost = chain.stiffness.back().inverse();
+    MatrixXd step = MatrixXd::Zero(last + size, last + size);
+    step.topRightCorner(last, last).setIdentity();
+    for (Index r = 0; r < 2 * reach; ++r) {
+        step.block(last, size * r, size, size) = -outermost * chain.stiffness[std::size_t(r)];
+    }
+    step.block(last, size * reach, size, size) += omega * omega * outermost;
+    return step;
+}
+
+/// Of U z^I exp(i omega t), z = exp(i xi): -d(omega)/d(xi), half the derivative of U.K(z)U over
+/// omega.
+double group_velocity(const LateralChain& chain, double omega, Complex z,
+                      const Eigen::VectorXcd& shape) {
+    Complex sum = 0;
+    const auto reach = int(chain.reach());
+    for (int r = -reach; r <= reach; ++r) {
+        sum += Complex(0, r) * std::pow(z, r) *
+               shape.dot(chain.stiffness[std::size_t(r + reach)] * shape);
+    }
+    return -sum.real() / (2 * omega);
+}
+
+}  // namespace
+
+PlaneMode mirror_image(PlaneMode mode) {
+    mode.z = 1.0 / mode.z;
+    mode.shape(0) *= -1;
+    mode.group_velocity *= -1;
+    return mode;
+}
+
+std::vector<PlaneMode> outgoing_plane_modes(const LateralChain& chain, double omega) {
+    const Index size = chain.components();
+    const Eigen::EigenSolver<MatrixXd> solver(transfer(without_gaps(chain), omega));
+    std::vector<PlaneMode> travelling;
+    std::vector<PlaneMode> decaying;
+    for (Index i = 0; i < solver.eigenvalues().size(); ++i) {
+        const Complex z = solver.eigenvalues()(i);
+        const double modulus = std::abs(z);
+        // Of a growing solution the last layer, of a decaying one the first has the digits.
+        const Eigen::VectorXcd layers = solver.eigenvectors().col(i);
+        const Eigen::VectorXcd shape =
+            (modulus < 1 ? layers.head(size) : layers.tail(size)).normalized();
+        if (modulus < 1 - resolved) {
+            decaying.push_back({.z = z, .shape = shape});
+        } else if (modulus < 1 + resolved) {
+            const Complex unit = z / modulus;
+            const double speed = group_velocity(chain, omega, unit, shape);
+            const double scale = chain.stiffness[chain.reach()].norm() / omega;
+            if (!(std::abs(speed) > resolved * scale)) {
+                return {};
+            }
+            if (speed > 0) {
+                travelling.push_back({.z = unit, .shape = shape, .group_velocity = speed});
+            }
+        }
+    }
+    if (Index(travelling.size() + decaying.size()) != size * Index(chain.reach())) {
+        return {};
+    }
+    travelling.insert(travelling.end(), decaying.begin(), decaying.end());
+    return travelling;
+}
+
+IncidentWave incident_wave(const PlaneLattice& lattice, bool is_P, double xi, double angle) {
+    constexpr double aside = 1e-4;
+    for (const double turned : {angle, angle - aside, angle + aside}) {
+        const Eigen::Vector2d wave_vector(xi * std::cos(turned), xi * std::sin(turned));
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> waves(
+            dynamical_matrix(lattice.bonds, wave_vector).value);
+        const Eigen::Vector2d overlap = (waves.eigenvectors().transpose() * wave_vector).cwiseAbs();
+        const Index branch = (overlap(1) > overlap(0)) == is_P ? 1 : 0;
+        IncidentWave wave{.omega = std::sqrt(waves.eigenvalues()(branch)),
+                          .wave_number = wave_vector.y(),
+                          .outgoing = {},
+                          .column = 0};
+        wave.outgoing = outgoing_plane_modes(lateral_chain(lattice, wave.wave_number), wave.omega);
+        if (wave.outgoing.empty()) {
+            continue;
+        }
+        const Complex own = std::polar(1.0, wave_vector.x());
+        const auto distance = [&](const PlaneMode& mode) {
+            return mode.travels() ? std::min(std::abs(mode.z - own), std::abs(mode.z - 1.0 / own))
+                                  : 2;
+        };
+        wave.column = std::ranges::min_element(wave.outgoing, {}, distance) - wave.outgoing.begin();
+        return wave;
+    }
+    throw std::domain_error("the modes at a side cannot be told from each other");
+}
+
+}  // namespace nmbcgen
