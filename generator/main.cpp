@@ -180,8 +180,9 @@ int run(const Request& request) {
             }));
             return done;
         case Action::passive:
-            print(
-                with_progress([&request](const Progress&) { return passive_json(*request.side); }));
+            print(with_progress([&request](const Progress&) {
+                return request.end ? passive_json(*request.end) : passive_json(*request.side);
+            }));
             return done;
         case Action::optimise:
             print(with_progress([&request](const Progress& progress) {

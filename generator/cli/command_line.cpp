@@ -159,13 +159,19 @@ CLI::App* add_dispersion(CLI::App& app, Curves& curves, Pending& pending) {
 /// nmbcgen passive.
 CLI::App* add_passive(CLI::App& app, Question& question, Pending& pending) {
     auto* const passive = app.add_subcommand(
-        "passive", "design a side of a plane lattice that is stable by construction; JSON");
-    add_parsed(*passive, "--family", question.family, parse_family, "lattice model: nopd2d, bond2d")
-        ->required();
-    add_plane_model(*passive, pending.plane)->required();
+        "passive",
+        "design an end of a chain, or a side of a plane lattice, that is stable by "
+        "construction; JSON");
+    add_parsed(*passive, "--family", question.family, parse_family,
+               "lattice model: nopd1d (default), nopd2d, bond2d");
+    CLI::Option* const horizon = add_parsed(*passive, "--horizon", question.horizon, parse_count,
+                                            "of nopd1d: horizon n in units of dX, 1 to 6");
+    CLI::Option* const radius = add_plane_model(*passive, pending.plane);
+    require_one_of(*passive, horizon, radius);
     add_weights(*passive, pending.weights);
-    add_parsed(*passive, "--G", question.G, parse_rational,
-               "of nopd2d: its stabilisation g = G/pi, an exact number such as 1/2 or 0.3");
+    add_parsed(
+        *passive, "--G", question.G, parse_rational,
+        "stabilisation G of the model (of nopd2d: g = G/pi), an exact number such as 1/2 or 0.3");
     return passive;
 }
 

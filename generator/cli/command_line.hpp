@@ -38,6 +38,7 @@ struct Request {
     bool require_stable = false;     ///< nothing is written unless the certificate covers G
     unsigned samples = 200;          ///< wave numbers of Action::reflect
     Question question;               ///< of Action::recommend
+    std::optional<ChainModel> end;   ///< of Action::passive
     std::optional<PlaneModel> side;  ///< of Action::passive; instead of the question of a chain
     Aim aim;        ///< of Action::optimise, its condition but for the stride apart
     Curves curves;  ///< of Action::dispersion

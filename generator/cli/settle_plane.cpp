@@ -43,6 +43,22 @@ void refuse_options_of_chains(const CLI::App& used) {
     }
 }
 
+ChainModel settled_end(const Question& question, const Pending& pending, const CLI::App& used) {
+    refuse_options(question.family, used);
+    if (question.family != "nopd1d") {
+        throw CLI::ValidationError("--family", "passive designs are of nopd1d, nopd2d, bond2d");
+    }
+    if (pending.weights) {
+        throw CLI::ValidationError("--weights", "passive ends have constant influence");
+    }
+    constexpr unsigned largest_horizon = 6;
+    if (question.horizon > largest_horizon) {
+        throw CLI::ValidationError("--horizon",
+                                   fmt::format("designs above {} take too long", largest_horizon));
+    }
+    return {.horizon = question.horizon, .G = question.G};
+}
+
 void require_fit(const VectorFamily& family, const PlaneOptions& plane,
                  const std::optional<WeightChoice>& weights) {
     const std::string name(family.name);
@@ -88,7 +104,8 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
                                       : request.specification.family;
     const VectorFamily* const known = vector_family(family);
     if (known == nullptr && designs) {
-        throw CLI::ValidationError("--family", "passive sides are of the plane: nopd2d, bond2d");
+        request.end = settled_end(request.question, pending, used);
+        return;
     }
     if (known == nullptr) {
         refuse_options(family, used);

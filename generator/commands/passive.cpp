@@ -10,6 +10,8 @@
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
+#include "generator/exact/rational_function.hpp"
+#include "generator/families/family.hpp"
 #include "generator/families/projected.hpp"
 #include "generator/lattice/projection.hpp"
 #include "generator/pipeline.hpp"
@@ -62,46 +64,7 @@ Json reflections(const PlaneLattice& lattice, const PassiveSide& side) {
     return list;
 }
 
-}  // namespace
-
-PassiveSide passive_side(const PlaneModel& model) {
-    const VectorFamily& family = find_vector_family(model.family);
-    const PlaneLattice lattice = plane_lattice(family.describe(model.choice), model.g, 0);
-    constexpr std::size_t wave_numbers = 32;
-    const auto node = Eigen::Index(horizon_of(model.choice));
-    const auto forces = Eigen::Index(lateral_chain(lattice, 0).reach());
-    PassiveSide side{
-        .task = {.node_energy =
-                     [&family, choice = model.choice](unsigned layer, const Rational& beta) {
-                         return family.at_edge(choice, layer, beta);
-                     },
-                 .dimensions = 2,
-                 .reach = {.node = node, .forces = forces, .layers = 2 * node},
-                 .g = model.g,
-                 .largest_beta = family.largest_beta(model.choice),
-                 .highest_eigenvalue = highest_eigenvalue(lattice, wave_numbers)},
-        .design = {},
-        .edge = {},
-        .highest_eigenvalue = 0};
-    const std::vector<double> speeds{lattice.speed_P, lattice.speed_S};
-    try {
-        side.design = design_edge(side.task, designed_waves(lattice), speeds);
-    } catch (const std::domain_error& error) {
-        throw NoSuchBoundary(fmt::format("no passive side was designed at g = {}: {}",
-                                         to_string(model.g), error.what()));
-    }
-    side.edge = edge_of(side.design, speeds);
-    side.highest_eigenvalue =
-        std::max(side.task.highest_eigenvalue,
-                 highest_eigenvalue_of_edge(side.task, side.edge, wave_numbers));
-    return side;
-}
-
-std::string passive_json(const PlaneModel& model) {
-    const PassiveSide side = passive_side(model);
-    const VectorModel described = find_vector_family(model.family).describe(model.choice);
-    const PlaneLattice lattice = plane_lattice(described, model.g, 0);
-    const PassiveDesign& design = side.design;
+Json numbers_of(const PassiveDesign& design) {
     Json factors = Json::array();
     for (const auto& factor : design.factor) {
         Json rows = Json::array();
@@ -110,7 +73,137 @@ std::string passive_json(const PlaneModel& model) {
         }
         factors.push_back(rows);
     }
-    const Json all{
+    Json masses = Json::array();
+    for (const auto& mass : design.mass) {
+        masses.push_back(strings(mass));
+    }
+    return {{"layers", design.strain.size()},
+            {"strain_weights", strings(design.strain)},
+            {"stabilisation_weights", strings(design.stabilisation)},
+            {"masses", masses},
+            {"dashpot_factors", factors},
+            {"dashpot_scales", strings(design.scale)}};
+}
+
+/// The chain of a model in one dimension.
+LateralChain chain_of(const Model& model, const Rational& G) {
+    LateralChain chain;
+    const auto add = [&](const Polynomial& entry) {
+        chain.stiffness.emplace_back(
+            Eigen::MatrixXd::Constant(1, 1, nearest_double(evaluate(entry, G))));
+    };
+    for (std::size_t m = model.symbol.size(); m-- > 1;) {
+        add(model.symbol[m]);
+    }
+    for (const Polynomial& entry : model.symbol) {
+        add(entry);
+    }
+    return chain;
+}
+
+double highest_eigenvalue(const LateralChain& chain, std::size_t steps) {
+    double highest = 0;
+    for (std::size_t i = 1; i < steps; ++i) {
+        const double xi = std::numbers::pi * double(i) / double(steps);
+        highest = std::max(highest, omega_squared(chain, xi));
+    }
+    return highest;
+}
+
+std::vector<VectorSquare> as_vectors(const std::vector<ExactSquare>& squares, int horizon) {
+    std::vector<VectorSquare> vectors;
+    for (const ExactSquare& square : squares) {
+        VectorSquare& vector = vectors.emplace_back();
+        vector.part = square.part;
+        vector.weight = square.weight;
+        for (int j = -horizon; j <= horizon; ++j) {
+            const Rational& factor = square.stencil[std::size_t(j + horizon)];
+            if (factor != 0) {
+                vector.terms.push_back({{j, 0, 0}, {factor, 0, 0}});
+            }
+        }
+    }
+    return vectors;
+}
+
+/// Designed, and its eigenvalue, of a task that has all but these.
+PassiveSide designed(EdgeTask task, const std::vector<WeightedWave>& waves,
+                     const std::vector<double>& speeds, std::size_t wave_numbers) {
+    PassiveSide side{.task = std::move(task), .design = {}, .edge = {}, .highest_eigenvalue = 0};
+    side.design = design_edge(side.task, waves, speeds);
+    side.edge = edge_of(side.design, speeds);
+    side.highest_eigenvalue =
+        std::max(side.task.highest_eigenvalue,
+                 highest_eigenvalue_of_edge(side.task, side.edge, wave_numbers));
+    return side;
+}
+
+NoSuchBoundary no_design(const Rational& G, const std::domain_error& reason) {
+    return NoSuchBoundary(
+        fmt::format("no passive side was designed at {}: {}", to_string(G), reason.what()));
+}
+
+}  // namespace
+
+PassiveSide passive_side(const PlaneModel& model) {
+    const VectorFamily& family = find_vector_family(model.family);
+    const PlaneLattice lattice = plane_lattice(family.describe(model.choice), model.g, 0);
+    constexpr std::size_t wave_numbers = 32;
+    const auto node = Eigen::Index(horizon_of(model.choice));
+    const auto forces = Eigen::Index(lateral_chain(lattice, 0).reach());
+    EdgeTask task{.node_energy =
+                      [&family, choice = model.choice](unsigned layer, const Rational& beta) {
+                          return family.at_edge(choice, layer, beta);
+                      },
+                  .dimensions = 2,
+                  .reach = {.node = node, .forces = forces, .layers = 2 * node},
+                  .g = model.g,
+                  .largest_beta = family.largest_beta(model.choice),
+                  .highest_eigenvalue = highest_eigenvalue(lattice, wave_numbers)};
+    try {
+        return designed(std::move(task), designed_waves(lattice),
+                        {lattice.speed_P, lattice.speed_S}, wave_numbers);
+    } catch (const std::domain_error& error) {
+        throw no_design(model.g, error);
+    }
+}
+
+PassiveSide passive_end(const ChainModel& model) {
+    const auto n = Eigen::Index(model.horizon);
+    const LateralChain chain = chain_of(make_model("nopd1d", model.horizon), model.G);
+    constexpr std::size_t steps = 400;
+    EdgeTask task{.node_energy =
+                      [horizon = model.horizon](unsigned layer, const Rational&) {
+                          return as_vectors(nopd1d_at_edge(horizon, layer), int(horizon));
+                      },
+                  .dimensions = 1,
+                  .reach = {.node = n, .forces = 2 * n, .layers = 2 * n},
+                  .g = model.G,
+                  .largest_beta = 0,
+                  .is_exact_head_on = true,
+                  .near_the_lattice = 1e-3,
+                  .denominator = 1000000,
+                  .highest_eigenvalue = highest_eigenvalue(chain, steps)};
+    try {
+        std::vector<WeightedWave> waves;
+        for (const double xi : {0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0}) {
+            const IncidentWave wave = incident_wave(chain, xi);
+            constexpr double slow = 0.2;
+            if (wave.outgoing[std::size_t(wave.column)].group_velocity > slow) {
+                waves.push_back({wave, 1 / xi});
+            }
+        }
+        return designed(std::move(task), waves, {1}, 1);
+    } catch (const std::domain_error& error) {
+        throw no_design(model.G, error);
+    }
+}
+
+std::string passive_json(const PlaneModel& model) {
+    const PassiveSide side = passive_side(model);
+    const VectorModel described = find_vector_family(model.family).describe(model.choice);
+    const PlaneLattice lattice = plane_lattice(described, model.g, 0);
+    Json all{
         {"boundary", "passive"},
         {"family", model.family},
         {"model", described.description},
@@ -119,22 +212,49 @@ std::string passive_json(const PlaneModel& model) {
         {"units",
          "dX, density and Young's modulus are 1; side x = const, layers from the edge "
          "inwards, components x and y"},
-        {"layers", design.strain.size()},
-        {"strain_weights", strings(design.strain)},
-        {"stabilisation_weights", strings(design.stabilisation)},
-        {"masses", Json::array({strings(design.mass[0]), strings(design.mass[1])})},
-        {"dashpot_factors", factors},
-        {"dashpot_speeds_squared", Json::array({to_string(speed_squared(described, 0)[0]),
-                                                to_string(speed_squared(described, 1)[0])})},
-        {"null_lagrangian", to_string(design.null_lagrangian)},
-        {"proved", "weights and masses are positive, 0 <= null_lagrangian <= " +
-                       to_string(side.task.largest_beta) +
-                       ", dashpots are speed times L L^T: the energy of a body with this straight "
-                       "side is a sum of squares, which the side's dashpots never raise"},
-        {"designed_up_to_degrees", widest_designed_angle},
-        {"highest_eigenvalue_interior", side.task.highest_eigenvalue},
-        {"highest_eigenvalue", side.highest_eigenvalue},
-        {"reflected_energy", reflections(lattice, side)}};
+    };
+    all.update(numbers_of(side.design));
+    all.update(
+        Json{{"dashpot_speeds_squared", Json::array({to_string(speed_squared(described, 0)[0]),
+                                                     to_string(speed_squared(described, 1)[0])})},
+             {"null_lagrangian", to_string(side.design.null_lagrangian)},
+             {"proved", "weights and masses are positive, 0 <= null_lagrangian <= " +
+                            to_string(side.task.largest_beta) +
+                            ", dashpots are speed times L L^T over their scale: the energy of a "
+                            "body with this straight "
+                            "side is a sum of squares, which the side's dashpots never raise"},
+             {"designed_up_to_degrees", widest_designed_angle},
+             {"highest_eigenvalue_interior", side.task.highest_eigenvalue},
+             {"highest_eigenvalue", side.highest_eigenvalue},
+             {"reflected_energy", reflections(lattice, side)}});
+    return all.dump(2) + "\n";
+}
+
+std::string passive_json(const ChainModel& model) {
+    const PassiveSide side = passive_end(model);
+    const Model described = make_model("nopd1d", model.horizon);
+    const LateralChain chain = chain_of(described, model.G);
+    Json reflections = Json::array();
+    for (const double xi : {0.05, 0.1, 0.2, 0.5, 1.0}) {
+        reflections.push_back(
+            {{"xi", xi},
+             {"energy", reflected_by_edge(side.task, side.edge, incident_wave(chain, xi))}});
+    }
+    Json all{{"boundary", "passive"},
+             {"family", "nopd1d"},
+             {"horizon", model.horizon},
+             {"model", described.description},
+             {"source", described.source},
+             {"G", to_string(model.G)},
+             {"units", "dX = c = density = 1; layers from the end inwards"}};
+    all.update(numbers_of(side.design));
+    all.update(Json{{"proved",
+                     "weights, masses and scales are positive, dashpots are L L^T over "
+                     "their scale: the energy of a chain with this end is a sum of "
+                     "squares, which its dashpots never raise"},
+                    {"highest_eigenvalue_interior", side.task.highest_eigenvalue},
+                    {"highest_eigenvalue", side.highest_eigenvalue},
+                    {"reflected_energy", reflections}});
     return all.dump(2) + "\n";
 }
 

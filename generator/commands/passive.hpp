@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// nmbcgen passive: a side of a plane lattice that is stable by construction.
+/// nmbcgen passive: a side of a plane lattice, or an end of a chain, that is stable by
+/// construction.
 #pragma once
 
 #include <string>
@@ -16,7 +17,7 @@ struct PlaneModel {
     Rational g;
 };
 
-/// A designed side x = const, and what it is worth.
+/// A designed side x = const, or an end, and what it is worth.
 struct PassiveSide {
     EdgeTask task;
     PassiveDesign design;
@@ -36,7 +37,18 @@ inline constexpr double widest_designed_angle = 60;  ///< from the normal [degre
 /// such waves cannot be told from each other, or no design is found.
 PassiveSide passive_side(const PlaneModel& model);
 
-/// The design as JSON (docs/reference/json.md): all of it exact, and what it reflects.
+/// A chain nopd1d at one G.
+struct ChainModel {
+    unsigned horizon = 1;
+    Rational G;
+};
+
+/// Designed for waves with xi up to 1/dX, longer ones counting more; what it reflects vanishes with
+/// xi. Units dX = c = 1. Throws NoSuchBoundary where no design is found.
+PassiveSide passive_end(const ChainModel& model);
+
+/// Designs as JSON (docs/reference/json.md): all of it exact, and what they reflect.
 std::string passive_json(const PlaneModel& model);
+std::string passive_json(const ChainModel& model);
 
 }  // namespace nmbcgen

@@ -148,7 +148,7 @@ std::string amplification_of(const GhostSide& side) {
 }
 
 template <class Reflected>
-std::string reflections(const PlaneLattice& lattice, Reflected reflected) {
+std::string reflections_of(const PlaneLattice& lattice, Reflected reflected) {
     std::string text;
     for (const double angle : angles) {
         const double radians = angle * std::numbers::pi / 180;
@@ -159,22 +159,23 @@ std::string reflections(const PlaneLattice& lattice, Reflected reflected) {
     return text;
 }
 
-constexpr const char* row = "{:<26} {:<11} {:>10} {:>9} {:>5} {}\n";
+constexpr const char* row_format = "{:<26} {:<11} {:>10} {:>9} {:>5} {}\n";
 
 std::string row_of(const GhostSide& side, const PlaneLattice& lattice, std::size_t reach) {
     const bool grows = side.growth > 0;
-    return fmt::format(row, side.name, grade_of(side), amplification_of(side),
+    return fmt::format(row_format, side.name, grade_of(side), amplification_of(side),
                        grows ? fmt::format("{:.2g}", side.growth) : "none",
                        side.damping ? to_string(*side.damping)
                        : grows      ? "-"
                                     : "0",
-                       reflections(lattice, [&](const IncidentWave& wave) {
+                       reflections_of(lattice, [&](const IncidentWave& wave) {
                            return reflected_in_plane(wave, side.condition, reach);
                        }));
 }
 
 std::string heading() {
-    std::string text = fmt::format(row, "boundary", "grade", "amplifies", "growth", "tau", "");
+    std::string text =
+        fmt::format(row_format, "boundary", "grade", "amplifies", "growth", "tau", "");
     text.pop_back();
     for (const double angle : angles) {
         text += fmt::format("  {:>7} deg", angle);
@@ -201,8 +202,8 @@ std::string side_recommendation(const PlaneModel& model, const Progress& progres
         progress(++done, all);
     });
     std::string table =
-        heading() + fmt::format(row, "passive", "passive", "no", "none", "0",
-                                reflections(lattice, [&](const IncidentWave& wave) {
+        heading() + fmt::format(row_format, "passive", "passive", "no", "none", "0",
+                                reflections_of(lattice, [&](const IncidentWave& wave) {
                                     return reflected_by_edge(passive->task, passive->edge, wave);
                                 }));
     const std::size_t reach = lateral_chain(lattice, 0).reach();

@@ -60,6 +60,9 @@ Model make_model(std::string_view family, unsigned horizon, const Rational& damp
 void damp(Model& model, const Rational& damping);
 
 Model nopd1d(unsigned horizon, std::span<const Rational> weights);
+/// At constant influence, the energy of a node so many layers from an end at x = 0: neighbours
+/// beyond it are missing, and A_n is of those that are left. Stencils from -n to n.
+std::vector<ExactSquare> nopd1d_at_edge(unsigned horizon, unsigned layer);
 Model bond1d(unsigned horizon, std::span<const Rational> weights);
 Model chain1d(unsigned horizon, std::span<const Rational> weights);
 SquaredFrequency nopd1d_limit(unsigned horizon, const Real& G, const Real& xi);

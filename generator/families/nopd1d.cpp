@@ -31,6 +31,49 @@ std::vector<Polynomial> power_sums(unsigned highest) {
     return sums;
 }
 
+/// The energy of a node whose neighbours are the bonds from `first` to n, of n in the body.
+///
+/// Nodal strain (16): eps_I = sum_j w_j j (u_{I+j} - u_I) / A_n, A_n of the neighbours there are.
+///
+/// Stabilisation state (34): z_IJ = u_{I+j} - u_I - j eps_I on every bond. Its factor
+/// G C_BB w_j / (sum of the w_j), in (38) G C_BB/(2n), is G (2/n^3) w_j / (sum of the w_j) in
+/// the project's units, with C_BB = 2E/(h_1 delta^3) (10): G/n^4 at constant influence. Printed,
+/// (41) mixes 1/dX^2 with G/dX^3; the dimensionless G here is the printed G over dX.
+std::vector<ExactSquare> node_energy(int n, int first, std::span<const Rational> weights) {
+    const auto weight_of = [&](int bond) { return weights[std::size_t(std::abs(bond) - 1)]; };
+    Rational shape = 0;      // A_n of (16), n(n+1)(2n+1)/3 at constant influence in the body
+    Rational influence = 0;  // of all bonds in the body, 2n at constant influence
+    for (int j = -n; j <= n; ++j) {
+        if (j != 0) {
+            shape += j < first ? Rational(0) : Rational(j * j * weight_of(j));
+            influence += weight_of(j);
+        }
+    }
+    const auto is_there = [&](int bond) { return bond != 0 && bond >= first; };
+    std::vector<Rational> strain(std::size_t(2 * n + 1));
+    for (int j = first; j <= n; ++j) {
+        if (is_there(j)) {
+            strain[std::size_t(j + n)] = j * weight_of(j) / shape;
+            strain[std::size_t(n)] -= strain[std::size_t(j + n)];
+        }
+    }
+    std::vector<ExactSquare> energy{{EnergyPart::strain, constant(1), strain}};
+    const Rational bond_constant(Integer(2), pow(Integer(n), 3));
+    for (int bond = first; bond <= n; ++bond) {
+        if (!is_there(bond)) {
+            continue;
+        }
+        std::vector<Rational> state;
+        for (int j = -n; j <= n; ++j) {
+            state.push_back(int(j == bond) - int(j == 0) - bond * strain[std::size_t(j + n)]);
+        }
+        const Rational weight = bond_constant * weight_of(bond) / influence;
+        energy.push_back({EnergyPart::stabilisation, Polynomial(std::vector<Rational>{0, weight}),
+                          std::move(state)});
+    }
+    return energy;
+}
+
 }  // namespace
 
 /// With x = i xi, (41) is  -omega^2 = 4 [(T/A)^2 + (G/n^4) (C - T^2/A)],
@@ -67,46 +110,19 @@ ClosedForms nopd1d_moments(unsigned count) {
 
 Model nopd1d(unsigned horizon, std::span<const Rational> weights) {
     const int n = int(horizon);
-    const auto weight_of = [&](int bond) { return weights[std::size_t(std::abs(bond) - 1)]; };
-    Rational shape = 0;      // A_n of (16), n(n+1)(2n+1)/3 at constant influence
-    Rational influence = 0;  // of all bonds, 2n at constant influence
-    for (int j = 1; j <= n; ++j) {
-        shape += 2 * j * j * weight_of(j);
-        influence += 2 * weight_of(j);
-    }
-
-    // Nodal strain (16): eps_I = sum_j w_j j (u_{I+j} - u_I) / A_n; the u_I terms cancel.
-    std::vector<Rational> strain;
-    for (int j = -n; j <= n; ++j) {
-        strain.push_back(j == 0 ? Rational(0) : Rational(j * weight_of(j) / shape));
-    }
-    std::vector<ExactSquare> energy{{EnergyPart::strain, constant(1), strain}};
-
-    // Stabilisation state (34): z_IJ = u_{I+j} - u_I - j eps_I on every bond. Its factor
-    // G C_BB w_j / (sum of the w_j), in (38) G C_BB/(2n), is G (2/n^3) w_j / (sum of the w_j) in
-    // the project's units, with C_BB = 2E/(h_1 delta^3) (10): G/n^4 at constant influence. Printed,
-    // (41) mixes 1/dX^2 with G/dX^3; the dimensionless G here is the printed G over dX.
-    const Rational bond_constant(Integer(2), pow(Integer(n), 3));
-    for (int bond = -n; bond <= n; ++bond) {
-        if (bond == 0) {
-            continue;
-        }
-        std::vector<Rational> state;
-        for (int j = -n; j <= n; ++j) {
-            state.push_back(int(j == bond) - int(j == 0) - bond * strain[std::size_t(j + n)]);
-        }
-        const Rational weight = bond_constant * weight_of(bond) / influence;
-        energy.push_back({EnergyPart::stabilisation, Polynomial(std::vector<Rational>{0, weight}),
-                          std::move(state)});
-    }
     const bool constant_influence = std::ranges::count(weights, weights[0]) == n;
     return {
         .description = fmt::format("1D non-ordinary peridynamics, {}horizon {} dX, stabilisation G",
                                    constant_influence ? "constant influence, " : "", horizon),
         .source = "Nicely 2018: strain (16), stabilisation (34), symbol (41)",
-        .energy = std::move(energy),
+        .energy = node_energy(n, -n, weights),
         .symbol = {},
         .damping = {}};
+}
+
+std::vector<ExactSquare> nopd1d_at_edge(unsigned horizon, unsigned layer) {
+    const std::vector<Rational> constant_influence(horizon, Rational(1));
+    return node_energy(int(horizon), -int(std::min(horizon, layer)), constant_influence);
 }
 
 SquaredFrequency nopd1d_limit(unsigned horizon, const Real& G, const Real& xi) {

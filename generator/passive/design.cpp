@@ -35,7 +35,7 @@ PassiveEdge edge_in_doubles(const EdgeNumbers<double>& numbers, const std::vecto
         for (std::size_t row = 0; row < numbers.factor[a].size(); ++row) {
             lower.row(Index(row)).head(Index(row) + 1) = vector_of(numbers.factor[a][row]);
         }
-        edge.dashpots.emplace_back(speeds[a] * lower * lower.transpose());
+        edge.dashpots.emplace_back(speeds[a] / numbers.scale[a] * lower * lower.transpose());
     }
     return edge;
 }
@@ -52,6 +52,7 @@ EdgeNumbers<To> converted(const EdgeNumbers<From>& from, Convert convert) {
                        .stabilisation = each(from.stabilisation),
                        .mass = {},
                        .factor = {},
+                       .scale = each(from.scale),
                        .null_lagrangian = convert(from.null_lagrangian)};
     std::ranges::transform(from.mass, std::back_inserter(to.mass), each);
     for (const auto& factor : from.factor) {
@@ -60,11 +61,32 @@ EdgeNumbers<To> converted(const EdgeNumbers<From>& from, Convert convert) {
     return to;
 }
 
-/// Thousandths, and what is positive remains so.
-Rational rounded(double value) {
-    constexpr int thousandth = 1000;
-    const long nearest = std::lround(value * thousandth);
-    return {nearest == 0 && value > 0 ? 1 : nearest, thousandth};
+/// What is positive remains so.
+Rational rounded(double value, long denominator) {
+    const long nearest = std::lround(value * double(denominator));
+    return {nearest == 0 && value > 0 ? 1 : nearest, denominator};
+}
+
+/// |L^T 1|^2: the sum of all entries of L L^T.
+template <class Number>
+Number sum_of_square(const std::vector<std::vector<Number>>& factor) {
+    Number total = 0;
+    for (std::size_t column = 0; column < factor.size(); ++column) {
+        Number sum = 0;
+        for (std::size_t row = column; row < factor.size(); ++row) {
+            sum += factor[row][column];
+        }
+        total += sum * sum;
+    }
+    return total;
+}
+
+template <class Number>
+void set_scales(EdgeNumbers<Number>& numbers, bool is_exact_head_on) {
+    numbers.scale.clear();
+    for (const auto& factor : numbers.factor) {
+        numbers.scale.push_back(is_exact_head_on ? sum_of_square(factor) : Number(1));
+    }
 }
 
 /// Of M^-1 K of the layers whose forces are whole, the others held.
@@ -160,6 +182,7 @@ class Residuals : public Eigen::DenseFunctor<double> {
                 }
             }
         }
+        set_scales(numbers, task_.is_exact_head_on);
         if (task_.largest_beta != 0) {
             numbers.null_lagrangian =
                 nearest_double(task_.largest_beta) * (1 + std::sin(parameters(at++))) / 2;
@@ -184,8 +207,7 @@ class Residuals : public Eigen::DenseFunctor<double> {
             const double ratio = largest_eigenvalue(energies, now) / task_.highest_eigenvalue;
             residuals(at++) = long_steps * std::max(0.0, ratio - most_stiff);
         }
-        constexpr double near_the_lattice = 0.03;
-        residuals.tail(inputs()) = near_the_lattice * (parameters - start_);
+        residuals.tail(inputs()) = task_.near_the_lattice * (parameters - start_);
         return 0;
     }
 
@@ -214,8 +236,8 @@ void require_passive(const PassiveDesign& design, const Rational& largest_beta) 
         return std::ranges::all_of(values, [](const Rational& value) { return value > 0; });
     };
     if (!all_positive(design.strain) || !all_positive(design.stabilisation) ||
-        !std::ranges::all_of(design.mass, all_positive) || design.null_lagrangian < 0 ||
-        design.null_lagrangian > largest_beta) {
+        !std::ranges::all_of(design.mass, all_positive) || !all_positive(design.scale) ||
+        design.null_lagrangian < 0 || design.null_lagrangian > largest_beta) {
         throw std::logic_error("an edge was designed that is not passive");
     }
 }
@@ -227,9 +249,9 @@ PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>&
     Eigen::NumericalDiff<Residuals, Eigen::Central> with_differences(residuals);
     Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Residuals, Eigen::Central>> search(
         with_differences);
-    constexpr double far_below_a_thousandth = 1e-7;
-    search.setXtol(far_below_a_thousandth);
-    search.setFtol(far_below_a_thousandth);
+    constexpr double far_below_a_digit = 1e-9;
+    search.setXtol(far_below_a_digit);
+    search.setFtol(far_below_a_digit);
     constexpr Index enough = 8000;
     search.setMaxfev(enough);
     VectorXd parameters = residuals.start();
@@ -237,7 +259,10 @@ PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>&
     if (!parameters.allFinite() || !std::isfinite(search.fnorm())) {
         throw std::domain_error("the search for its numbers failed");
     }
-    PassiveDesign design = converted<Rational>(residuals.numbers(parameters), rounded);
+    PassiveDesign design = converted<Rational>(residuals.numbers(parameters), [&](double value) {
+        return rounded(value, task.denominator);
+    });
+    set_scales(design, task.is_exact_head_on);
     design.null_lagrangian = std::min(design.null_lagrangian, task.largest_beta);
     require_passive(design, task.largest_beta);
     return design;

@@ -16,6 +16,12 @@ struct EdgeTask {
     EdgeReach reach;
     Rational g;
     Rational largest_beta;  ///< up to it the energy is a sum of squares; 0: no null Lagrangian
+    /// Scales are |L^T 1|^2, so that nothing comes back of long waves head-on; or 1, where wider
+    /// angles count.
+    bool is_exact_head_on = false;
+    /// Of the logarithms of weights and masses in the sum of squares.
+    double near_the_lattice = 0.03;
+    long denominator = 1000;        ///< of the numbers of the design
     double highest_eigenvalue = 0;  ///< the largest omega^2 of the interior
 
     EdgeEnergies at(double wave_number) const {
@@ -23,8 +29,8 @@ struct EdgeTask {
     }
 };
 
-/// The numbers of an edge. With weights and masses positive and 0 <= beta <= largest_beta energy is
-/// a sum of squares, and C = c L L^T is one, too: the edge is passive.
+/// The numbers of an edge. With weights, masses and scales positive and 0 <= beta <= largest_beta
+/// energy is a sum of squares, and C = c L L^T/scale is one, too: the edge is passive.
 template <class Number>
 struct EdgeNumbers {
     std::vector<Number> strain;             ///< V, from the edge inwards
@@ -33,7 +39,8 @@ struct EdgeNumbers {
     /// L of each component, the rows of a lower triangle; its c is the speed of the component's
     /// own long waves along x.
     std::vector<std::vector<std::vector<Number>>> factor;
-    Number null_lagrangian{};  ///< beta
+    std::vector<Number> scale;  ///< of each component; |L^T 1|^2 lets long waves out head-on
+    Number null_lagrangian{};   ///< beta
 };
 
 /// Exact, as short decimals.

@@ -62,6 +62,15 @@ double group_velocity(const LateralChain& chain, double omega, Complex z,
     return -sum.real() / (2 * omega);
 }
 
+/// Of the travelling wave exp(+-i xi I).
+Index column_of(const std::vector<PlaneMode>& outgoing, double xi) {
+    const Complex own = std::polar(1.0, xi);
+    const auto distance = [&](const PlaneMode& mode) {
+        return mode.travels() ? std::min(std::abs(mode.z - own), std::abs(mode.z - 1.0 / own)) : 2;
+    };
+    return std::ranges::min_element(outgoing, {}, distance) - outgoing.begin();
+}
+
 }  // namespace
 
 PlaneMode mirror_image(PlaneMode mode) {
@@ -117,18 +126,34 @@ IncidentWave incident_wave(const PlaneLattice& lattice, bool is_P, double xi, do
                           .outgoing = {},
                           .column = 0};
         wave.outgoing = outgoing_plane_modes(lateral_chain(lattice, wave.wave_number), wave.omega);
-        if (wave.outgoing.empty()) {
-            continue;
+        if (!wave.outgoing.empty()) {
+            wave.column = column_of(wave.outgoing, wave_vector.x());
+            return wave;
         }
-        const Complex own = std::polar(1.0, wave_vector.x());
-        const auto distance = [&](const PlaneMode& mode) {
-            return mode.travels() ? std::min(std::abs(mode.z - own), std::abs(mode.z - 1.0 / own))
-                                  : 2;
-        };
-        wave.column = std::ranges::min_element(wave.outgoing, {}, distance) - wave.outgoing.begin();
-        return wave;
     }
     throw std::domain_error("the modes at a side cannot be told from each other");
+}
+
+double omega_squared(const LateralChain& chain, double xi) {
+    double sum = 0;
+    const auto reach = int(chain.reach());
+    for (int r = -reach; r <= reach; ++r) {
+        sum += chain.stiffness[std::size_t(r + reach)](0, 0) * std::cos(r * xi);
+    }
+    return sum;
+}
+
+IncidentWave incident_wave(const LateralChain& chain, double xi) {
+    IncidentWave wave{.omega = std::sqrt(omega_squared(chain, xi)),
+                      .wave_number = 0,
+                      .outgoing = {},
+                      .column = 0};
+    wave.outgoing = outgoing_plane_modes(chain, wave.omega);
+    if (wave.outgoing.empty()) {
+        throw std::domain_error("the modes at an end cannot be told from each other");
+    }
+    wave.column = column_of(wave.outgoing, xi);
+    return wave;
 }
 
 }  // namespace nmbcgen

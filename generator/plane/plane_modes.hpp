@@ -41,4 +41,11 @@ struct IncidentWave {
 /// off; throws std::domain_error where modes cannot be told there, either.
 IncidentWave incident_wave(const PlaneLattice& lattice, bool is_P, double xi, double angle);
 
+/// omega^2 of a chain of layers with one component, at real wave number.
+double omega_squared(const LateralChain& chain, double xi);
+
+/// The wave of a chain of layers with one component, at real wave number xi. Throws
+/// std::domain_error where modes cannot be told.
+IncidentWave incident_wave(const LateralChain& chain, double xi);
+
 }  // namespace nmbcgen

@@ -16,7 +16,7 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-constexpr double resolved = 1e-6;  // unitarity of R_D, in doubles
+constexpr double unitary_within = 1e-6;  // R_D, in doubles
 
 Complex delta(const SideCondition& condition, std::size_t component, double omega, Complex z) {
     return evaluate(condition.residual[component], Complex(0, omega), z);
@@ -109,7 +109,7 @@ std::optional<Amplification> amplification(const LateralChain& chain,
     }
     const MatrixXcd fixed = side_reflection(outgoing, fixed_condition(), chain.reach(), omega);
     if (!((fixed.adjoint() * fixed - MatrixXcd::Identity(travelling, travelling)).norm() <
-          resolved)) {
+          unitary_within)) {
         return std::nullopt;
     }
     Amplification result;

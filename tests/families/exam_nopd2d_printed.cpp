@@ -206,10 +206,10 @@ TEST_CASE("long waves of every family have the same speeds at every angle and G"
     for (const unsigned radius_squared : {1U, 2U, 4U, 5U, 8U, 9U}) {
         const ForceConstants phi =
             force_constants(nopd2d({.radius_squared = radius_squared, .poisson = quarter}));
-        for (const std::size_t a : {0, 1}) {
-            for (const std::size_t b : {0, 1}) {
-                for (const std::size_t i : {0, 1}) {
-                    for (const std::size_t j : {0, 1}) {
+        for (const std::size_t a : {0U, 1U}) {
+            for (const std::size_t b : {0U, 1U}) {
+                for (const std::size_t i : {0U, 1U}) {
+                    for (const std::size_t j : {0U, 1U}) {
                         Polynomial moment;
                         for (const auto& [offset, matrix] : phi) {
                             moment += matrix[a][b] * constant(Rational(-offset[i] * offset[j], 2));

@@ -134,6 +134,7 @@ TEST_CASE("what is not passive is refused") {
                          .stabilisation = {1, 1},
                          .mass = {{1, 1}, {1, 1}},
                          .factor = {},
+                         .scale = {1, 1},
                          .null_lagrangian = Rational(4, 5)};
     CHECK_NOTHROW(require_passive(design, Rational(4, 5)));
     CHECK_THROWS_AS(require_passive(design, Rational(3, 4)), std::logic_error);

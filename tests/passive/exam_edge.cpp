@@ -113,19 +113,19 @@ TEST_CASE("a design for waves up to 60 degrees, delta = 1, G = 0") {
     struct Row {
         double angle, P, S;
     };
-    for (const auto& [angle, P, S] :
-         {Row{0, 0, .010}, Row{20, 0, 0}, Row{40, .001, .001}, Row{60, .031, .064},
-          Row{70, .111, .177}, Row{80, .34, .43}}) {
-        CAPTURE(angle);
+    for (const Row& row : {Row{0, 0, .010}, Row{20, 0, 0}, Row{40, .001, .001}, Row{60, .031, .064},
+                           Row{70, .111, .177}, Row{80, .34, .43}}) {
+        CAPTURE(row.angle);
         for (const bool is_P : {true, false}) {
-            const IncidentWave wave = incident_wave(lattice, is_P, .1, radians(angle));
+            const IncidentWave wave = incident_wave(lattice, is_P, .1, radians(row.angle));
             const double reflected = edge_reflection(edge_energies(at_edge(1), 2, reach_of(1), 0,
                                                                    largest_beta, wave.wave_number),
                                                      edge, wave.outgoing, wave.omega)
                                          .col(wave.column)
                                          .squaredNorm();
             // A tenth of it, or .002. Head-on, .010 of S is ((1 - a_t)/(1 + a_t))^2.
-            CHECK(std::abs(reflected - (is_P ? P : S)) < std::max(.002, .1 * (is_P ? P : S)));
+            CHECK(std::abs(reflected - (is_P ? row.P : row.S)) <
+                  std::max(.002, .1 * (is_P ? row.P : row.S)));
         }
     }
 }

@@ -29,22 +29,22 @@ TEST_CASE("reflected energy against the angle, delta = 1, G = 0, xi = .1") {
         std::array<double, 2> printed, by_component, higdon;  // P, S
     };
     const PlaneLattice lattice = lattice_of_paper(1, 0);
-    for (const auto& [angle, printed, by_component, higdon] :
+    for (const Row& row :
          {Row{0, {0, .058}, {0, 0}, {0, 0}}, Row{20, {.001, .071}, {.004, .014}, {0, 0}},
           Row{40, {.011, .013}, {.026, .013}, {.001, 0}},
           Row{60, {.044, .010}, {.101, .036}, {.006, .001}},
           Row{70, {.095, .080}, {.196, .128}, {.024, .019}},
           Row{80, {.27, .31}, {.41, .37}, {.14, .15}}}) {
-        CAPTURE(angle);
-        for (const std::size_t wave : {0, 1}) {
+        CAPTURE(row.angle);
+        for (const std::size_t wave : {0U, 1U}) {
             const auto check = [&](const SideCondition& condition, double expected) {
                 // two or three digits are given
-                CHECK(reflected(lattice, condition, wave == 0, .1, angle) ==
+                CHECK(reflected(lattice, condition, wave == 0, .1, row.angle) ==
                       doctest::Approx(expected).scale(0.02).epsilon(0.03));
             };
-            check(published_condition(lattice), printed[wave]);
-            check(polarisation_wise_condition(lattice), by_component[wave]);
-            check(higdon_condition(lattice, shift), higdon[wave]);
+            check(published_condition(lattice), row.printed[wave]);
+            check(polarisation_wise_condition(lattice), row.by_component[wave]);
+            check(higdon_condition(lattice, shift), row.higdon[wave]);
         }
     }
 }
@@ -109,20 +109,19 @@ TEST_CASE("round trips between sides of (81), delta = 1") {
         double G, least, most, alone;
     };
     constexpr std::size_t samples = 16;
-    for (const auto& [G, least, paired, alone] :
-         {Case{0, 1.745, 1.783, 1.991}, Case{.1, 1.569, 1.571, 1.575},
-          Case{.18, 1.010, 1.013, 1.250}, Case{.22, .9999, 1, 1.209}, Case{.25, .9999, 1, 1.176},
-          Case{.5, .997, 1, 1}}) {
-        CAPTURE(G);
-        const PlaneLattice lattice = lattice_of_paper(1, G);
+    for (const Case& one : {Case{0, 1.745, 1.783, 1.991}, Case{.1, 1.569, 1.571, 1.575},
+                            Case{.18, 1.010, 1.013, 1.250}, Case{.22, .9999, 1, 1.209},
+                            Case{.25, .9999, 1, 1.176}, Case{.5, .997, 1, 1}}) {
+        CAPTURE(one.G);
+        const PlaneLattice lattice = lattice_of_paper(1, one.G);
         const LargestAmplification seen =
             largest_amplification(lattice, published_condition(lattice), samples);
         CHECK(seen.examined > seen.samples * 9 / 10);
         const Amplification found = seen.value;
-        CHECK(found.paired >= least);
-        CHECK(found.paired <= paired + 1e-6);  // 1 is reached where waves stand
+        CHECK(found.paired >= one.least);
+        CHECK(found.paired <= one.most + 1e-6);  // 1 is reached where waves stand
         // Next to waves that stand, where 1 is reached, the search ends a little early.
-        CHECK(found.alone == doctest::Approx(alone).epsilon(5e-3));
-        CHECK((found.paired > 1 + 1e-6) == (paired > 1));
+        CHECK(found.alone == doctest::Approx(one.alone).epsilon(5e-3));
+        CHECK((found.paired > 1 + 1e-6) == (one.most > 1));
     }
 }

@@ -38,7 +38,9 @@ TEST_CASE("(81) grows for all families but the smallest, and there up to G of ab
         {1, {.046, .009, 0, 0, 0, 0, 0}},         {2, {.48, .45, .39, .30, .16, .23, .39}},
         {4, {.12, .11, .10, .08, .03, .03, .18}}, {5, {.21, .20, .18, .16, .12, .04, .08}},
         {8, {.36, .35, .35, .33, .31, .25, .12}}, {9, {.18, .18, .17, .16, .14, .11, .05}}};
-    for (const auto& [radius_squared, expected] : rates) {
+    for (const auto& rate : rates) {
+        const unsigned radius_squared = rate.first;
+        const auto& expected = rate.second;
         for (std::size_t i = 0; i < G.size(); ++i) {
             const PlaneLattice lattice = lattice_of_paper(radius_squared, G[i]);
             const double found = growth(lattice, published_condition(lattice));

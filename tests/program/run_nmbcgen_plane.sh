@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # shellcheck disable=SC1091,SC2016,SC2154  # assert.sh defines what is used here
-# nmbcgen recommend and passive, of the side of a plane lattice.
+# nmbcgen recommend of the side of a plane lattice, and nmbcgen passive.
 # Usage: run_nmbcgen_plane.sh NMBCGEN PAGE
 source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
 page=$2
@@ -50,6 +50,26 @@ assert head_on["angle"] == 0 and head_on["P"] < 0.005 and head_on["S"] < 0.02
 try passive "${smallest[@]}" --G 1/5
 expect "the same again" cmp "$scratch/once" "$scratch/stdout"
 
+# An end of a chain: energies beside those of NMBC2, whose amplitudes at xi = 0.05, 0.1, 0.2, 0.5, 1
+# are 5.2e-7, 8.3e-6, 1.3e-4, 5.5e-3, 1.0e-1 at n = 2, G = 1, s = 2.
+try passive --horizon 2 --G 1
+expect_exit 0
+expect_no_stderr
+cp "$scratch/stdout" "$scratch/once"
+expect "JSON" python3 -c '
+import json, sys
+from fractions import Fraction
+end = json.load(open(sys.argv[1]))
+assert end["layers"] == 4 and end["highest_eigenvalue"] < 1.5 * end["highest_eigenvalue_interior"]
+for weights in [end["strain_weights"], end["stabilisation_weights"], *end["masses"], end["dashpot_scales"]]:
+    assert all(Fraction(weight) > 0 for weight in weights)
+factor, = [[[Fraction(entry) for entry in row] for row in rows] for rows in end["dashpot_factors"]]
+sums = [sum(row[j] for row in factor if j < len(row)) for j in range(4)]
+assert sum(one * one for one in sums) == Fraction(end["dashpot_scales"][0])
+amplitudes = [one["energy"] ** 0.5 for one in end["reflected_energy"]]
+assert all(found < most for found, most in zip(amplitudes, [2e-5, 3e-5, 6e-5, 2e-4, 1e-3])), amplitudes
+' "$scratch/once"
+
 refuses() { # CODE TEXT ARGUMENT..
     local code=$1 text=$2
     shift 2
@@ -65,5 +85,10 @@ refuses 2 "--nu: Poisson's ratio 1: plane stress needs -1 < nu < 1" passive --fa
 refuses 2 "--nu: Poisson's ratio 1/2: plane strain" passive --family nopd2d --radius2 1 --nu 1/2 --state strain --G 1
 refuses 2 "sides of families above 25 take too long" recommend --family nopd2d --radius2 26 --nu 1/4 --G 1
 refuses 2 "do not travel" passive --family bond2d --radius2 1 --weights 1
-refuses 2 "passive sides are of the plane: nopd2d, bond2d" passive --family nopd1d --radius2 1 --G 1
+refuses 2 "--radius2: nopd1d is no plane family" passive --family nopd1d --radius2 1 --G 1
+refuses 2 "passive designs are of nopd1d, nopd2d, bond2d" passive --family chain1d --horizon 1
+refuses 2 "passive ends have constant influence" passive --horizon 2 --weights 1,1/2 --G 1
+refuses 2 "designs above 6 take too long" passive --horizon 7 --G 1
+refuses 2 "passive requires --G" passive --horizon 2
+refuses 2 "--horizon (or --radius2) is required" passive --G 1
 finish
