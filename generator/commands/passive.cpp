@@ -24,8 +24,7 @@ std::vector<WeightedWave> designed_waves(const PlaneLattice& lattice) {
     for (const double angle : {0.0, 15.0, 30.0, 45.0, widest_designed_angle}) {
         for (const double xi : {0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0}) {
             for (const bool is_P : {true, false}) {
-                const IncidentWave wave =
-                    incident_wave(lattice, is_P, xi, angle * std::numbers::pi / 180);
+                const ArrivingWave wave = wave_at(lattice, is_P, xi, angle);
                 const PlaneMode& mode = wave.outgoing[std::size_t(wave.column)];
                 // Where waves stand, or go backwards, their angle is not that of their energy.
                 const double slow = 0.2 * (is_P ? lattice.speed_P : lattice.speed_S);
@@ -53,9 +52,7 @@ Json reflections(const PlaneLattice& lattice, const PassiveSide& side) {
     for (const double angle : {0.0, 20.0, 40.0, 60.0, 70.0, 80.0}) {
         for (const double xi : {0.05, 0.1, 0.2, 0.5, 1.0}) {
             const auto reflected = [&](bool is_P) {
-                return reflected_by_edge(
-                    side.task, side.edge,
-                    incident_wave(lattice, is_P, xi, angle * std::numbers::pi / 180));
+                return reflected_by_edge(side.task, side.edge, wave_at(lattice, is_P, xi, angle));
             };
             list.push_back(
                 {{"angle", angle}, {"xi", xi}, {"P", reflected(true)}, {"S", reflected(false)}});
@@ -113,15 +110,14 @@ double highest_eigenvalue(const LateralChain& chain, std::size_t steps) {
 std::vector<VectorSquare> as_vectors(const std::vector<ExactSquare>& squares, int horizon) {
     std::vector<VectorSquare> vectors;
     for (const ExactSquare& square : squares) {
-        VectorSquare& vector = vectors.emplace_back();
-        vector.part = square.part;
-        vector.weight = square.weight;
+        std::vector<VectorTerm> terms;
         for (int j = -horizon; j <= horizon; ++j) {
             const Rational& factor = square.stencil[std::size_t(j + horizon)];
             if (factor != 0) {
-                vector.terms.push_back({{j, 0, 0}, {factor, 0, 0}});
+                terms.push_back({{j, 0, 0}, {factor, 0, 0}});
             }
         }
+        vectors.push_back({square.part, square.weight, std::move(terms)});
     }
     return vectors;
 }
@@ -144,6 +140,15 @@ NoSuchBoundary no_design(const Rational& G, const std::domain_error& reason) {
 }
 
 }  // namespace
+
+ArrivingWave wave_at(const PlaneLattice& lattice, bool is_P, double xi, double degrees) {
+    try {
+        return arriving_wave(lattice, is_P, xi, degrees * std::numbers::pi / 180);
+    } catch (const std::domain_error& error) {
+        throw NoSuchBoundary(fmt::format("{} waves of xi = {:g}/dX at {:g} degrees: {}",
+                                         is_P ? "P" : "S", xi, degrees, error.what()));
+    }
+}
 
 PassiveSide passive_side(const PlaneModel& model) {
     const VectorFamily& family = find_vector_family(model.family);
@@ -187,7 +192,7 @@ PassiveSide passive_end(const ChainModel& model) {
     try {
         std::vector<WeightedWave> waves;
         for (const double xi : {0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0}) {
-            const IncidentWave wave = incident_wave(chain, xi);
+            const ArrivingWave wave = arriving_wave(chain, xi);
             constexpr double slow = 0.2;
             if (wave.outgoing[std::size_t(wave.column)].group_velocity > slow) {
                 waves.push_back({wave, 1 / xi});
@@ -238,7 +243,7 @@ std::string passive_json(const ChainModel& model) {
     for (const double xi : {0.05, 0.1, 0.2, 0.5, 1.0}) {
         reflections.push_back(
             {{"xi", xi},
-             {"energy", reflected_by_edge(side.task, side.edge, incident_wave(chain, xi))}});
+             {"energy", reflected_by_edge(side.task, side.edge, arriving_wave(chain, xi))}});
     }
     Json all{{"boundary", "passive"},
              {"family", "nopd1d"},

@@ -32,6 +32,10 @@ inline constexpr unsigned largest_side_radius_squared = 25;
 
 inline constexpr double widest_designed_angle = 60;  ///< from the normal [degrees]
 
+/// At an angle from the normal [degrees]. Throws NoSuchBoundary where it cannot be told from other
+/// waves.
+ArrivingWave wave_at(const PlaneLattice& lattice, bool is_P, double xi, double degrees);
+
 /// Designed for P and S waves at angles up to the widest one with xi up to 1/dX, longer ones
 /// counting more. Takes a second at radius 1, and 20 s at radius 3. Throws NoSuchBoundary where
 /// such waves cannot be told from each other, or no design is found.

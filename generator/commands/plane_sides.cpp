@@ -6,7 +6,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "generator/exact/rational.hpp"
@@ -151,10 +150,9 @@ template <class Reflected>
 std::string reflections_of(const PlaneLattice& lattice, Reflected reflected) {
     std::string text;
     for (const double angle : angles) {
-        const double radians = angle * std::numbers::pi / 180;
-        text += fmt::format("  {:.3f}/{:.3f}",
-                            reflected(incident_wave(lattice, true, reflected_xi, radians)),
-                            reflected(incident_wave(lattice, false, reflected_xi, radians)));
+        text +=
+            fmt::format("  {:.3f}/{:.3f}", reflected(wave_at(lattice, true, reflected_xi, angle)),
+                        reflected(wave_at(lattice, false, reflected_xi, angle)));
     }
     return text;
 }
@@ -168,7 +166,7 @@ std::string row_of(const GhostSide& side, const PlaneLattice& lattice, std::size
                        side.damping ? to_string(*side.damping)
                        : grows      ? "-"
                                     : "0",
-                       reflections_of(lattice, [&](const IncidentWave& wave) {
+                       reflections_of(lattice, [&](const ArrivingWave& wave) {
                            return reflected_in_plane(wave, side.condition, reach);
                        }));
 }
@@ -203,7 +201,7 @@ std::string side_recommendation(const PlaneModel& model, const Progress& progres
     });
     std::string table =
         heading() + fmt::format(row_format, "passive", "passive", "no", "none", "0",
-                                reflections_of(lattice, [&](const IncidentWave& wave) {
+                                reflections_of(lattice, [&](const ArrivingWave& wave) {
                                     return reflected_by_edge(passive->task, passive->edge, wave);
                                 }));
     const std::size_t reach = lateral_chain(lattice, 0).reach();

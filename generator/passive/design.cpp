@@ -268,7 +268,7 @@ PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>&
     return design;
 }
 
-double reflected_by_edge(const EdgeTask& task, const PassiveEdge& edge, const IncidentWave& wave) {
+double reflected_by_edge(const EdgeTask& task, const PassiveEdge& edge, const ArrivingWave& wave) {
     return edge_reflection(task.at(wave.wave_number), edge, wave.outgoing, wave.omega)
         .col(wave.column)
         .squaredNorm();

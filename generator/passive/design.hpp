@@ -54,7 +54,7 @@ void require_passive(const PassiveDesign& design, const Rational& largest_beta);
 
 /// A wave that is to leave, and the weight of its reflected amplitudes.
 struct WeightedWave {
-    IncidentWave wave;
+    ArrivingWave wave;
     double weight = 1;
 };
 
@@ -67,7 +67,7 @@ PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>&
                           const std::vector<double>& speeds);
 
 /// The part of a wave's energy that comes back, in any polarisation.
-double reflected_by_edge(const EdgeTask& task, const PassiveEdge& edge, const IncidentWave& wave);
+double reflected_by_edge(const EdgeTask& task, const PassiveEdge& edge, const ArrivingWave& wave);
 
 /// The largest eigenvalue of M^-1 K beside the edge, over so many wave numbers along it. Leapfrog
 /// steps with midpoint dashpots are stable while dt^2 times the largest one of the whole body is

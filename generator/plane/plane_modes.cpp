@@ -113,7 +113,7 @@ std::vector<PlaneMode> outgoing_plane_modes(const LateralChain& chain, double om
     return travelling;
 }
 
-IncidentWave incident_wave(const PlaneLattice& lattice, bool is_P, double xi, double angle) {
+ArrivingWave arriving_wave(const PlaneLattice& lattice, bool is_P, double xi, double angle) {
     constexpr double aside = 1e-4;
     for (const double turned : {angle, angle - aside, angle + aside}) {
         const Eigen::Vector2d wave_vector(xi * std::cos(turned), xi * std::sin(turned));
@@ -121,7 +121,7 @@ IncidentWave incident_wave(const PlaneLattice& lattice, bool is_P, double xi, do
             dynamical_matrix(lattice.bonds, wave_vector).value);
         const Eigen::Vector2d overlap = (waves.eigenvectors().transpose() * wave_vector).cwiseAbs();
         const Index branch = (overlap(1) > overlap(0)) == is_P ? 1 : 0;
-        IncidentWave wave{.omega = std::sqrt(waves.eigenvalues()(branch)),
+        ArrivingWave wave{.omega = std::sqrt(waves.eigenvalues()(branch)),
                           .wave_number = wave_vector.y(),
                           .outgoing = {},
                           .column = 0};
@@ -143,8 +143,8 @@ double omega_squared(const LateralChain& chain, double xi) {
     return sum;
 }
 
-IncidentWave incident_wave(const LateralChain& chain, double xi) {
-    IncidentWave wave{.omega = std::sqrt(omega_squared(chain, xi)),
+ArrivingWave arriving_wave(const LateralChain& chain, double xi) {
+    ArrivingWave wave{.omega = std::sqrt(omega_squared(chain, xi)),
                       .wave_number = 0,
                       .outgoing = {},
                       .column = 0};

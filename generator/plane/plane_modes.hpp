@@ -29,7 +29,7 @@ PlaneMode mirror_image(PlaneMode mode);
 std::vector<PlaneMode> outgoing_plane_modes(const LateralChain& chain, double omega);
 
 /// A P or S wave that comes to a side.
-struct IncidentWave {
+struct ArrivingWave {
     double omega = 0;
     double wave_number = 0;           ///< k_t [1/dX]
     std::vector<PlaneMode> outgoing;  ///< at these
@@ -39,13 +39,13 @@ struct IncidentWave {
 /// At an angle from the normal, 0 <= angle < pi/2, with wave number xi > 0 [1/dX] so small that
 /// modes are P and S. Where another wave just begins to travel at this frequency, the angle is 1e-4
 /// off; throws std::domain_error where modes cannot be told there, either.
-IncidentWave incident_wave(const PlaneLattice& lattice, bool is_P, double xi, double angle);
+ArrivingWave arriving_wave(const PlaneLattice& lattice, bool is_P, double xi, double angle);
 
 /// omega^2 of a chain of layers with one component, at real wave number.
 double omega_squared(const LateralChain& chain, double xi);
 
 /// The wave of a chain of layers with one component, at real wave number xi. Throws
 /// std::domain_error where modes cannot be told.
-IncidentWave incident_wave(const LateralChain& chain, double xi);
+ArrivingWave arriving_wave(const LateralChain& chain, double xi);
 
 }  // namespace nmbcgen

@@ -177,7 +177,7 @@ LargestAmplification largest_amplification(const PlaneLattice& lattice,
     return largest;
 }
 
-double reflected_in_plane(const IncidentWave& wave, const SideCondition& condition,
+double reflected_in_plane(const ArrivingWave& wave, const SideCondition& condition,
                           std::size_t reach) {
     return side_reflection(wave.outgoing, condition, reach, wave.omega)
         .col(wave.column)

@@ -46,7 +46,7 @@ LargestAmplification largest_amplification(const PlaneLattice& lattice,
                                            const SideCondition& condition, std::size_t samples);
 
 /// The part of its energy that comes back, in any polarisation.
-double reflected_in_plane(const IncidentWave& wave, const SideCondition& condition,
+double reflected_in_plane(const ArrivingWave& wave, const SideCondition& condition,
                           std::size_t reach);
 
 }  // namespace nmbcgen

@@ -33,7 +33,7 @@ std::vector<WeightedWave> some_waves(const PlaneLattice& lattice) {
     for (const double degrees : {0.0, 25.0, 50.0}) {
         for (const double xi : {0.1, 0.4, 0.8}) {
             for (const bool is_P : {true, false}) {
-                waves.push_back({incident_wave(lattice, is_P, xi, radians(degrees)), 1});
+                waves.push_back({arriving_wave(lattice, is_P, xi, radians(degrees)), 1});
             }
         }
     }
@@ -59,7 +59,7 @@ TEST_CASE("a design is passive, reflects little, and keeps steps long") {
         for (const bool is_P : {true, false}) {
             const auto reflected = [&](double degrees) {
                 return reflected_by_edge(task, edge,
-                                         incident_wave(lattice, is_P, 0.1, radians(degrees)));
+                                         arriving_wave(lattice, is_P, 0.1, radians(degrees)));
             };
             // The published condition leaves .058 of S head-on.
             CHECK(reflected(0) < 0.02);

@@ -87,7 +87,7 @@ TEST_CASE("energy of an edge is not negative for 0 <= beta <= 2 mu, and can be b
 TEST_CASE("without dashpots an edge keeps the energy") {
     const PlaneLattice lattice = lattice_of_paper(4, 0.5);
     for (const double degrees : {0.0, 50.0}) {
-        const IncidentWave wave = incident_wave(lattice, true, 0.6, radians(degrees));
+        const ArrivingWave wave = arriving_wave(lattice, true, 0.6, radians(degrees));
         const Eigen::MatrixXcd matrix = edge_reflection(
             edge_energies(at_edge(4), 2, reach_of(4), g_of(0.5), largest_beta, wave.wave_number),
             plain(4), wave.outgoing, wave.omega);
@@ -117,7 +117,7 @@ TEST_CASE("a design for waves up to 60 degrees, delta = 1, G = 0") {
                            Row{70, .111, .177}, Row{80, .34, .43}}) {
         CAPTURE(row.angle);
         for (const bool is_P : {true, false}) {
-            const IncidentWave wave = incident_wave(lattice, is_P, .1, radians(row.angle));
+            const ArrivingWave wave = arriving_wave(lattice, is_P, .1, radians(row.angle));
             const double reflected = edge_reflection(edge_energies(at_edge(1), 2, reach_of(1), 0,
                                                                    largest_beta, wave.wave_number),
                                                      edge, wave.outgoing, wave.omega)

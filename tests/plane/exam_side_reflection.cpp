@@ -17,7 +17,7 @@ constexpr double shift = 0.002;
 
 double reflected(const PlaneLattice& lattice, const SideCondition& condition, bool is_P, double xi,
                  double degrees) {
-    return reflected_in_plane(incident_wave(lattice, is_P, xi, radians(degrees)), condition,
+    return reflected_in_plane(arriving_wave(lattice, is_P, xi, radians(degrees)), condition,
                               lateral_chain(lattice, 0).reach());
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("a product of two factors lets out a P wave at one angle and an S wave
 TEST_CASE("fixed ghost layers keep the energy, and their reflection is symmetric") {
     const PlaneLattice lattice = lattice_of_paper(4, 0.3);
     for (const double degrees : {0.0, 35.0, 70.0}) {
-        const IncidentWave wave = incident_wave(lattice, false, 0.7, radians(degrees));
+        const ArrivingWave wave = arriving_wave(lattice, false, 0.7, radians(degrees));
         const LateralChain chain = lateral_chain(lattice, wave.wave_number);
         const Eigen::MatrixXcd matrix =
             side_reflection(wave.outgoing, fixed_condition(), chain.reach(), wave.omega);
