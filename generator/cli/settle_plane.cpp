@@ -43,8 +43,7 @@ void refuse_options_of_chains(const CLI::App& used) {
     }
 }
 
-ChainModel settled_end(const Question& question, const Pending& pending, const CLI::App& used) {
-    refuse_options(question.family, used);
+ChainModel settled_end(const Question& question, const Pending& pending) {
     if (question.family != "nopd1d") {
         throw CLI::ValidationError("--family", "passive designs are of nopd1d, nopd2d, bond2d");
     }
@@ -103,12 +102,11 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
                           : disperses ? request.curves.family
                                       : request.specification.family;
     const VectorFamily* const known = vector_family(family);
-    if (known == nullptr && designs) {
-        request.end = settled_end(request.question, pending, used);
-        return;
-    }
     if (known == nullptr) {
         refuse_options(family, used);
+        if (designs) {
+            request.end = settled_end(request.question, pending);
+        }
         return;
     }
     const PlaneOptions& plane = pending.plane;

@@ -58,11 +58,13 @@ struct WeightedWave {
     double weight = 1;
 };
 
+/// Times the interior's highest eigenvalue.
+inline constexpr double most_stiff = 1.3;
+
 /// Least squares of the waves' reflected amplitudes, from a fixed start; of the logarithms of
 /// weights and masses, too, which keeps the edge near the lattice, and of what its highest
 /// eigenvalue is above most_stiff times the interior's, which keeps steps long. Stops at a minimum
 /// or after 8000 evaluations. Throws std::domain_error where it leaves the numbers that there are.
-inline constexpr double most_stiff = 1.3;
 PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>& waves,
                           const std::vector<double>& speeds);
 

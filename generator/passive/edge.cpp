@@ -2,6 +2,7 @@
 #include "generator/passive/edge.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -44,10 +45,21 @@ EdgeEnergies edge_energies(const NodeEnergy& node_energy, std::size_t dimensions
     EdgeEnergies energies{
         .outermost = {}, .further = {none, none, none}, .components = components, .reach = reach};
     energies.outermost.assign(std::size_t(reach.layers), energies.further);
+    // Layers from reach.node on have whole families, and so the same squares.
+    struct Squares {
+        std::vector<VectorSquare> plain;
+        std::vector<VectorSquare> with_beta;
+    };
+    std::vector<Squares> by_layer;
+    for (unsigned layer = 0; layer <= unsigned(reach.node); ++layer) {
+        by_layer.push_back({node_energy(layer, 0), some_beta == 0 ? std::vector<VectorSquare>{}
+                                                                  : node_energy(layer, some_beta)});
+    }
     for (Index layer = 0; layer < nodes; ++layer) {
+        const auto& [plain, with_beta] = by_layer[std::size_t(std::min(layer, reach.node))];
         EdgeEnergies::Node& node =
             layer < reach.layers ? energies.outermost[std::size_t(layer)] : energies.further;
-        for (const VectorSquare& square : node_energy(unsigned(layer), 0)) {
+        for (const VectorSquare& square : plain) {
             const double weight = nearest_double(evaluate(square.weight, g));
             add(square.part == EnergyPart::strain ? node.strain : node.stabilisation, square,
                 weight, layer, components, wave_number);
@@ -56,13 +68,11 @@ EdgeEnergies edge_energies(const NodeEnergy& node_energy, std::size_t dimensions
                     components, wave_number);
             }
         }
-        if (some_beta != 0) {
-            for (const VectorSquare& square : node_energy(unsigned(layer), some_beta)) {
-                if (square.part == EnergyPart::strain) {
-                    add(node.null_lagrangian, square,
-                        nearest_double(evaluate(square.weight, g) / some_beta), layer, components,
-                        wave_number);
-                }
+        for (const VectorSquare& square : with_beta) {
+            if (square.part == EnergyPart::strain) {
+                add(node.null_lagrangian, square,
+                    nearest_double(evaluate(square.weight, g) / some_beta), layer, components,
+                    wave_number);
             }
         }
     }
@@ -109,7 +119,7 @@ MatrixXcd edge_reflection(const EdgeEnergies& energies, const PassiveEdge& edge,
         return column;
     };
     const auto all = Index(outgoing.size());
-    const auto travelling = Index(std::ranges::count_if(outgoing, &PlaneMode::travels));
+    const Index travelling = travelling_count(outgoing);
     MatrixXcd system(equations, free + all);
     system.leftCols(free) = motion.leftCols(free);
     MatrixXcd incident(equations, travelling);
@@ -120,14 +130,8 @@ MatrixXcd edge_reflection(const EdgeEnergies& energies, const PassiveEdge& edge,
             incident.col(o) = -motion * on_layers(mirror_image(mode));
         }
     }
-    MatrixXcd amplitudes = system.partialPivLu().solve(incident).middleRows(free, travelling);
-    for (Index o = 0; o < travelling; ++o) {
-        for (Index i = 0; i < travelling; ++i) {
-            amplitudes(o, i) *= std::sqrt(outgoing[std::size_t(o)].group_velocity /
-                                          outgoing[std::size_t(i)].group_velocity);
-        }
-    }
-    return amplitudes;
+    return in_flux_metric(system.partialPivLu().solve(incident).middleRows(free, travelling),
+                          outgoing);
 }
 
 }  // namespace nmbcgen

@@ -113,6 +113,21 @@ std::vector<PlaneMode> outgoing_plane_modes(const LateralChain& chain, double om
     return travelling;
 }
 
+Index travelling_count(const std::vector<PlaneMode>& outgoing) {
+    return std::ranges::count_if(outgoing, &PlaneMode::travels);
+}
+
+Eigen::MatrixXcd in_flux_metric(Eigen::MatrixXcd amplitudes,
+                                const std::vector<PlaneMode>& outgoing) {
+    for (Index o = 0; o < amplitudes.rows(); ++o) {
+        for (Index i = 0; i < amplitudes.cols(); ++i) {
+            amplitudes(o, i) *= std::sqrt(outgoing[std::size_t(o)].group_velocity /
+                                          outgoing[std::size_t(i)].group_velocity);
+        }
+    }
+    return amplitudes;
+}
+
 ArrivingWave arriving_wave(const PlaneLattice& lattice, bool is_P, double xi, double angle) {
     constexpr double aside = 1e-4;
     for (const double turned : {angle, angle - aside, angle + aside}) {

@@ -28,6 +28,14 @@ PlaneMode mirror_image(PlaneMode mode);
 /// incident ones, as at the edge of a band.
 std::vector<PlaneMode> outgoing_plane_modes(const LateralChain& chain, double omega);
 
+/// How many of the outgoing modes travel: the first ones.
+Eigen::Index travelling_count(const std::vector<PlaneMode>& outgoing);
+
+/// Amplitudes between travelling waves, rows outgoing and columns their mirror images, such that
+/// |entry|^2 is a fraction of the incident energy flux.
+Eigen::MatrixXcd in_flux_metric(Eigen::MatrixXcd amplitudes,
+                                const std::vector<PlaneMode>& outgoing);
+
 /// A P or S wave that comes to a side.
 struct ArrivingWave {
     double omega = 0;

@@ -3,10 +3,9 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
+#include <utility>
 
 namespace nmbcgen {
 namespace {
@@ -77,7 +76,7 @@ void climb(Value value, Eigen::Vector2d& at, double& highest, double step) {
 MatrixXcd side_reflection(const std::vector<PlaneMode>& outgoing, const SideCondition& condition,
                           std::size_t reach, double omega) {
     const auto all = Index(outgoing.size());
-    const auto travelling = Index(std::ranges::count_if(outgoing, &PlaneMode::travels));
+    const Index travelling = travelling_count(outgoing);
     MatrixXcd conditions(all, all);
     MatrixXcd incident(all, travelling);
     for (Index o = 0; o < all; ++o) {
@@ -91,19 +90,15 @@ MatrixXcd side_reflection(const std::vector<PlaneMode>& outgoing, const SideCond
     }
     MatrixXcd amplitudes = conditions.partialPivLu().solve(incident).topRows(travelling);
     for (Index o = 0; o < travelling; ++o) {
-        const PlaneMode& mode = outgoing[std::size_t(o)];
-        for (Index i = 0; i < travelling; ++i) {
-            const double flux = mode.group_velocity / outgoing[std::size_t(i)].group_velocity;
-            amplitudes(o, i) *= std::pow(mode.z, double(reach)) * std::sqrt(flux);
-        }
+        amplitudes.row(o) *= std::pow(outgoing[std::size_t(o)].z, double(reach));
     }
-    return amplitudes;
+    return in_flux_metric(std::move(amplitudes), outgoing);
 }
 
 std::optional<Amplification> amplification(const LateralChain& chain,
                                            const SideCondition& condition, double omega) {
     const std::vector<PlaneMode> outgoing = outgoing_plane_modes(chain, omega);
-    const auto travelling = Index(std::ranges::count_if(outgoing, &PlaneMode::travels));
+    const Index travelling = travelling_count(outgoing);
     if (travelling == 0) {
         return std::nullopt;
     }
