@@ -3,18 +3,17 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "generator/dense/decompositions.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/plane/plane_lattice.hpp"
 
 namespace nmbcgen {
 namespace {
 
-using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
 double degrees(const Vector2d& vector) {
@@ -37,13 +36,13 @@ std::string plane_dispersion_rows(std::string_view family, const PlaneCurves& cu
         for (unsigned i = 1; i <= curves.samples; ++i) {
             const double xi = highest * i / curves.samples;
             const DynamicalMatrix matrix = dynamical_matrix(bonds, xi * along);
-            const Eigen::SelfAdjointEigenSolver<Matrix2d> modes(matrix.value);
-            const Vector2d overlap = (modes.eigenvectors().transpose() * shape_of_P).cwiseAbs();
+            const SymmetricEigenpairs modes = symmetric_eigenpairs(matrix.value);
+            const Vector2d overlap = (modes.vectors.transpose() * shape_of_P).cwiseAbs();
             const Eigen::Index P = overlap(1) >= overlap(0) ? 1 : 0;
-            shape_of_P = modes.eigenvectors().col(P);
+            shape_of_P = modes.vectors.col(P);
             for (const Eigen::Index mode : {0, 1}) {
-                const Vector2d shape = modes.eigenvectors().col(mode);
-                const double omega = std::sqrt(std::max(modes.eigenvalues()(mode), 0.0));
+                const Vector2d shape = modes.vectors.col(mode);
+                const double omega = std::sqrt(std::max(modes.values(mode), 0.0));
                 // d(omega^2) = shape . d(matrix) shape
                 const Vector2d group =
                     Vector2d(shape.dot(matrix.by_x * shape), shape.dot(matrix.by_y * shape)) /

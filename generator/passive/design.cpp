@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "generator/passive/design.hpp"
 
-#include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <stdexcept>
-#include <unsupported/Eigen/LevenbergMarquardt>
-#include <unsupported/Eigen/NumericalDiff>
 
+#include "generator/dense/decompositions.hpp"
+#include "generator/dense/least_squares.hpp"
 #include "generator/exact/rational.hpp"
 
 namespace nmbcgen {
@@ -101,16 +100,15 @@ double largest_eigenvalue(const EdgeEnergies& energies, const PassiveEdge& edge)
     }
     const MatrixXd stiffness = energies.stiffness(edge).topLeftCorner(free, free);
     const MatrixXd scaled = scale.asDiagonal() * stiffness * scale.asDiagonal();
-    return scaled.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff();
+    return symmetric_eigenvalues(scaled).maxCoeff();
 }
 
 /// The edge as a function of free parameters, and what it reflects.
-class Residuals : public Eigen::DenseFunctor<double> {
+class Residuals {
   public:
     Residuals(const EdgeTask& task, const std::vector<WeightedWave>& waves,
               const std::vector<double>& speeds)
-        : DenseFunctor(0, 0),
-          task_(task),
+        : task_(task),
           waves_(waves),
           speeds_(speeds),
           layers_(task.reach.layers),
@@ -124,9 +122,6 @@ class Residuals : public Eigen::DenseFunctor<double> {
             entries_ += 2 * std::ranges::count_if(wave.outgoing, &PlaneMode::travels);
         }
     }
-
-    Index inputs() const { return start_.size(); }
-    Index values() const { return entries_ + Index(stiff_.size()) + inputs(); }
 
     /// The lattice as it is, half a cell on its outermost layer, dashpots there alone; next to none
     /// on the others, since at none the derivatives vanish.
@@ -190,7 +185,8 @@ class Residuals : public Eigen::DenseFunctor<double> {
         return numbers;
     }
 
-    int operator()(const VectorXd& parameters, VectorXd& residuals) const {
+    VectorXd operator()(const VectorXd& parameters) const {
+        VectorXd residuals(entries_ + Index(stiff_.size()) + start_.size());
         const PassiveEdge now = edge_in_doubles(numbers(parameters), speeds_);
         Index at = 0;
         for (std::size_t i = 0; i < waves_.size(); ++i) {
@@ -207,8 +203,8 @@ class Residuals : public Eigen::DenseFunctor<double> {
             const double ratio = largest_eigenvalue(energies, now) / task_.highest_eigenvalue;
             residuals(at++) = long_steps * std::max(0.0, ratio - most_stiff);
         }
-        residuals.tail(inputs()) = task_.near_the_lattice * (parameters - start_);
-        return 0;
+        residuals.tail(start_.size()) = task_.near_the_lattice * (parameters - start_);
+        return residuals;
     }
 
   private:
@@ -244,21 +240,8 @@ void require_passive(const PassiveDesign& design, const Rational& largest_beta) 
 
 PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>& waves,
                           const std::vector<double>& speeds) {
-    Residuals residuals(task, waves, speeds);
-    // Central differences: of one-sided ones the gradient vanishes a digit away from the minimum.
-    Eigen::NumericalDiff<Residuals, Eigen::Central> with_differences(residuals);
-    Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Residuals, Eigen::Central>> search(
-        with_differences);
-    constexpr double far_below_a_digit = 1e-9;
-    search.setXtol(far_below_a_digit);
-    search.setFtol(far_below_a_digit);
-    constexpr Index enough = 8000;
-    search.setMaxfev(enough);
-    VectorXd parameters = residuals.start();
-    search.minimize(parameters);
-    if (!parameters.allFinite() || !std::isfinite(search.fnorm())) {
-        throw std::domain_error("the search for its numbers failed");
-    }
+    const Residuals residuals(task, waves, speeds);
+    const VectorXd parameters = least_squares(std::cref(residuals), residuals.start());
     PassiveDesign design = converted<Rational>(residuals.numbers(parameters), [&](double value) {
         return rounded(value, task.denominator);
     });

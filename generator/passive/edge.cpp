@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "generator/passive/edge.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 
+#include "generator/dense/decompositions.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 
@@ -130,8 +130,7 @@ MatrixXcd edge_reflection(const EdgeEnergies& energies, const PassiveEdge& edge,
             incident.col(o) = -motion * on_layers(mirror_image(mode));
         }
     }
-    return in_flux_metric(system.partialPivLu().solve(incident).middleRows(free, travelling),
-                          outgoing);
+    return in_flux_metric(solution_of(system, incident).middleRows(free, travelling), outgoing);
 }
 
 }  // namespace nmbcgen

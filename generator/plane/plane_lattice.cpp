@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "generator/plane/plane_lattice.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 
+#include "generator/dense/decompositions.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/lattice/force_constants.hpp"
@@ -71,8 +71,7 @@ double highest_eigenvalue(const PlaneLattice& lattice, std::size_t steps) {
         for (std::size_t j = 0; j <= steps; ++j) {
             const DynamicalMatrix matrix =
                 dynamical_matrix(lattice.bonds, {step * double(i), step * double(j)});
-            highest = std::max(
-                highest, matrix.value.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
+            highest = std::max(highest, symmetric_eigenvalues(matrix.value).maxCoeff());
         }
     }
     return highest;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "generator/plane/plane_modes.hpp"
 
-#include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "generator/dense/decompositions.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -39,7 +39,7 @@ MatrixXd transfer(const LateralChain& chain, double omega) {
     const auto reach = Index(chain.reach());
     const Index size = chain.components();
     const Index last = (2 * reach - 1) * size;
-    const MatrixXd outermost = chain.stiffness.back().inverse();
+    const MatrixXd outermost = inverse_of(chain.stiffness.back());
     MatrixXd step = MatrixXd::Zero(last + size, last + size);
     step.topRightCorner(last, last).setIdentity();
     for (Index r = 0; r < 2 * reach; ++r) {
@@ -82,14 +82,14 @@ PlaneMode mirror_image(PlaneMode mode) {
 
 std::vector<PlaneMode> outgoing_plane_modes(const LateralChain& chain, double omega) {
     const Index size = chain.components();
-    const Eigen::EigenSolver<MatrixXd> solver(transfer(without_gaps(chain), omega));
+    const Eigenpairs pairs = eigenpairs(transfer(without_gaps(chain), omega));
     std::vector<PlaneMode> travelling;
     std::vector<PlaneMode> decaying;
-    for (Index i = 0; i < solver.eigenvalues().size(); ++i) {
-        const Complex z = solver.eigenvalues()(i);
+    for (Index i = 0; i < pairs.values.size(); ++i) {
+        const Complex z = pairs.values(i);
         const double modulus = std::abs(z);
         // Of a growing solution the last layer, of a decaying one the first has the digits.
-        const Eigen::VectorXcd layers = solver.eigenvectors().col(i);
+        const Eigen::VectorXcd layers = pairs.vectors.col(i);
         const Eigen::VectorXcd shape =
             (modulus < 1 ? layers.head(size) : layers.tail(size)).normalized();
         if (modulus < 1 - resolved) {
@@ -132,11 +132,11 @@ ArrivingWave arriving_wave(const PlaneLattice& lattice, bool is_P, double xi, do
     constexpr double aside = 1e-4;
     for (const double turned : {angle, angle - aside, angle + aside}) {
         const Eigen::Vector2d wave_vector(xi * std::cos(turned), xi * std::sin(turned));
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> waves(
-            dynamical_matrix(lattice.bonds, wave_vector).value);
-        const Eigen::Vector2d overlap = (waves.eigenvectors().transpose() * wave_vector).cwiseAbs();
+        const SymmetricEigenpairs waves =
+            symmetric_eigenpairs(dynamical_matrix(lattice.bonds, wave_vector).value);
+        const Eigen::Vector2d overlap = (waves.vectors.transpose() * wave_vector).cwiseAbs();
         const Index branch = (overlap(1) > overlap(0)) == is_P ? 1 : 0;
-        ArrivingWave wave{.omega = std::sqrt(waves.eigenvalues()(branch)),
+        ArrivingWave wave{.omega = std::sqrt(waves.values(branch)),
                           .wave_number = wave_vector.y(),
                           .outgoing = {},
                           .column = 0};

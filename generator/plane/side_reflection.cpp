@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "generator/plane/side_reflection.hpp"
 
-#include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "generator/dense/decompositions.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -35,12 +35,6 @@ Eigen::VectorXcd on_ghosts(const PlaneMode& mode, const SideCondition& condition
         power *= mode.z;
     }
     return column;
-}
-
-double largest_singular_value(const MatrixXcd& matrix) {
-    const Eigen::SelfAdjointEigenSolver<MatrixXcd> squared(matrix.adjoint() * matrix,
-                                                           Eigen::EigenvaluesOnly);
-    return std::sqrt(squared.eigenvalues().maxCoeff());
 }
 
 /// Ascending.
@@ -88,7 +82,7 @@ MatrixXcd side_reflection(const std::vector<PlaneMode>& outgoing, const SideCond
         incident.col(i) =
             -on_ghosts(image, condition, reach, omega) * std::pow(image.z, -double(reach));
     }
-    MatrixXcd amplitudes = conditions.partialPivLu().solve(incident).topRows(travelling);
+    MatrixXcd amplitudes = solution_of(conditions, incident).topRows(travelling);
     for (Index o = 0; o < travelling; ++o) {
         amplitudes.row(o) *= std::pow(outgoing[std::size_t(o)].z, double(reach));
     }
@@ -108,8 +102,8 @@ std::optional<Amplification> amplification(const LateralChain& chain,
         return std::nullopt;
     }
     Amplification result;
-    result.alone =
-        largest_singular_value(side_reflection(outgoing, condition, chain.reach(), omega));
+    result.alone = std::sqrt(
+        squared_spectral_norm(side_reflection(outgoing, condition, chain.reach(), omega)));
     result.paired = result.alone;
     if (condition.is_shared()) {
         Eigen::VectorXd g(travelling);
@@ -118,7 +112,8 @@ std::optional<Amplification> amplification(const LateralChain& chain,
             g(i) = std::sqrt(
                 std::abs(delta(condition, 0, omega, 1.0 / z) / delta(condition, 0, omega, z)));
         }
-        result.paired = largest_singular_value(g.asDiagonal() * fixed * g.asDiagonal());
+        result.paired =
+            std::sqrt(squared_spectral_norm(MatrixXcd(g.asDiagonal() * fixed * g.asDiagonal())));
     }
     return result;
 }

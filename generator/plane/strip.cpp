@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "generator/plane/strip.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "generator/dense/decompositions.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -49,7 +50,7 @@ class Strip {
     double growth() const {
         MatrixXd rates(state_, state_);
         rates << velocity_, acceleration_.middleRows(size_ * slaved_, state_ - size_ * all_);
-        return rates.eigenvalues().real().maxCoeff();
+        return eigenvalues(rates).real().maxCoeff();
     }
 
   private:

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "generator/stability/discrete.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "generator/dense/decompositions.hpp"
 namespace nmbcgen {
 namespace {
 
@@ -130,7 +130,7 @@ Eigen::MatrixXd one_step_map(const LatticeEnd& left, const LatticeEnd& right, st
 
 double spectral_radius(const LatticeEnd& left, const LatticeEnd& right, std::size_t nodes,
                        double time_step) {
-    return one_step_map(left, right, nodes, time_step).eigenvalues().cwiseAbs().maxCoeff();
+    return eigenvalues(one_step_map(left, right, nodes, time_step)).cwiseAbs().maxCoeff();
 }
 
 double maximum_frequency(const HalfSpace& half_space) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "generator/stability/modal.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "generator/dense/decompositions.hpp"
 #include "generator/stability/band_search.hpp"
 #include "generator/stability/damped.hpp"
 #include "generator/stability/reflection.hpp"
@@ -22,13 +22,7 @@ double like_ends_supremum(const Reflection& reflection) {
 
 /// sigma_max(R).
 double norm(const Reflection& reflection) {
-    const Eigen::MatrixXcd& R = reflection.matrix;
-    if (R.rows() == 0) {
-        return 0;
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> squared(R.adjoint() * R,
-                                                                  Eigen::EigenvaluesOnly);
-    return std::sqrt(squared.eigenvalues()(R.rows() - 1));
+    return std::sqrt(squared_spectral_norm(reflection.matrix));
 }
 
 /// Of a damped lattice, without boundary modes. The search ends at an amplification above `enough`.

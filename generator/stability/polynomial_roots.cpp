@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "generator/stability/polynomial_roots.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "generator/dense/decompositions.hpp"
 #include "generator/exact/rational.hpp"
 
 namespace nmbcgen {
@@ -72,7 +72,7 @@ std::vector<Complex> roots_of(const std::vector<Scalar>& coefficients) {
         }
     }
     balance(companion);
-    const Eigen::VectorXcd values = companion.eigenvalues();
+    const Eigen::VectorXcd values = eigenvalues(companion);
     std::vector<Complex> roots(values.begin(), values.end());
     for (Complex& root : roots) {
         root = polished(coefficients, root);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "generator/stability/reflection.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "generator/dense/decompositions.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -69,9 +70,6 @@ Complex scalar_reflection(const HalfSpace& half_space, double xi) {
 
 double round_trip_supremum(const Reflection& one, const Reflection& other) {
     const Eigen::Index waves = one.matrix.rows();
-    if (waves == 0) {
-        return 0;
-    }
     Eigen::MatrixXd X(waves, waves);
     for (Eigen::Index o = 0; o < waves; ++o) {
         for (Eigen::Index i = 0; i < waves; ++i) {
@@ -84,9 +82,7 @@ double round_trip_supremum(const Reflection& one, const Reflection& other) {
             X(o, i) = std::copysign(size, std::sin(half_sum));
         }
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> squared(X.transpose() * X,
-                                                                 Eigen::EigenvaluesOnly);
-    return squared.eigenvalues()(waves - 1);
+    return squared_spectral_norm(X);
 }
 
 double damped_round_trip_supremum(const Reflection& one, const Reflection& other,
@@ -108,9 +104,7 @@ double damped_round_trip_supremum(const Reflection& one, const Reflection& other
             X(o, i) = size * std::conj(sum) / std::abs(sum);
         }
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> squared(X.adjoint() * X,
-                                                                  Eigen::EigenvaluesOnly);
-    return squared.eigenvalues()(waves - 1);
+    return squared_spectral_norm(X);
 }
 
 }  // namespace nmbcgen

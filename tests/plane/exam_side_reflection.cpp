@@ -2,7 +2,6 @@
 /// What a side sends back, against the angle, and how it amplifies.
 #include <doctest/doctest.h>
 
-#include <Eigen/Dense>
 #include <array>
 
 #include "generator/plane/side_reflection.hpp"

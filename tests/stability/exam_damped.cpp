@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// Damped chains: the condition on round trips against spectra of assembled chains, and what the
 /// condition is made of.
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 
+#include "generator/dense/decompositions.hpp"
 #include "generator/stability/band_reflection.hpp"
 #include "generator/stability/damped.hpp"
 #include "generator/stability/discrete.hpp"
@@ -87,10 +87,7 @@ double radius(const nmbcgen::Reflection& R, std::size_t nodes, const Eigen::Vect
         product.col(i) *=
             phases(i) * std::pow(std::abs(R.outgoing[std::size_t(i)].k), double(nodes) + 1);
     }
-    return Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(product, false)
-        .eigenvalues()
-        .cwiseAbs()
-        .maxCoeff();
+    return nmbcgen::eigenvalues(product).cwiseAbs().maxCoeff();
 }
 
 TEST_CASE("the supremum over phases bounds every choice of them, and is nearly reached") {

@@ -2,9 +2,9 @@
 /// True reflection: against the boundary conditions it solves, and closed forms.
 #include <doctest/doctest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "generator/dense/decompositions.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/reflection.hpp"
 
@@ -83,7 +83,7 @@ double largest_found(const Eigen::MatrixXcd& one, const Eigen::MatrixXcd& other)
             const Eigen::VectorXcd phases = (Complex(0, 1) * at).array().exp();
             const Eigen::MatrixXcd trip =
                 one * phases.head(waves).asDiagonal() * other * phases.tail(waves).asDiagonal();
-            return Eigen::MatrixXcd(trip).eigenvalues().cwiseAbs().maxCoeff();
+            return nmbcgen::eigenvalues(trip).cwiseAbs().maxCoeff();
         };
         double value = radius(angles);
         for (double turn = 1; turn > 1e-6;) {

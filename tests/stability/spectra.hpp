@@ -2,13 +2,14 @@
 /// Spectra of assembled chains with two like ends.
 #pragma once
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdlib>
 #include <vector>
 
+#include "generator/dense/decompositions.hpp"
 #include "generator/stability/half_space.hpp"
 
 namespace nmbcgen::test {
@@ -68,7 +69,7 @@ inline std::vector<std::complex<double>> eigenvalues_by_parity(const Eigen::Matr
                 half.col(Eigen::Index(j)) += sign * matrix(kept, mirror(kept[j]));
             }
         }
-        const Eigen::VectorXcd found = half.eigenvalues();
+        const Eigen::VectorXcd found = nmbcgen::eigenvalues(half);
         eigenvalues.insert(eigenvalues.end(), found.begin(), found.end());
     }
     return eigenvalues;
