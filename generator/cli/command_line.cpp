@@ -172,6 +172,9 @@ CLI::App* add_passive(CLI::App& app, Question& question, Pending& pending) {
     add_parsed(
         *passive, "--G", question.G, parse_rational,
         "stabilisation G of the model (of nopd2d: g = G/pi), an exact number such as 1/2 or 0.3");
+    add_parsed(*passive, "--time-step", pending.passive_step, parse_rational,
+               "dt of the leapfrog steps it is for, an exact number in dX/c such as 1/2 (of plane "
+               "families in dX sqrt(rho/E); default 0: continuous time)");
     return passive;
 }
 

@@ -25,6 +25,7 @@ struct Pending {
     PlaneOptions plane;
     std::optional<Matching> matching;
     std::optional<WeightChoice> weights;
+    Rational passive_step = 0;  ///< of nmbcgen passive
 };
 
 /// Puts it there, and G = 0 where a command needs a G and the family has none.

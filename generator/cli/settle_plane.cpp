@@ -55,7 +55,7 @@ ChainModel settled_end(const Question& question, const Pending& pending) {
         throw CLI::ValidationError("--horizon",
                                    fmt::format("designs above {} take too long", largest_horizon));
     }
-    return {.horizon = question.horizon, .G = question.G};
+    return {.horizon = question.horizon, .G = question.G, .time_step = pending.passive_step};
 }
 
 void require_fit(const VectorFamily& family, const PlaneOptions& plane,
@@ -141,7 +141,10 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
                 projected_model({.family = family, .model = choice, .polarisation = polarisation});
             });
         }
-        request.side = {.family = family, .choice = choice, .g = request.question.G};
+        request.side = {.family = family,
+                        .choice = choice,
+                        .g = request.question.G,
+                        .time_step = pending.passive_step};
         return;
     }
     if (!plane.polarisation) {

@@ -82,56 +82,12 @@ Json numbers_of(const PassiveDesign& design) {
             {"dashpot_scales", strings(design.scale)}};
 }
 
-/// The chain of a model in one dimension.
-LateralChain chain_of(const Model& model, const Rational& G) {
-    LateralChain chain;
-    const auto add = [&](const Polynomial& entry) {
-        chain.stiffness.emplace_back(
-            Eigen::MatrixXd::Constant(1, 1, nearest_double(evaluate(entry, G))));
-    };
-    for (std::size_t m = model.symbol.size(); m-- > 1;) {
-        add(model.symbol[m]);
+std::vector<double> symbol_at(const ChainModel& model) {
+    std::vector<double> symbol;
+    for (const Polynomial& entry : make_model("nopd1d", model.horizon).symbol) {
+        symbol.push_back(nearest_double(evaluate(entry, model.G)));
     }
-    for (const Polynomial& entry : model.symbol) {
-        add(entry);
-    }
-    return chain;
-}
-
-double highest_eigenvalue(const LateralChain& chain, std::size_t steps) {
-    double highest = 0;
-    for (std::size_t i = 1; i < steps; ++i) {
-        const double xi = std::numbers::pi * double(i) / double(steps);
-        highest = std::max(highest, omega_squared(chain, xi));
-    }
-    return highest;
-}
-
-std::vector<VectorSquare> as_vectors(const std::vector<ExactSquare>& squares, int horizon) {
-    std::vector<VectorSquare> vectors;
-    for (const ExactSquare& square : squares) {
-        std::vector<VectorTerm> terms;
-        for (int j = -horizon; j <= horizon; ++j) {
-            const Rational& factor = square.stencil[std::size_t(j + horizon)];
-            if (factor != 0) {
-                terms.push_back({{j, 0, 0}, {factor, 0, 0}});
-            }
-        }
-        vectors.push_back({square.part, square.weight, std::move(terms)});
-    }
-    return vectors;
-}
-
-/// Designed, and its eigenvalue, of a task that has all but these.
-PassiveSide designed(EdgeTask task, const std::vector<WeightedWave>& waves,
-                     const std::vector<double>& speeds, std::size_t wave_numbers) {
-    PassiveSide side{.task = std::move(task), .design = {}, .edge = {}, .highest_eigenvalue = 0};
-    side.design = design_edge(side.task, waves, speeds);
-    side.edge = edge_of(side.design, speeds);
-    side.highest_eigenvalue =
-        std::max(side.task.highest_eigenvalue,
-                 highest_eigenvalue_of_edge(side.task, side.edge, wave_numbers));
-    return side;
+    return symbol;
 }
 
 NoSuchBoundary no_design(const Rational& G, const std::domain_error& reason) {
@@ -164,41 +120,22 @@ PassiveSide passive_side(const PlaneModel& model) {
                   .reach = {.node = node, .forces = forces, .layers = 2 * node},
                   .g = model.g,
                   .largest_beta = family.largest_beta(model.choice),
-                  .highest_eigenvalue = highest_eigenvalue(lattice, wave_numbers)};
+                  .highest_eigenvalue = highest_eigenvalue(lattice, wave_numbers),
+                  .time_step = nearest_double(model.time_step)};
     try {
-        return designed(std::move(task), designed_waves(lattice),
-                        {lattice.speed_P, lattice.speed_S}, wave_numbers);
+        return designed_side(std::move(task), designed_waves(lattice),
+                             {lattice.speed_P, lattice.speed_S}, wave_numbers);
     } catch (const std::domain_error& error) {
         throw no_design(model.g, error);
     }
 }
 
 PassiveSide passive_end(const ChainModel& model) {
-    const auto n = Eigen::Index(model.horizon);
-    const LateralChain chain = chain_of(make_model("nopd1d", model.horizon), model.G);
-    constexpr std::size_t steps = 400;
-    EdgeTask task{.node_energy =
-                      [horizon = model.horizon](unsigned layer, const Rational&) {
-                          return as_vectors(nopd1d_at_edge(horizon, layer), int(horizon));
-                      },
-                  .dimensions = 1,
-                  .reach = {.node = n, .forces = 2 * n, .layers = 2 * n},
-                  .g = model.G,
-                  .largest_beta = 0,
-                  .is_exact_head_on = true,
-                  .near_the_lattice = 1e-3,
-                  .denominator = 1000000,
-                  .highest_eigenvalue = highest_eigenvalue(chain, steps)};
     try {
-        std::vector<WeightedWave> waves;
-        for (const double xi : {0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0}) {
-            const ArrivingWave wave = arriving_wave(chain, xi);
-            constexpr double slow = 0.2;
-            if (wave.outgoing[std::size_t(wave.column)].group_velocity > slow) {
-                waves.push_back({wave, 1 / xi});
-            }
-        }
-        return designed(std::move(task), waves, {1}, 1);
+        return passive_end(
+            symbol_at(model), model.horizon, model.G,
+            [&](unsigned layer) { return nopd1d_at_edge(model.horizon, layer); },
+            nearest_double(model.time_step));
     } catch (const std::domain_error& error) {
         throw no_design(model.G, error);
     }
@@ -214,6 +151,7 @@ std::string passive_json(const PlaneModel& model) {
         {"model", described.description},
         {"source", described.source},
         {"g", to_string(model.g)},
+        {"time_step", to_string(model.time_step)},
         {"units",
          "dX, density and Young's modulus are 1; side x = const, layers from the edge "
          "inwards, components x and y"},
@@ -238,7 +176,7 @@ std::string passive_json(const PlaneModel& model) {
 std::string passive_json(const ChainModel& model) {
     const PassiveSide side = passive_end(model);
     const Model described = make_model("nopd1d", model.horizon);
-    const LateralChain chain = chain_of(described, model.G);
+    const LateralChain chain = chain_of(symbol_at(model));
     Json reflections = Json::array();
     for (const double xi : {0.05, 0.1, 0.2, 0.5, 1.0}) {
         reflections.push_back(
@@ -251,6 +189,7 @@ std::string passive_json(const ChainModel& model) {
              {"model", described.description},
              {"source", described.source},
              {"G", to_string(model.G)},
+             {"time_step", to_string(model.time_step)},
              {"units", "dX = c = density = 1; layers from the end inwards"}};
     all.update(numbers_of(side.design));
     all.update(Json{{"proved",

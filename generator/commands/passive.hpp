@@ -6,7 +6,7 @@
 #include <string>
 
 #include "generator/families/vector_family.hpp"
-#include "generator/passive/design.hpp"
+#include "generator/passive/chain_end.hpp"
 
 namespace nmbcgen {
 
@@ -15,16 +15,7 @@ struct PlaneModel {
     std::string family;
     VectorChoice choice;
     Rational g;
-};
-
-/// A designed side x = const, or an end, and what it is worth.
-struct PassiveSide {
-    EdgeTask task;
-    PassiveDesign design;
-    PassiveEdge edge;
-    /// Of M^-1 K, in the interior or beside the edge, whichever is larger, as found at 33 wave
-    /// numbers.
-    double highest_eigenvalue = 0;
+    Rational time_step;  ///< of the steps it is for [dX sqrt(rho/E)]; 0: continuous time
 };
 
 /// Larger families take minutes.
@@ -45,10 +36,10 @@ PassiveSide passive_side(const PlaneModel& model);
 struct ChainModel {
     unsigned horizon = 1;
     Rational G;
+    Rational time_step;  ///< of the steps it is for [dX/c]; 0: continuous time
 };
 
-/// Designed for waves with xi up to 1/dX, longer ones counting more; what it reflects vanishes with
-/// xi. Units dX = c = 1. Throws NoSuchBoundary where no design is found.
+/// Throws NoSuchBoundary where no design is found.
 PassiveSide passive_end(const ChainModel& model);
 
 /// Designs as JSON (docs/reference/json.md): all of it exact, and what they reflect.

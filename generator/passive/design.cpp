@@ -192,16 +192,15 @@ class Residuals {
         for (std::size_t i = 0; i < waves_.size(); ++i) {
             const auto& [wave, weight] = waves_[i];
             const Eigen::MatrixXcd matrix =
-                edge_reflection(energies_[i], now, wave.outgoing, wave.omega);
+                edge_reflection(energies_[i], now, wave.outgoing, wave.omega, task_.time_step);
             for (const std::complex<double>& amplitude : matrix.col(wave.column)) {
                 residuals(at++) = weight * amplitude.real();
                 residuals(at++) = weight * amplitude.imag();
             }
         }
-        constexpr double long_steps = 0.3;
         for (const EdgeEnergies& energies : stiff_) {
             const double ratio = largest_eigenvalue(energies, now) / task_.highest_eigenvalue;
-            residuals(at++) = long_steps * std::max(0.0, ratio - most_stiff);
+            residuals(at++) = task_.long_steps * std::max(0.0, ratio - task_.most_stiff());
         }
         residuals.tail(start_.size()) = task_.near_the_lattice * (parameters - start_);
         return residuals;
@@ -220,6 +219,13 @@ class Residuals {
 };
 
 }  // namespace
+
+double EdgeTask::most_stiff() const {
+    constexpr double at_most = 1.3;
+    constexpr double below_the_limit = 0.94;
+    const double stable = 4 / (time_step * time_step * highest_eigenvalue);
+    return std::min(at_most, below_the_limit * stable);
+}
 
 PassiveEdge edge_of(const PassiveDesign& design, const std::vector<double>& speeds) {
     return edge_in_doubles(
@@ -252,7 +258,8 @@ PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>&
 }
 
 double reflected_by_edge(const EdgeTask& task, const PassiveEdge& edge, const ArrivingWave& wave) {
-    return edge_reflection(task.at(wave.wave_number), edge, wave.outgoing, wave.omega)
+    return edge_reflection(task.at(wave.wave_number), edge, wave.outgoing, wave.omega,
+                           task.time_step)
         .col(wave.column)
         .squaredNorm();
 }
@@ -277,6 +284,25 @@ double highest_eigenvalue_of_edge(EdgeTask task, const PassiveEdge& edge,
         highest = std::max(highest, largest_eigenvalue(task.at(wave_number), deep));
     }
     return highest;
+}
+
+PassiveSide designed_side(EdgeTask task, const std::vector<WeightedWave>& waves,
+                          const std::vector<double>& speeds, std::size_t wave_numbers) {
+    constexpr double nearly = 0.99;  // two sides next to each other are stiffer than one
+    const double stable = nearly * 4 / (task.time_step * task.time_step);
+    if (!(task.highest_eigenvalue < stable)) {
+        throw std::domain_error("the lattice itself is not stable in such steps");
+    }
+    PassiveSide side{.task = std::move(task), .design = {}, .edge = {}, .highest_eigenvalue = 0};
+    side.design = design_edge(side.task, waves, speeds);
+    side.edge = edge_of(side.design, speeds);
+    side.highest_eigenvalue =
+        std::max(side.task.highest_eigenvalue,
+                 highest_eigenvalue_of_edge(side.task, side.edge, wave_numbers));
+    if (!(side.highest_eigenvalue < stable)) {
+        throw std::domain_error("the search ends at springs too stiff for such steps");
+    }
+    return side;
 }
 
 }  // namespace nmbcgen

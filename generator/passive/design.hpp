@@ -21,8 +21,15 @@ struct EdgeTask {
     bool is_exact_head_on = false;
     /// Of the logarithms of weights and masses in the sum of squares.
     double near_the_lattice = 0.03;
+    /// Of what the highest eigenvalue is above most_stiff().
+    double long_steps = 0.3;
     long denominator = 1000;        ///< of the numbers of the design
     double highest_eigenvalue = 0;  ///< the largest omega^2 of the interior
+    double time_step = 0;           ///< of the steps it is made for; 0: continuous time
+
+    /// What the highest eigenvalue of the edge is kept near or below, times the interior's: by
+    /// 1/1.3 the square of steps is shorter, unless those that it is made for are longer.
+    double most_stiff() const;
 
     EdgeEnergies at(double wave_number) const {
         return edge_energies(node_energy, dimensions, reach, g, largest_beta, wave_number);
@@ -58,15 +65,26 @@ struct WeightedWave {
     double weight = 1;
 };
 
-/// Times the interior's highest eigenvalue.
-inline constexpr double most_stiff = 1.3;
-
 /// Least squares of the waves' reflected amplitudes, from a fixed start; of the logarithms of
 /// weights and masses, too, which keeps the edge near the lattice, and of what its highest
-/// eigenvalue is above most_stiff times the interior's, which keeps steps long. Stops at a minimum
-/// or after 8000 evaluations. Throws std::domain_error where it leaves the numbers that there are.
+/// eigenvalue is above most_stiff(), which keeps steps long. Stops at a minimum or after 8000
+/// evaluations. Throws std::domain_error where it leaves the numbers that there are.
 PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>& waves,
                           const std::vector<double>& speeds);
+
+/// A designed side, or an end of a chain, and what it is worth.
+struct PassiveSide {
+    EdgeTask task;
+    PassiveDesign design;
+    PassiveEdge edge;
+    /// Of M^-1 K, in the interior or beside the edge, whichever is larger.
+    double highest_eigenvalue = 0;
+};
+
+/// With the highest eigenvalue of so many wave numbers along the side. Throws as design_edge(), and
+/// std::domain_error where its own steps are too long for the lattice or the design.
+PassiveSide designed_side(EdgeTask task, const std::vector<WeightedWave>& waves,
+                          const std::vector<double>& speeds, std::size_t wave_numbers);
 
 /// The part of a wave's energy that comes back, in any polarisation.
 double reflected_by_edge(const EdgeTask& task, const PassiveEdge& edge, const ArrivingWave& wave);

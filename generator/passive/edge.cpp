@@ -90,8 +90,9 @@ MatrixXd EdgeEnergies::stiffness(const PassiveEdge& edge) const {
     return sum;
 }
 
-MatrixXcd edge_reflection(const EdgeEnergies& energies, const PassiveEdge& edge,
-                          const std::vector<PlaneMode>& outgoing, double omega) {
+MatrixXcd edge_amplitudes(const EdgeEnergies& energies, const PassiveEdge& edge,
+                          const std::vector<PlaneMode>& outgoing, double omega, double time_step) {
+    const double lag = std::sqrt(1 - std::pow(omega * time_step / 2, 2));
     const Index size = energies.components;
     const Index own_numbers = energies.reach.layers;
     const Index equations = size * energies.reach.interior();
@@ -102,7 +103,7 @@ MatrixXcd edge_reflection(const EdgeEnergies& energies, const PassiveEdge& edge,
             motion(own, own) -= omega * omega * (layer < own_numbers ? edge.mass(layer, a) : 1);
             for (Index other = 0; layer < own_numbers && other < own_numbers; ++other) {
                 motion(own, size * other + a) +=
-                    Complex(0, omega) * edge.dashpots[std::size_t(a)](layer, other);
+                    Complex(0, omega * lag) * edge.dashpots[std::size_t(a)](layer, other);
             }
         }
     }
@@ -130,7 +131,14 @@ MatrixXcd edge_reflection(const EdgeEnergies& energies, const PassiveEdge& edge,
             incident.col(o) = -motion * on_layers(mirror_image(mode));
         }
     }
-    return in_flux_metric(solution_of(system, incident).middleRows(free, travelling), outgoing);
+    return solution_of(system, incident).bottomRows(all);
+}
+
+MatrixXcd edge_reflection(const EdgeEnergies& energies, const PassiveEdge& edge,
+                          const std::vector<PlaneMode>& outgoing, double omega, double time_step) {
+    return in_flux_metric(edge_amplitudes(energies, edge, outgoing, omega, time_step)
+                              .topRows(travelling_count(outgoing)),
+                          outgoing);
 }
 
 }  // namespace nmbcgen

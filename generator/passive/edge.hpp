@@ -66,8 +66,17 @@ EdgeEnergies edge_energies(const NodeEnergy& node_energy, std::size_t dimensions
                            const EdgeReach& reach, const Rational& g, const Rational& some_beta,
                            double wave_number);
 
+/// Amplitudes of all outgoing modes (rows) that the mirror images of those that travel (columns)
+/// make, all of them 1 on layer reach.waves(). In leapfrog steps with midpoint dashpots a
+/// wave has the frequency theta/dt with omega = (2/dt) sin(theta/2), and the dashpots act times
+/// cos(theta/2); in continuous time, time_step = 0, by themselves.
+Eigen::MatrixXcd edge_amplitudes(const EdgeEnergies& energies, const PassiveEdge& edge,
+                                 const std::vector<PlaneMode>& outgoing, double omega,
+                                 double time_step = 0);
+
 /// R between travelling waves, as in side_reflection().
 Eigen::MatrixXcd edge_reflection(const EdgeEnergies& energies, const PassiveEdge& edge,
-                                 const std::vector<PlaneMode>& outgoing, double omega);
+                                 const std::vector<PlaneMode>& outgoing, double omega,
+                                 double time_step = 0);
 
 }  // namespace nmbcgen

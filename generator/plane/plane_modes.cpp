@@ -168,6 +168,10 @@ ArrivingWave arriving_wave(const LateralChain& chain, double xi) {
         throw std::domain_error("the modes at an end cannot be told from each other");
     }
     wave.column = column_of(wave.outgoing, xi);
+    // Of long waves the eigenvalue loses digits, next to that of the wave in the other direction.
+    PlaneMode& mode = wave.outgoing[std::size_t(wave.column)];
+    mode.z = std::polar(1.0, std::copysign(xi, mode.z.imag()));
+    mode.group_velocity = group_velocity(chain, wave.omega, mode.z, mode.shape);
     return wave;
 }
 

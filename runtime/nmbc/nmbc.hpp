@@ -11,4 +11,5 @@
 #include <nmbc/energy.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/node_line.hpp>
+#include <nmbc/passive.hpp>
 #include <nmbc/table.hpp>

@@ -43,7 +43,7 @@ run() { # ROOM OTHER_ROOMS FURTHER
     allow "tools/nmbcrun/$1" "tools/nmbcrun/($1${2:+|$2})/|tools/nmbcrun/errors.hpp|nmbc/|$text${3:+|$3}"
 }
 run scene '' 'generator/(table|exact|lattice|names|families)/|nlohmann/|toml\+\+/'
-run sides scene '(unsupported/)?Eigen/'
+run sides scene 'generator/(families|passive)/|(unsupported/)?Eigen/'
 run sources 'scene|sides'
 run tables scene 'generator/(table|exact|families|names)/'
 run certification 'scene|sides|sources|tables' 'generator/(table|exact|stability)/'

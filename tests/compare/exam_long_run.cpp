@@ -124,6 +124,15 @@ TEST_CASE("NMBC of order 2 and perfectly matched layers are steady") {
           LongRun::steady);
 }
 
+TEST_CASE("passive ends are steady where no NMBC is certified") {
+    // NMBC2 and NMBC3 of any stride have no certificate at G = 0.
+    for (const int horizon : {1, 2, 3}) {
+        CAPTURE(horizon);
+        CHECK(stability(chain_of(horizon, 0, 100, 0.4), {.kind = BoundaryKind::passive}, 100'000)
+                  .outcome == LongRun::steady);
+    }
+}
+
 TEST_CASE("where there are backward waves Higdon's conditions grow by reflecting them") {
     for (const int order : {3, 4}) {
         CAPTURE(order);

@@ -49,6 +49,29 @@ TEST_CASE("measured and predicted agree, long waves and short ones") {
     }
 }
 
+TEST_CASE("a passive end reflects what its design says, in steps of any length") {
+    constexpr double most = 1e-7;
+    for (const auto& [horizon, G] : {std::pair{1, 0.6}, {2, 1.0}, {2, 32.0 / 15}}) {
+        const auto scene = scene_with(horizon, G);
+        const Boundary boundary{.kind = BoundaryKind::passive};
+        const auto lattice = lattice_of(scene);
+        for (const double cfl : {0.2, 0.85}) {
+            const double step = 2 * cfl / nmbc::maximum_frequency(lattice);
+            for (const double xi : {0.3, 0.5}) {
+                CAPTURE(horizon);
+                CAPTURE(cfl);
+                CAPTURE(xi);
+                const nmbcrun::Packet packet(lattice, xi, step);
+                const double measured = packet.reflected_by(chain_end(scene, boundary), 0);
+                const double predicted =
+                    predicted_reflection(scene, boundary, packet, step).value();
+                CHECK(std::abs(measured - predicted) < std::max(1e-4 * predicted, 1e-14));
+                CHECK(measured < most);
+            }
+        }
+    }
+}
+
 TEST_CASE("fixed and free ends keep a packet") {
     const auto scene = scene_with(2, 1);
     const auto lattice = nmbc::make_lattice(nmbc::generated::nopd1d_n2_order1, 1);

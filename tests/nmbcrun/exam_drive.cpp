@@ -13,15 +13,15 @@
 namespace nmbcrun::test {
 namespace {
 
-constexpr double end = 12;
+constexpr double end_time = 12;
 constexpr double duration = 5;
 
 /// The interior's displacements at the end, of a bar that nothing comes back in.
 std::vector<double> driven(double steps) {
-    Scene scene = bar(200, end);
+    Scene scene = bar(200, end_time);
     scene.drive = Drive{0.01, duration, 50, 1};
     scene.cfl.reset();
-    scene.step = end / steps;
+    scene.step = end_time / steps;
     Simulation simulation(scene);
     run_to_end(simulation);
     const auto u = interior(simulation, simulation.chain().displacement());
@@ -52,7 +52,7 @@ TEST_CASE("the error of steps is of second order, wherever between two of them t
 }
 
 TEST_CASE("a drive that takes no more than a step is refused") {
-    Scene scene = bar(200, end);
+    Scene scene = bar(200, end_time);
     scene.drive = Drive{0.01, 0.1, 50, 1};
     scene.cfl.reset();
     scene.step = 0.12;

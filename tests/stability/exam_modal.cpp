@@ -22,7 +22,7 @@ struct Windows {
 // The edges found by two independent prototypes (computer algebra and eigenvalues of assembled
 // chains up to 300 nodes), approached to about the digits they are known to. Exact ones:
 // 1/4, 1, 2/3, 2, 2 -+ sqrt 2, 208/85 = 2.44706, 1032/1445 = 0.714187.
-const std::vector<Windows> known{
+const std::vector<Windows> known_windows{
     {1, 1, 1, {0, 0.1, 0.25, 1, 5}, {}},
     {1, 2, 1, {0.2501, 0.5, 0.9999}, {0.1, 0.2499, 1.0001, 2}},
     {1, 3, 1, {0.2501, 0.6666, 2.0001, 5}, {0.2499, 0.6668, 0.8, 1.9999}},
@@ -39,7 +39,7 @@ const std::vector<Windows> known{
 };
 
 TEST_CASE("modal windows") {
-    for (const Windows& windows : known) {
+    for (const Windows& windows : known_windows) {
         const auto table = nmbcgen::derive(
             {"nopd1d", windows.horizon, windows.order, windows.stride, std::nullopt});
         CAPTURE(windows.horizon);

@@ -42,6 +42,20 @@ unstable "in a chain of 9 nodes, so short" "${short_chain[@]}" --set domain.node
 for nodes in 30 60; do
     stable --set boundary.kind=free --set domain.nodes=$nodes --set drive.centre=15
 done
+# Passive ends are stable by construction, and need no table of a boundary: also at G = 0, beside any
+# other end, and in steps of up to 0.9 of the interior's limit, which they are designed for.
+stable --set boundary.kind=passive
+expect_stdout_line "boundary  passive"
+stable --set boundary.kind=passive --set boundary.right.kind=fixed --set model.G=0
+stable --set boundary.kind=passive --set boundary.right.kind=nmbc --set boundary.right.order=2 \
+    --set boundary.right.stride=2 --set model.G=1
+stable --set boundary.kind=passive --set model.horizon=3 --set time.cfl=0.9
+rm -r results
+refuses 2 'does not count for kind "passive", which has no keys of its own' "$scene" \
+    --set boundary.kind=passive --set boundary.order=2
+refuses 2 "truncated and passive ends know nopd1d of constant influence without damping, no other lattice" \
+    "$scene" --set boundary.kind=passive --set model.damping=1/100
+
 stable --set boundary.kind=exact
 expect_stdout_line "boundary  exact"
 stable --set boundary.right.kind=exact --set model.horizon=1 --set model.G=1

@@ -105,6 +105,8 @@ std::size_t size_of(const Candidate& candidate) {
             return 0;
         case BoundaryKind::nmbc:
             return std::size_t(candidate.boundary.order) * std::size_t(candidate.boundary.stride);
+        case BoundaryKind::passive:
+            return 8 * std::size_t(candidate.horizon);
         default:
             return candidate.steps;  // of history, or as many nodes
     }
@@ -144,7 +146,8 @@ void leave_out_exact(Candidates& candidates) {
         return one.boundary.kind == BoundaryKind::exact;
     };
     const bool is_needed = std::ranges::none_of(candidates.meet, [](const Candidate& one) {
-        return one.boundary.kind == BoundaryKind::nmbc || one.boundary.kind == BoundaryKind::fixed;
+        return one.boundary.kind != BoundaryKind::exact &&
+               one.boundary.kind != BoundaryKind::extended;
     });
     if (!is_needed && std::erase_if(candidates.meet, is_exact) > 0) {
         candidates.left_out.push_back(

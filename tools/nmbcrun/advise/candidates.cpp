@@ -61,8 +61,8 @@ OfHorizon candidates_of(const Scene& scene, int horizon, double tolerance, doubl
             settled, tolerance, Reference::continuum, pause,
             {.favoured_cfl = cfl, .most_steps = far_dearer * least_work / (4 * horizon + 1)});
         for (Candidate& one : search.all().meet) {
-            if (one.boundary.kind == BoundaryKind::nmbc ||
-                one.boundary.kind == BoundaryKind::fixed) {
+            if (one.boundary.kind != BoundaryKind::exact &&
+                one.boundary.kind != BoundaryKind::extended) {
                 least_work = std::min(least_work, work_of(one));
             }
             result.meet.push_back(std::move(one));

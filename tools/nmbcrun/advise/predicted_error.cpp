@@ -77,35 +77,43 @@ struct SentBack {
 };
 
 /// Nodes are counted inwards from the innermost ghost, and time goes as exp(+i omega t).
-SentBack sent_back(const nmbcgen::Reflection& reflection, double xi, std::size_t nodes) {
-    const auto& outgoing = reflection.outgoing;
-    const auto k_of = [&](Eigen::Index mode) { return outgoing[std::size_t(mode)].k; };
-    const auto distance = [&](Eigen::Index column) {
-        const Complex k = k_of(column);
-        return std::abs(std::polar(1.0, xi) - k) * std::abs(std::polar(1.0, -xi) - k);
-    };
+SentBack sent_back(const WavesSentBack& waves, std::size_t nodes) {
+    const auto k_of = [&](Eigen::Index mode) { return waves.k[std::size_t(mode)]; };
     const auto fading = [&](Eigen::Index mode) {
         return std::pow(std::abs(k_of(mode)), double(nodes));
     };
-    Eigen::Index incident = 0;
     double most = 0;
-    for (Eigen::Index column = 0; column < reflection.matrix.cols(); ++column) {
-        incident = distance(column) < distance(incident) ? column : incident;
+    for (Eigen::Index column = 0; column < waves.amplitudes.cols(); ++column) {
         double sum = 0;
-        for (Eigen::Index o = 0; o < reflection.amplitudes.rows(); ++o) {
-            sum += std::abs(reflection.amplitudes(o, column)) * fading(o);
+        for (Eigen::Index o = 0; o < waves.amplitudes.rows(); ++o) {
+            sum += std::abs(waves.amplitudes(o, column)) * fading(o);
         }
         constexpr double arrives = 1e-12;
         most = fading(column) > arrives ? std::max(most, sum) : most;
     }
     AtDepths amplitudes{};
-    for (Eigen::Index o = 0; o < reflection.amplitudes.rows(); ++o) {
+    for (Eigen::Index o = 0; o < waves.amplitudes.rows(); ++o) {
         for (std::size_t i = 0; i < depths.size(); ++i) {
-            amplitudes[i] += reflection.amplitudes(o, incident) * k_of(incident) *
+            amplitudes[i] += waves.amplitudes(o, waves.column) * k_of(waves.column) *
                              std::pow(k_of(o), depths[i] + 1);
         }
     }
     return {amplitudes, most};
+}
+
+WavesSentBack waves_of(const nmbcgen::Reflection& reflection, double xi) {
+    WavesSentBack waves{.k = {}, .amplitudes = reflection.amplitudes, .column = 0, .energy = 0};
+    for (const nmbcgen::Mode& mode : reflection.outgoing) {
+        waves.k.push_back(mode.k);
+    }
+    const auto distance = [&](Eigen::Index column) {
+        const Complex k = waves.k[std::size_t(column)];
+        return std::abs(std::polar(1.0, xi) - k) * std::abs(std::polar(1.0, -xi) - k);
+    };
+    for (Eigen::Index column = 0; column < waves.amplitudes.cols(); ++column) {
+        waves.column = distance(column) < distance(waves.column) ? column : waves.column;
+    }
+    return waves;
 }
 
 /// most^2 + .. + most^(1 + trips): the second round trip, and those that follow.
@@ -190,12 +198,25 @@ double ReflectionError::of_all(ErrorOf error_of) const {
     return at_mirror * (meet ? left + right : std::max(left, right)) / outgoing_.largest;
 }
 
-double ReflectionError::of(const Boundary& boundary, double time_step) {
+ReflectionError::End ReflectionError::end(const Boundary& boundary, double time_step) {
+    if (boundary.kind == BoundaryKind::passive) {
+        return [waves = sent_back_by_passive_end(lattice_of(scene_), time_step)](
+                   const WaveBand& band) { return waves(band.xi); };
+    }
     const nmbcgen::HalfSpace& in_time = half_space(boundary);
     if (modes_ == nullptr) {
         modes_ = std::make_unique<nmbcgen::KnownModes>(in_time);
     }
-    const auto end = stepped(in_time, time_step);
+    return [this, end = stepped(in_time, time_step)](const WaveBand& band) {
+        return waves_of(end.is_damped()
+                            ? nmbcgen::reflection(end, band.omega)
+                            : nmbcgen::reflection(end, band.omega, modes_->at(band.omega)),
+                        band.xi);
+    };
+}
+
+double ReflectionError::of(const Boundary& boundary, double time_step) {
+    const End end = this->end(boundary, time_step);
     return of_all([&](const Arrivals& arrivals) {
         const std::vector<Arrival>& waves = arrivals.waves;
         double later = 0;
@@ -203,11 +224,7 @@ double ReflectionError::of(const Boundary& boundary, double time_step) {
         sent_back_at.reserve(waves.size());
         for (const Arrival& wave : waves) {
             pause_();
-            const double omega = wave.band->omega;
-            const auto sent =
-                sent_back(end.is_damped() ? nmbcgen::reflection(end, omega)
-                                          : nmbcgen::reflection(end, omega, modes_->at(omega)),
-                          wave.band->xi, scene_.nodes);
+            const SentBack sent = sent_back(end(*wave.band), scene_.nodes);
             later += std::abs(wave.amplitude) * later_trips(sent.most, wave.more_trips);
             sent_back_at.push_back(sent.amplitudes);
         }

@@ -12,6 +12,7 @@
 #include "tools/nmbcrun/advise/outgoing.hpp"
 #include "tools/nmbcrun/advise/pause.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
+#include "tools/nmbcrun/sides/passive.hpp"
 
 namespace nmbcrun {
 
@@ -42,13 +43,16 @@ class ReflectionError {
     ReflectionError(const Scene& scene, const Outgoing& outgoing, double negligible,
                     const Pause& pause);
 
-    /// Of an nmbc at the artificial ends, in steps of time_step [dX/c].
+    /// Of an nmbc or a passive end at the artificial ends, in steps of time_step [dX/c].
     double of(const Boundary& boundary, double time_step);
 
     /// Of fixed ends, which send everything back: nothing, where nothing gets there in time.
     double of_fixed_ends(double time_step) const;
 
   private:
+    using End = std::function<WavesSentBack(const WaveBand&)>;
+
+    End end(const Boundary& boundary, double time_step);
     const nmbcgen::HalfSpace& half_space(const Boundary& boundary);
     template <class ErrorOf>
     double of_all(ErrorOf error_of) const;

@@ -12,6 +12,7 @@
 
 #include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/sides/passive.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
@@ -239,6 +240,21 @@ void Search::add_table(const nmbc::MatchingTable& table) {
     }
 }
 
+void Search::add_passive() {
+    if (scene_.family != "nopd1d" || !scene_.weights.empty() || is_damped(scene_)) {
+        leave_out("passive", "is designed for nopd1d of constant influence, undamped");
+        return;
+    }
+    add("passive", {.kind = BoundaryKind::passive}, {{}, DesignedEnd::largest_cfl},
+        "what passive ends are designed for", [&](double cfl) {
+            try {
+                return reflection_error_.of({.kind = BoundaryKind::passive}, step_of(cfl));
+            } catch (const SceneError&) {  // no design for these steps
+                return infinity;
+            }
+        });
+}
+
 void Search::leave_out(const std::string& name, const std::string& reason) {
     result_.left_out.push_back({name, reason});
 }
@@ -248,6 +264,7 @@ Candidates Search::all() {
     if (Mirrors(scene_).count() == 2) {
         return std::move(result_);
     }
+    add_passive();
     for (const nmbc::MatchingTable* table : tables_of(scene_)) {
         add_table(*table);
     }

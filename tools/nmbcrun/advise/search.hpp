@@ -60,6 +60,7 @@ class Search {
     template <class BoundaryError>
     Verdict judge(Candidate& candidate, BoundaryError boundary_error);
     void add_ends_of_the_lattice();
+    void add_passive();
     void add_table(const nmbc::MatchingTable& table);
     void leave_out(const std::string& name, const std::string& reason);
 

@@ -13,6 +13,7 @@
 #include "tools/nmbcrun/certification/certificate.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/sides/half_line.hpp"
+#include "tools/nmbcrun/sides/passive.hpp"
 #include "tools/nmbcrun/sources/time_scale.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
@@ -36,6 +37,10 @@ AutomaticStep with_their_like(const Scene& scene, const nmbc::Lattice& lattice) 
         if (!has_certificate(boundary->kind)) {
             return {0, fmt::format("an end that is {}: there is no certificate for this kind",
                                    heading_of(*boundary))};
+        }
+        if (boundary->kind == BoundaryKind::passive && DesignedEnd::largest_cfl < step.cfl) {
+            step.cfl = DesignedEnd::largest_cfl;
+            step.limit = "what passive ends are designed for";
         }
         const Boundary& opposite = boundary == &scene.left ? scene.right : scene.left;
         const double time_step = 2 * step.cfl / nmbc::maximum_frequency(lattice);

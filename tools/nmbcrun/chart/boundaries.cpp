@@ -17,6 +17,7 @@ std::vector<NamedBoundary> boundaries_of(const Scene& scene) {
         }
     }
     if (scene.family == "nopd1d" && scene.weights.empty() && !is_damped(scene)) {
+        all.push_back({"passive", {.kind = BoundaryKind::passive}});
         all.push_back({"truncated 1", {.kind = BoundaryKind::truncated, .order = 1}});
     }
     for (const int order : {1, 2, 3, 4}) {

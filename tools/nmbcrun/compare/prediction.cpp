@@ -5,6 +5,7 @@
 
 #include "generator/stability/band_reflection.hpp"
 #include "tools/nmbcrun/certification/half_space.hpp"
+#include "tools/nmbcrun/sides/passive.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
@@ -26,6 +27,10 @@ std::optional<std::function<double(double xi)>> reflected_energy_of(const Scene&
                 return std::nullopt;
             }
             return [](double) { return 0.0; };
+        case BoundaryKind::passive:
+            return [sent_back = sent_back_by_passive_end(lattice_of(scene), time_step)](double xi) {
+                return sent_back(xi).energy;
+            };
         case BoundaryKind::nmbc:
             if (boundary.ghosts != nmbc::GhostRule::midpoint) {
                 return std::nullopt;  // the analysis is of midpoint ghosts

@@ -20,8 +20,8 @@
 namespace nmbcrun {
 namespace {
 
-constexpr std::size_t parts = 512;
-constexpr double width_of_part = std::numbers::pi / parts;
+constexpr std::size_t spectrum_parts = 512;
+constexpr double width_of_part = std::numbers::pi / spectrum_parts;
 /// Waves that a pulse of 1/e of its height has at a distance of one width start as far out.
 constexpr double wide = 2;
 
@@ -87,11 +87,11 @@ Spectrum spectrum_of(const Pulse& pulse, double spacing,
     constexpr double per_part = 4;
     const double samples = std::max(4000.0, per_part * (transform.highest - low) / width_of_part);
     const double step = (transform.highest - low) / samples;
-    std::vector<double> energies(parts);
+    std::vector<double> energies(spectrum_parts);
     for (double i = 0.5; i < samples; ++i) {
         const double kappa = low + i * step;
         const double folded = std::abs(std::remainder(kappa, 2 * std::numbers::pi));
-        const auto part = std::min(parts - 1, std::size_t(folded / width_of_part));
+        const auto part = std::min(spectrum_parts - 1, std::size_t(folded / width_of_part));
         energies[part] += step * weight(folded) * std::norm(transform.value(kappa));
     }
     return Spectrum(std::move(energies));
@@ -124,8 +124,8 @@ Spectrum spectrum_of_force(const Scene& scene, const nmbc::Lattice& lattice, dou
         return 2 * std::asin(std::min(sine, 1.0)) * between / time_step;
     };
     std::vector<double> energies;
-    for (std::size_t part = 0; part < parts; ++part) {
-        const double xi = middle_of(part, parts);
+    for (std::size_t part = 0; part < spectrum_parts; ++part) {
+        const double xi = middle_of(part, spectrum_parts);
         const double place = std::sin(nodes * xi / 2) / std::sin(xi / 2);
         energies.push_back(
             width_of_part * place * place *
@@ -143,8 +143,8 @@ Spectrum spectrum_of_file(const Scene& scene, const nmbc::Lattice& lattice, doub
     const MeanPower of_u(fields.u);
     const MeanPower of_v(fields.v);
     std::vector<double> energies;
-    for (std::size_t part = 0; part < parts; ++part) {
-        const double xi = middle_of(part, parts);
+    for (std::size_t part = 0; part < spectrum_parts; ++part) {
+        const double xi = middle_of(part, spectrum_parts);
         const double low = xi - width_of_part / 2;
         const double high = xi + width_of_part / 2;
         energies.push_back(width_of_part *
@@ -185,9 +185,9 @@ Spectrum spectrum_of_drive(const Scene& scene, const nmbc::Lattice& lattice, dou
     do {
         simulation.step();
     } while (simulation.is_driven(simulation.chain().time()) && !simulation.is_done());
-    const Spectrum at_middles(simulation.chain(), parts);
+    const Spectrum at_middles(simulation.chain(), spectrum_parts);
     std::vector<double> energies;
-    for (std::size_t part = 0; part < parts; ++part) {
+    for (std::size_t part = 0; part < spectrum_parts; ++part) {
         energies.push_back(width_of_part * at_middles.energy() * at_middles.share(part));
     }
     return Spectrum(std::move(energies));
@@ -242,9 +242,9 @@ std::vector<SourceSpectrum> source_spectra(const Scene& scene, const nmbc::Latti
 }
 
 Spectrum spectrum_of_sources(const Scene& scene, const nmbc::Lattice& lattice, double time_step) {
-    std::vector<double> energies(parts);
+    std::vector<double> energies(spectrum_parts);
     for (const SourceSpectrum& source : source_spectra(scene, lattice, time_step)) {
-        for (std::size_t part = 0; part < parts; ++part) {
+        for (std::size_t part = 0; part < spectrum_parts; ++part) {
             energies[part] += source.spectrum.energy() * source.spectrum.share(part);
         }
     }

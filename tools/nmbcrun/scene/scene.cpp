@@ -27,15 +27,11 @@ constexpr double sponge_target = 1e-2;
 constexpr double pml_target = 1e-4;
 
 const std::vector<std::pair<std::string_view, BoundaryKind>> boundary_kinds{
-    {"nmbc", BoundaryKind::nmbc},
-    {"fixed", BoundaryKind::fixed},
-    {"free", BoundaryKind::free},
-    {"extended", BoundaryKind::extended},
-    {"exact", BoundaryKind::exact},
-    {"sponge", BoundaryKind::sponge},
-    {"pml", BoundaryKind::pml},
-    {"higdon", BoundaryKind::higdon},
-    {"truncated", BoundaryKind::truncated}};
+    {"nmbc", BoundaryKind::nmbc},     {"fixed", BoundaryKind::fixed},
+    {"free", BoundaryKind::free},     {"extended", BoundaryKind::extended},
+    {"exact", BoundaryKind::exact},   {"sponge", BoundaryKind::sponge},
+    {"pml", BoundaryKind::pml},       {"passive", BoundaryKind::passive},
+    {"higdon", BoundaryKind::higdon}, {"truncated", BoundaryKind::truncated}};
 
 /// The keys that count for it, `kind` aside.
 std::vector<std::string_view> keys_of(BoundaryKind kind) {
@@ -53,6 +49,7 @@ std::vector<std::string_view> keys_of(BoundaryKind kind) {
         case BoundaryKind::fixed:
         case BoundaryKind::free:
         case BoundaryKind::exact:
+        case BoundaryKind::passive:
             break;
     }
     return {};
@@ -254,6 +251,7 @@ std::string heading_of(const Boundary& boundary) {
         case BoundaryKind::fixed:
         case BoundaryKind::free:
         case BoundaryKind::exact:
+        case BoundaryKind::passive:
             return std::string(name_of(boundary.kind));
         case BoundaryKind::nmbc:
         case BoundaryKind::truncated:

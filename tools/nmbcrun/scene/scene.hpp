@@ -33,6 +33,7 @@ enum class BoundaryKind {
     exact,      ///< the same lattice for ever, by convolution
     sponge,     ///< a layer that damps the velocity
     pml,        ///< a perfectly matched layer
+    passive,    ///< stable by construction, designed for the lattice and the steps
     higdon,     ///< Higdon's one-way product on all ghost layers
     truncated,  ///< (60) on n ghost nodes, the families cut off there: the edge effect
 };

@@ -15,6 +15,7 @@
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/sides/exact.hpp"
 #include "tools/nmbcrun/sides/higdon.hpp"
+#include "tools/nmbcrun/sides/passive.hpp"
 #include "tools/nmbcrun/sides/pml.hpp"
 #include "tools/nmbcrun/sides/silent_layer.hpp"
 #include "tools/nmbcrun/sides/sponge.hpp"
@@ -89,6 +90,8 @@ nmbc::ChainEnd chain_end(const Scene& scene, const Boundary& boundary) {
             return SpongeEnd{{boundary.layer, boundary.profile, target_of(boundary)}};
         case BoundaryKind::pml:
             return PmlEnd{{boundary.layer, boundary.profile, target_of(boundary)}};
+        case BoundaryKind::passive:
+            return DesignedEnd{};
         case BoundaryKind::higdon:
             return HigdonEnd{boundary.order};
         case BoundaryKind::truncated:

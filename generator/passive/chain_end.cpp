@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "generator/passive/chain_end.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace nmbcgen {
+namespace {
+
+double highest_eigenvalue(const LateralChain& chain, std::size_t steps) {
+    double highest = 0;
+    for (std::size_t i = 1; i < steps; ++i) {
+        const double xi = std::numbers::pi * double(i) / double(steps);
+        highest = std::max(highest, omega_squared(chain, xi));
+    }
+    return highest;
+}
+
+std::vector<VectorSquare> as_vectors(const std::vector<ExactSquare>& squares, int horizon) {
+    std::vector<VectorSquare> vectors;
+    for (const ExactSquare& square : squares) {
+        std::vector<VectorTerm> terms;
+        for (int j = -horizon; j <= horizon; ++j) {
+            const Rational& factor = square.stencil[std::size_t(j + horizon)];
+            if (factor != 0) {
+                terms.push_back({{j, 0, 0}, {factor, 0, 0}});
+            }
+        }
+        vectors.push_back({square.part, square.weight, std::move(terms)});
+    }
+    return vectors;
+}
+
+/// Some searches end in a minimum far from the lattice, and others do not, which count stiffness
+/// more: the best of those that end at all.
+PassiveSide best_of_searches(EdgeTask task, const std::vector<WeightedWave>& waves) {
+    constexpr double good = 1e-3;  // of the energy: better ones are not looked for
+    std::optional<PassiveSide> best;
+    double least = HUGE_VAL;
+    for (const double weight : {0.3, 1.0, 3.0}) {
+        task.long_steps = weight;
+        try {
+            PassiveSide side = designed_side(task, waves, {1}, 1);
+            double reflected = 0;
+            for (const WeightedWave& one : waves) {
+                reflected += reflected_by_edge(side.task, side.edge, one.wave);
+            }
+            reflected /= double(waves.size());
+            if (reflected < least) {
+                least = reflected;
+                best = std::move(side);
+            }
+        } catch (const std::domain_error&) {
+            if (weight == 3.0 && !best) {
+                throw;
+            }
+        }
+        if (least < good) {
+            break;
+        }
+    }
+    return *best;
+}
+
+}  // namespace
+
+LateralChain chain_of(const std::vector<double>& symbol) {
+    LateralChain chain;
+    const auto add = [&](double entry) {
+        chain.stiffness.emplace_back(Eigen::MatrixXd::Constant(1, 1, entry));
+    };
+    std::for_each(symbol.rbegin(), symbol.rend() - 1, add);
+    std::ranges::for_each(symbol, add);
+    return chain;
+}
+
+PassiveSide passive_end(const std::vector<double>& symbol, unsigned horizon, const Rational& G,
+                        const ChainEdge& at_edge, double time_step) {
+    const auto n = Eigen::Index(horizon);
+    const LateralChain chain = chain_of(symbol);
+    constexpr std::size_t steps = 400;
+    EdgeTask task{.node_energy =
+                      [at_edge, horizon](unsigned layer, const Rational&) {
+                          return as_vectors(at_edge(layer), int(horizon));
+                      },
+                  .dimensions = 1,
+                  .reach = {.node = n, .forces = 2 * n, .layers = 2 * n},
+                  .g = G,
+                  .largest_beta = 0,
+                  .is_exact_head_on = true,
+                  .near_the_lattice = 1e-3,
+                  .denominator = 1000000,
+                  .highest_eigenvalue = highest_eigenvalue(chain, steps),
+                  .time_step = time_step};
+    std::vector<WeightedWave> waves;
+    for (const double xi : {0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0}) {
+        const ArrivingWave wave = arriving_wave(chain, xi);
+        constexpr double slow = 0.2;
+        if (wave.outgoing[std::size_t(wave.column)].group_velocity > slow) {
+            waves.push_back({wave, 1 / xi});
+        }
+    }
+    return best_of_searches(std::move(task), waves);
+}
+
+}  // namespace nmbcgen

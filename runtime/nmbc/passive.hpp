@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+/// Ends that are stable by construction: the chain is cut off there, with springs, masses and
+/// dashpots of its own on the outermost nodes, so that waves leave.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <nmbc/boundary_condition.hpp>
+#include <nmbc/certificate.hpp>
+#include <nmbc/lattice.hpp>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace nmbc {
+
+/// The end of a chain, counted inwards from its outermost node, where the lattice has E = rho = dX
+/// = 1: on `rows` nodes the equation of motion is
+///     M u'' = -K u - C u',
+/// M diagonal and 1 but for the outermost nodes, C of these alone; on all others it is the
+/// lattice's. While K and C are sums of squares and M is positive, no step raises
+///     v.M v/2 + u(t+dt).K u(t)/2   of the whole chain, v at t + dt/2,
+/// which has a least value in steps with dt^2 times the highest eigenvalue of M^-1 K below 4
+/// (midpoint dashpots). `nmbcgen passive` designs such ends.
+struct PassiveEnd {
+    std::size_t rows = 0;           ///< outermost nodes, with forces of their own
+    std::vector<double> stiffness;  ///< K: rows times (rows + reach of the lattice), row by row
+    std::vector<double> mass;       ///< the diagonal of M, of the q outermost nodes, q <= rows
+    std::vector<double> dashpots;   ///< C: q times q, row by row
+    double highest_eigenvalue = 0;  ///< of M^-1 K, in the interior as well
+    /// Nodes of the lattice between these and the interior, on which what decays beside the end
+    /// does so. The end adds both to the chain.
+    std::size_t further = 0;
+
+    /// Throws std::invalid_argument for sizes that do not fit, masses that are not positive and a
+    /// damped lattice; NotCertified for steps that are too long.
+    template <class Real>
+    std::unique_ptr<BoundaryCondition<Real>> make(const Lattice& lattice, const ChainParameters& p,
+                                                  std::type_identity<Real> precision) const;
+};
+
+namespace detail {
+
+/// The inverse of a matrix that is symmetric and positive definite, row by row.
+inline std::vector<double> inverse_of(std::vector<double> matrix, std::size_t size) {
+    std::vector<double> inverse(size * size);
+    for (std::size_t i = 0; i < size; ++i) {
+        inverse[i * size + i] = 1;
+    }
+    for (std::size_t pivot = 0; pivot < size; ++pivot) {  // Gauss and Jordan
+        const double scale = 1 / matrix[pivot * size + pivot];
+        for (std::size_t column = 0; column < size; ++column) {
+            matrix[pivot * size + column] *= scale;
+            inverse[pivot * size + column] *= scale;
+        }
+        for (std::size_t row = 0; row < size; ++row) {
+            const double factor = row == pivot ? 0 : matrix[row * size + pivot];
+            for (std::size_t column = 0; column < size; ++column) {
+                matrix[row * size + column] -= factor * matrix[pivot * size + column];
+                inverse[row * size + column] -= factor * inverse[pivot * size + column];
+            }
+        }
+    }
+    return inverse;
+}
+
+/// In a step v+ = S ((M - dt C/2) v- - dt K u) with S the inverse of M + dt C/2. The lattice's own
+/// force K' has made v- into v* = v- - dt K' u, so that
+///     v+ = A v* + B u,   A = S (M - dt C/2),   B = dt (A K' - S K).
+template <class Real>
+class PassiveCondition final : public BoundaryCondition<Real> {
+  public:
+    PassiveCondition(const PassiveEnd& end, const Lattice& lattice, const ChainParameters& p)
+        : ghosts_(lattice.reach()),
+          rows_(end.rows),
+          further_(end.further),
+          columns_(end.rows + ghosts_),
+          moved_(end.mass.size()),
+          velocities_(padded(moved_) * moved_),
+          displacements_(padded(rows_) * columns_),
+          new_(padded(rows_)) {
+        const double rate = p.wave_speed() / p.spacing;
+        const double step = p.time_step * rate;
+        std::vector<double> sum(moved_ * moved_);
+        std::vector<double> difference(moved_ * moved_);
+        for (std::size_t i = 0; i < moved_; ++i) {
+            for (std::size_t j = 0; j < moved_; ++j) {
+                const double mass = i == j ? end.mass[i] : 0;
+                const double dashpot = step / 2 * end.dashpots[i * moved_ + j];
+                sum[i * moved_ + j] = mass + dashpot;
+                difference[i * moved_ + j] = mass - dashpot;
+            }
+        }
+        const std::vector<double> solve = inverse_of(std::move(sum), moved_);
+        std::vector<double> kept(moved_ * moved_);  // A
+        for (std::size_t i = 0; i < moved_; ++i) {
+            for (std::size_t k = 0; k < moved_; ++k) {
+                for (std::size_t j = 0; j < moved_; ++j) {
+                    kept[i * moved_ + j] += solve[i * moved_ + k] * difference[k * moved_ + j];
+                }
+            }
+        }
+        const auto own = [&](std::size_t row, std::size_t column) {
+            return end.stiffness[row * columns_ + column];
+        };
+        const auto of_lattice = [&](std::size_t row, std::size_t column) {
+            const std::size_t distance = row > column ? row - column : column - row;
+            return distance < lattice.symbol.size() ? lattice.symbol[distance] : 0.0;
+        };
+        for (std::size_t i = 0; i < rows_; ++i) {
+            for (std::size_t j = 0; j < columns_; ++j) {
+                double entry = i < moved_ ? 0 : of_lattice(i, j) - own(i, j);
+                for (std::size_t k = 0; i < moved_ && k < moved_; ++k) {
+                    entry +=
+                        kept[i * moved_ + k] * of_lattice(k, j) - solve[i * moved_ + k] * own(k, j);
+                }
+                displacements_[place(i, j, columns_)] = static_cast<Real>(step * rate * entry);
+            }
+        }
+        for (std::size_t i = 0; i < moved_; ++i) {
+            for (std::size_t j = 0; j < moved_; ++j) {
+                velocities_[place(i, j, moved_)] = static_cast<Real>(kept[i * moved_ + j]);
+            }
+        }
+    }
+
+    std::size_t layer_nodes() const override { return rows_ + further_; }
+    std::size_t least_interior_nodes() const override {
+        return std::max<std::size_t>(ghosts_, further_ + 1) - further_;
+    }
+
+    /// Beyond the outermost node there is nothing: what stands there is 0 and acts on nothing.
+    void start(NodeLine<Real> u, NodeLine<Real> v) override {
+        for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
+            u[ghost] = 0;
+            v[ghost] = 0;
+        }
+    }
+
+    void after_kick(NodeLine<const Real> u, NodeLine<Real> v, std::size_t /*step*/) override {
+        for (std::size_t block = 0; block < new_.size(); block += lanes) {
+            Sums sums{};
+            for (std::size_t row = std::max(block, moved_); row < std::min(block + lanes, rows_);
+                 ++row) {
+                sums[row - block] = v[ghosts_ + row];
+            }
+            if (block < moved_) {
+                add(sums, velocities_, block, moved_, v);
+            }
+            add(sums, displacements_, block, columns_, u);
+            std::ranges::copy(sums, new_.begin() + static_cast<std::ptrdiff_t>(block));
+        }
+        for (std::size_t row = 0; row < rows_; ++row) {
+            v[ghosts_ + row] = new_[row];
+        }
+        for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
+            v[ghost] = 0;
+        }
+    }
+
+  private:
+    static constexpr std::size_t lanes = 4;  ///< rows whose sums do not wait for each other
+    using Sums = std::array<Real, lanes>;
+
+    static std::size_t padded(std::size_t rows) { return (rows + lanes - 1) / lanes * lanes; }
+
+    /// Where the entry of a matrix with so many columns lies.
+    static std::size_t place(std::size_t row, std::size_t column, std::size_t columns) {
+        return (row / lanes * columns + column) * lanes + row % lanes;
+    }
+
+    /// The block's rows of a matrix, times what the field has on the chain's own nodes.
+    void add(Sums& sums, const std::vector<Real>& matrix, std::size_t block, std::size_t columns,
+             NodeLine<const Real> field) const {
+        const Real* const entries = matrix.data() + block * columns;
+        for (std::size_t column = 0; column < columns; ++column) {
+            const Real value = field[ghosts_ + column];
+            for (std::size_t row = 0; row < lanes; ++row) {
+                sums[row] += entries[column * lanes + row] * value;
+            }
+        }
+    }
+
+    std::size_t ghosts_;
+    std::size_t rows_;
+    std::size_t further_;
+    std::size_t columns_;
+    std::size_t moved_;                ///< nodes with a mass and dashpots of their own
+    std::vector<Real> velocities_;     // A, in blocks of rows, column by column
+    std::vector<Real> displacements_;  // B, likewise
+    std::vector<Real> new_;            // v of the rows
+};
+
+}  // namespace detail
+
+template <class Real>
+std::unique_ptr<BoundaryCondition<Real>> PassiveEnd::make(
+    const Lattice& lattice, const ChainParameters& p,
+    std::type_identity<Real> /*precision*/) const {
+    if (mass.empty() || mass.size() > rows || dashpots.size() != mass.size() * mass.size() ||
+        stiffness.size() != rows * (rows + lattice.reach())) {
+        throw std::invalid_argument(
+            "a passive end of q masses and m rows, q = 1 .. m, needs q * q dashpots and m * (m + " +
+            std::to_string(lattice.reach()) + ") entries of the stiffness");
+    }
+    if (!std::ranges::all_of(mass, [](double one) { return one > 0 && std::isfinite(one); })) {
+        throw std::invalid_argument("the masses of a passive end must be positive");
+    }
+    if (!lattice.damping.empty()) {
+        throw std::invalid_argument("a passive end needs a lattice without damping");
+    }
+    const double longest = 2 / std::sqrt(highest_eigenvalue);
+    const double step = p.time_step * p.wave_speed() / p.spacing;
+    if (!(step < longest)) {
+        throw NotCertified("a chain with this passive end is stable in steps below " +
+                           std::to_string(longest) + " dX/c, and the step is " +
+                           std::to_string(step) + " dX/c");
+    }
+    return std::make_unique<detail::PassiveCondition<Real>>(*this, lattice, p);
+}
+
+}  // namespace nmbc
