@@ -181,7 +181,11 @@ int run(const Request& request) {
             return done;
         case Action::passive:
             print(with_progress([&request](const Progress&) {
-                return request.end ? passive_json(*request.end) : passive_json(*request.side);
+                if (!request.end) {
+                    return passive_json(*request.side);
+                }
+                return request.as_header ? passive_header(*request.end)
+                                         : passive_json(*request.end);
             }));
             return done;
         case Action::optimise:

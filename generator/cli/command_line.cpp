@@ -157,7 +157,8 @@ CLI::App* add_dispersion(CLI::App& app, Curves& curves, Pending& pending) {
 }
 
 /// nmbcgen passive.
-CLI::App* add_passive(CLI::App& app, Question& question, Pending& pending) {
+CLI::App* add_passive(CLI::App& app, Request& request, Pending& pending) {
+    Question& question = request.question;
     auto* const passive = app.add_subcommand(
         "passive",
         "design an end of a chain, or a side of a plane lattice, that is stable by "
@@ -175,6 +176,11 @@ CLI::App* add_passive(CLI::App& app, Question& question, Pending& pending) {
     add_parsed(*passive, "--time-step", pending.passive_step, parse_rational,
                "dt of the leapfrog steps it is for, an exact number in dX/c such as 1/2 (of plane "
                "families in dX sqrt(rho/E); default 0: continuous time)");
+    passive
+        ->add_flag("--header", request.as_header,
+                   "print an end of a chain as a C++ header, an nmbc::PassiveEnd")
+        ->disable_flag_override()
+        ->excludes(radius);
     return passive;
 }
 
@@ -290,7 +296,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     require_stable->excludes(uncertified);
     auto* const reflect = add_reflect(app, request, pending);
     auto* const recommend = add_recommend(app, request.question, pending);
-    auto* const passive = add_passive(app, request.question, pending);
+    auto* const passive = add_passive(app, request, pending);
     auto* const optimise = add_optimise(app, request, pending);
     auto* const dispersion = add_dispersion(app, request.curves, pending);
     auto* const closed_forms = add_closed_forms(app, request);

@@ -39,6 +39,7 @@ struct Request {
     unsigned samples = 200;          ///< wave numbers of Action::reflect
     Question question;               ///< of Action::recommend
     std::optional<ChainModel> end;   ///< of Action::passive
+    bool as_header = false;          ///< the end, in place of JSON
     std::optional<PlaneModel> side;  ///< of Action::passive; instead of the question of a chain
     Aim aim;        ///< of Action::optimise, its condition but for the stride apart
     Curves curves;  ///< of Action::dispersion

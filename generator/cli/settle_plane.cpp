@@ -50,10 +50,9 @@ ChainModel settled_end(const Question& question, const Pending& pending) {
     if (pending.weights) {
         throw CLI::ValidationError("--weights", "passive ends have constant influence");
     }
-    constexpr unsigned largest_horizon = 6;
-    if (question.horizon > largest_horizon) {
-        throw CLI::ValidationError("--horizon",
-                                   fmt::format("designs above {} take too long", largest_horizon));
+    if (question.horizon > largest_designed_horizon) {
+        throw CLI::ValidationError(
+            "--horizon", fmt::format("designs above {} take too long", largest_designed_horizon));
     }
     return {.horizon = question.horizon, .G = question.G, .time_step = pending.passive_step};
 }

@@ -42,6 +42,9 @@ struct ChainModel {
 /// Throws NoSuchBoundary where no design is found.
 PassiveSide passive_end(const ChainModel& model);
 
+/// An end as a C++ header: an nmbc::PassiveEnd.
+std::string passive_header(const ChainModel& model);
+
 /// Designs as JSON (docs/reference/json.md): all of it exact, and what they reflect.
 std::string passive_json(const PlaneModel& model);
 std::string passive_json(const ChainModel& model);

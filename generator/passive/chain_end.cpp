@@ -66,7 +66,27 @@ PassiveSide best_of_searches(EdgeTask task, const std::vector<WeightedWave>& wav
     return *best;
 }
 
+/// Row by row.
+std::vector<double> entries_of(const Eigen::MatrixXd& matrix) {
+    std::vector<double> entries;
+    for (const auto& row : matrix.rowwise()) {
+        entries.insert(entries.end(), row.begin(), row.end());
+    }
+    return entries;
+}
+
 }  // namespace
+
+nmbc::PassiveEnd for_runtime(const PassiveSide& side, const EdgeEnergies& energies) {
+    const auto rows = side.task.reach.interior();
+    // From node to node what decays does so by a half or more, in all but the wildest lattices.
+    return {.rows = std::size_t(rows),
+            .stiffness = entries_of(energies.stiffness(side.edge).topRows(rows)),
+            .mass = entries_of(side.edge.mass),
+            .dashpots = entries_of(side.edge.dashpots.front()),
+            .highest_eigenvalue = side.highest_eigenvalue,
+            .further = std::size_t(4 * side.task.reach.node)};
+}
 
 LateralChain chain_of(const std::vector<double>& symbol) {
     LateralChain chain;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <nmbc/passive.hpp>
 #include <vector>
 
 #include "generator/passive/design.hpp"
@@ -16,10 +17,16 @@ using ChainEdge = std::function<std::vector<ExactSquare>(unsigned layer)>;
 /// A chain of this symbol: waves see it as layers of one component.
 LateralChain chain_of(const std::vector<double>& symbol);
 
+/// Designs of larger horizons take too long.
+inline constexpr unsigned largest_designed_horizon = 6;
+
 /// Designed for waves with xi up to 1/dX, longer ones counting more; what it reflects vanishes with
 /// xi. Made for leapfrog steps of this length [dX/c]; 0: for continuous time. The symbol is that of
 /// the chain's at_edge at this G. Throws std::domain_error where no design is found.
 PassiveSide passive_end(const std::vector<double>& symbol, unsigned horizon, const Rational& G,
                         const ChainEdge& at_edge, double time_step);
+
+/// The same as the runtime takes it, with 4n nodes more for what decays beside it.
+nmbc::PassiveEnd for_runtime(const PassiveSide& side, const EdgeEnergies& energies);
 
 }  // namespace nmbcgen

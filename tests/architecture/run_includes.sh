@@ -28,7 +28,7 @@ allow generator/names "generator/(table|exact|names)/|$text"
 allow generator/dense 'generator/dense/|(unsupported/)?Eigen/'
 allow generator/stability 'generator/(table|exact|dense|lattice|stability)/|boost/|Eigen/Core'
 allow generator/plane 'generator/(table|exact|dense|lattice|plane)/|Eigen/Core'
-allow generator/passive 'generator/(table|exact|dense|plane|passive)/|Eigen/Core'
+allow generator/passive 'generator/(table|exact|dense|plane|passive)/|nmbc/passive.hpp|Eigen/Core'
 allow generator/matching "generator/(table|exact|lattice|matching)/|ginac/|$text"
 allow generator/emit "generator/(table|exact|lattice|names|emit)/|nlohmann/|$text"
 allow generator/support "generator/(table|emit|names|support)/|nlohmann/|CLI/|fcntl.h|unistd.h|sys/(file|stat).h|$text"

@@ -48,6 +48,15 @@ try verify "$2/tools/scenes/incoming.toml" --set boundary.kind=exact --tolerance
 expect_exit 0
 expect "it has left" awk '/^energy left/ { exit !($3 < 1e-20 && $NF < 1e-20) }' "$scratch/stdout"
 
+# The table of the page on passive ends, row by row.
+page=$2/docs/how-to/passive-ends.md
+for end in boundary.order=1 boundary.order=3 boundary.kind=passive; do
+    try verify "$scene" --set model.G=1.85 --tolerance 1e-2 --set $end
+    expect_exit 0
+    row=$(awk '$1 ~ /^0\.[0-9]+$/ && $4 != "-" { printf " %.1e |", $4 }' "$scratch/stdout" | sed 's/e-0/e-/g')
+    expect "the page's row of $end:$row" grep -qF "| \`$end\` |$row" "$page"
+done
+
 try verify "$scene"
 expect_exit 2
 expect_stderr "--tolerance is required"
