@@ -69,6 +69,21 @@ inline std::vector<double> inverse_of(std::vector<double> matrix, std::size_t si
     return inverse;
 }
 
+/// A matrix, row by row, with the first rows multiplied by a square one, and the others as they
+/// are.
+inline std::vector<double> product(const std::vector<double>& square, std::size_t size,
+                                   const std::vector<double>& matrix, std::size_t columns) {
+    std::vector<double> result = matrix;
+    for (std::size_t i = 0; i < size * columns; ++i) {
+        double sum = 0;
+        for (std::size_t k = 0; k < size; ++k) {
+            sum += square[i / columns * size + k] * matrix[k * columns + i % columns];
+        }
+        result[i] = sum;
+    }
+    return result;
+}
+
 /// In a step v+ = S ((M - dt C/2) v- - dt K u) with S the inverse of M + dt C/2. The lattice's own
 /// force K' has made v- into v* = v- - dt K' u, so that
 ///     v+ = A v* + B u,   A = S (M - dt C/2),   B = dt (A K' - S K).
@@ -88,44 +103,29 @@ class PassiveCondition final : public BoundaryCondition<Real> {
         const double step = p.time_step * rate;
         std::vector<double> sum(moved_ * moved_);
         std::vector<double> difference(moved_ * moved_);
-        for (std::size_t i = 0; i < moved_; ++i) {
-            for (std::size_t j = 0; j < moved_; ++j) {
-                const double mass = i == j ? end.mass[i] : 0;
-                const double dashpot = step / 2 * end.dashpots[i * moved_ + j];
-                sum[i * moved_ + j] = mass + dashpot;
-                difference[i * moved_ + j] = mass - dashpot;
-            }
+        for (std::size_t i = 0; i < moved_ * moved_; ++i) {
+            const double mass = i / moved_ == i % moved_ ? end.mass[i / moved_] : 0;
+            sum[i] = mass + step / 2 * end.dashpots[i];
+            difference[i] = mass - step / 2 * end.dashpots[i];
         }
-        const std::vector<double> solve = inverse_of(std::move(sum), moved_);
-        std::vector<double> kept(moved_ * moved_);  // A
-        for (std::size_t i = 0; i < moved_; ++i) {
-            for (std::size_t k = 0; k < moved_; ++k) {
-                for (std::size_t j = 0; j < moved_; ++j) {
-                    kept[i * moved_ + j] += solve[i * moved_ + k] * difference[k * moved_ + j];
-                }
-            }
+        const std::vector<double> solve = inverse_of(std::move(sum), moved_);         // S
+        const std::vector<double> kept = product(solve, moved_, difference, moved_);  // A
+        for (std::size_t i = 0; i < moved_ * moved_; ++i) {
+            velocities_[place(i / moved_, i % moved_, moved_)] = static_cast<Real>(kept[i]);
         }
-        const auto own = [&](std::size_t row, std::size_t column) {
-            return end.stiffness[row * columns_ + column];
-        };
-        const auto of_lattice = [&](std::size_t row, std::size_t column) {
-            const std::size_t distance = row > column ? row - column : column - row;
-            return distance < lattice.symbol.size() ? lattice.symbol[distance] : 0.0;
-        };
-        for (std::size_t i = 0; i < rows_; ++i) {
-            for (std::size_t j = 0; j < columns_; ++j) {
-                double entry = i < moved_ ? 0 : of_lattice(i, j) - own(i, j);
-                for (std::size_t k = 0; i < moved_ && k < moved_; ++k) {
-                    entry +=
-                        kept[i * moved_ + k] * of_lattice(k, j) - solve[i * moved_ + k] * own(k, j);
-                }
-                displacements_[place(i, j, columns_)] = static_cast<Real>(step * rate * entry);
-            }
+        // A K' - S K, where A and S are those of the outermost nodes and 1 elsewhere.
+        std::vector<double> of_lattice(rows_ * columns_);
+        for (std::size_t i = 0; i < of_lattice.size(); ++i) {
+            const std::size_t row = i / columns_;
+            const std::size_t column = i % columns_;
+            const std::size_t distance = std::max(row, column) - std::min(row, column);
+            of_lattice[i] = distance < lattice.symbol.size() ? lattice.symbol[distance] : 0;
         }
-        for (std::size_t i = 0; i < moved_; ++i) {
-            for (std::size_t j = 0; j < moved_; ++j) {
-                velocities_[place(i, j, moved_)] = static_cast<Real>(kept[i * moved_ + j]);
-            }
+        const std::vector<double> lost = product(kept, moved_, of_lattice, columns_);
+        const std::vector<double> gained = product(solve, moved_, end.stiffness, columns_);
+        for (std::size_t i = 0; i < of_lattice.size(); ++i) {
+            displacements_[place(i / columns_, i % columns_, columns_)] =
+                static_cast<Real>(step * rate * (lost[i] - gained[i]));
         }
     }
 

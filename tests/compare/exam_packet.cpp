@@ -51,14 +51,18 @@ TEST_CASE("measured and predicted agree, long waves and short ones") {
 
 TEST_CASE("a passive end reflects what its design says, in steps of any length") {
     constexpr double most = 1e-7;
-    for (const auto& [horizon, G] : {std::pair{1, 0.6}, {2, 1.0}, {2, 32.0 / 15}}) {
-        const auto scene = scene_with(horizon, G);
+    struct Case {
+        int horizon;
+        double G;
+    };
+    for (const Case& one : {Case{1, 0.6}, {2, 1.0}, {2, 32.0 / 15}}) {
+        const auto scene = scene_with(one.horizon, one.G);
         const Boundary boundary{.kind = BoundaryKind::passive};
         const auto lattice = lattice_of(scene);
         for (const double cfl : {0.2, 0.85}) {
             const double step = 2 * cfl / nmbc::maximum_frequency(lattice);
             for (const double xi : {0.3, 0.5}) {
-                CAPTURE(horizon);
+                CAPTURE(one.horizon);
                 CAPTURE(cfl);
                 CAPTURE(xi);
                 const nmbcrun::Packet packet(lattice, xi, step);

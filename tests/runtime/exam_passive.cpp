@@ -5,8 +5,8 @@
 
 #include <cmath>
 #include <nmbc/nmbc.hpp>
+#include <nmbc/tables/passive_end.hpp>  // made by the build
 #include <nmbc/tables/tables.hpp>
-#include <passive_end.hpp>  // made by the build
 #include <random>
 #include <stdexcept>
 #include <vector>

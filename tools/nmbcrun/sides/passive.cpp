@@ -77,7 +77,7 @@ nmbcgen::ArrivingWave told_apart(const nmbcgen::LateralChain& chain, double xi) 
 
 std::unique_ptr<nmbc::BoundaryCondition<double>> DesignedEnd::make(
     const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
-    std::type_identity<double> precision) const {
+    std::type_identity<double> precision) {
     const double step = parameters.time_step * parameters.wave_speed() / parameters.spacing;
     return designed(lattice, step)->end.make(lattice, parameters, precision);
 }

@@ -21,9 +21,9 @@ struct DesignedEnd {
 
     /// Throws std::invalid_argument for other lattices than nopd1d of constant influence without
     /// damping, and SceneError where there is no design for such steps.
-    std::unique_ptr<nmbc::BoundaryCondition<double>> make(
+    static std::unique_ptr<nmbc::BoundaryCondition<double>> make(
         const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
-        std::type_identity<double> precision) const;
+        std::type_identity<double> precision);
 };
 
 /// What an end makes of the waves of one frequency that come to it: on the node j nodes inwards of
