@@ -70,6 +70,22 @@ amplitudes = [one["energy"] ** 0.5 for one in end["reflected_energy"]]
 assert all(found < most for found, most in zip(amplitudes, [2e-5, 3e-5, 6e-5, 2e-4, 1e-3])), amplitudes
 ' "$scratch/once"
 
+# Made for steps of cfl 0.88, the same end sends back a tenth of that or less; as a header it is what
+# tests/runtime compiles.
+try passive --horizon 2 --G 1 --time-step 2
+expect_exit 0
+cp "$scratch/stdout" "$scratch/stepped"
+expect "a design for the steps" python3 -c '
+import json, sys
+of_time, of_steps = [json.load(open(name)) for name in sys.argv[1:]]
+assert of_steps["time_step"] == "2" and of_steps["highest_eigenvalue"] < 1
+for continuous, stepped in zip(of_time["reflected_energy"], of_steps["reflected_energy"]):
+    assert stepped["energy"] < 0.1 * continuous["energy"], stepped
+' "$scratch/once" "$scratch/stepped"
+try passive --horizon 1 --G 1/2 --header
+expect_exit 0
+expect "the name" grep -q "inline const PassiveEnd passive_nopd1d_n1_G1o2{" "$scratch/stdout"
+
 refuses() { # CODE TEXT ARGUMENT..
     local code=$1 text=$2
     shift 2
@@ -90,5 +106,8 @@ refuses 2 "passive designs are of nopd1d, nopd2d, bond2d" passive --family chain
 refuses 2 "passive ends have constant influence" passive --horizon 2 --weights 1,1/2 --G 1
 refuses 2 "designs above 6 take too long" passive --horizon 7 --G 1
 refuses 2 "passive requires --G" passive --horizon 2
+refuses 3 "the lattice itself is not stable in such steps" passive --horizon 2 --G 1 --time-step 5/2
+refuses 2 "--time-step: '-1' is not a non-negative exact number" passive --horizon 2 --G 1 --time-step -1
+refuses 2 "--radius2 excludes --header" passive "${smallest[@]}" --G 0 --header
 refuses 2 "--horizon (or --radius2) is required" passive --G 1
 finish
