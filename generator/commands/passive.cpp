@@ -112,14 +112,16 @@ PassiveSide passive_side(const PlaneModel& model) {
     constexpr std::size_t wave_numbers = 32;
     const auto node = Eigen::Index(horizon_of(model.choice));
     const auto forces = Eigen::Index(lateral_chain(lattice, 0).reach());
-    EdgeTask task{.node_energy =
-                      [&family, choice = model.choice](unsigned layer, const Rational& beta) {
-                          return family.at_edge(choice, layer, beta);
+    const Rational largest_beta = family.largest_beta(model.choice);
+    EdgeTask task{.squares = EdgeSquares(
+                      [&](unsigned layer, const Rational& beta) {
+                          return family.at_edge(model.choice, layer, beta);
                       },
+                      node, model.g, largest_beta),
                   .dimensions = 2,
                   .reach = {.node = node, .forces = forces, .layers = 2 * node},
-                  .g = model.g,
-                  .largest_beta = family.largest_beta(model.choice),
+                  .has_stabilisation = model.g != 0,
+                  .largest_beta = largest_beta,
                   .highest_eigenvalue = highest_eigenvalue(lattice, wave_numbers),
                   .time_step = nearest_double(model.time_step)};
     try {

@@ -103,13 +103,14 @@ PassiveSide passive_end(const std::vector<double>& symbol, unsigned horizon, con
     const auto n = Eigen::Index(horizon);
     const LateralChain chain = chain_of(symbol);
     constexpr std::size_t steps = 400;
-    EdgeTask task{.node_energy =
-                      [at_edge, horizon](unsigned layer, const Rational&) {
+    EdgeTask task{.squares = EdgeSquares(
+                      [&](unsigned layer, const Rational&) {
                           return as_vectors(at_edge(layer), int(horizon));
                       },
+                      n, G, 0),
                   .dimensions = 1,
                   .reach = {.node = n, .forces = 2 * n, .layers = 2 * n},
-                  .g = G,
+                  .has_stabilisation = G != 0,
                   .largest_beta = 0,
                   .is_exact_head_on = true,
                   .near_the_lattice = 1e-3,

@@ -112,7 +112,7 @@ class Residuals {
           waves_(waves),
           speeds_(speeds),
           layers_(task.reach.layers),
-          has_stabilisation_(task.g != 0),
+          has_stabilisation_(task.has_stabilisation),
           start_(start()) {
         for (const double wave_number : {0.0, std::numbers::pi / 2, std::numbers::pi}) {
             stiff_.push_back(task.at(wave_number));

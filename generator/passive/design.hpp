@@ -11,10 +11,10 @@ namespace nmbcgen {
 
 /// What there is to design. Node energies are linear in beta, 0 <= beta <= largest_beta.
 struct EdgeTask {
-    NodeEnergy node_energy;
+    EdgeSquares squares;
     std::size_t dimensions = 2;
     EdgeReach reach;
-    Rational g;
+    bool has_stabilisation = true;  ///< g > 0
     Rational largest_beta;  ///< up to it the energy is a sum of squares; 0: no null Lagrangian
     /// Scales are |L^T 1|^2, so that nothing comes back of long waves head-on; or 1, where wider
     /// angles count.
@@ -32,7 +32,7 @@ struct EdgeTask {
     double most_stiff() const;
 
     EdgeEnergies at(double wave_number) const {
-        return edge_energies(node_energy, dimensions, reach, g, largest_beta, wave_number);
+        return squares.energies(dimensions, reach, wave_number);
     }
 };
 

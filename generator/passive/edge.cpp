@@ -17,27 +17,65 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-/// Adds weight |sum of terms|^2 at exp(i k y), components as in LateralChain. Off the diagonal
-/// the imaginary parts of mirror images in y cancel.
-void add(MatrixXd& stiffness, const VectorSquare& square, double weight, Index layer,
-         Index components, double wave_number) {
-    Eigen::VectorXcd row = Eigen::VectorXcd::Zero(stiffness.rows());
-    for (const VectorTerm& term : square.terms) {
-        const Complex phase = std::polar(1.0, wave_number * term.offset[1]);
-        for (Index a = 0; a < components; ++a) {
-            row(components * (layer + term.offset[0]) + a) +=
-                nearest_double(term.factors[std::size_t(a)]) * phase *
-                (a == 1 ? Complex(0, -1) : Complex(1));
-        }
-    }
-    stiffness += weight * (row.conjugate() * row.transpose()).real();
-}
-
 }  // namespace
 
-EdgeEnergies edge_energies(const NodeEnergy& node_energy, std::size_t dimensions,
-                           const EdgeReach& reach, const Rational& g, const Rational& some_beta,
-                           double wave_number) {
+EdgeSquares::Square EdgeSquares::in_doubles(const VectorSquare& square, double weight) {
+    Square rounded{.weight = weight, .terms = {}};
+    for (const VectorTerm& term : square.terms) {
+        rounded.terms.push_back(
+            {.layer = term.offset[0],
+             .along = term.offset[1],
+             .factors = {nearest_double(term.factors[0]), nearest_double(term.factors[1])}});
+    }
+    return rounded;
+}
+
+EdgeSquares::EdgeSquares(const NodeEnergy& node_energy, Index node, const Rational& g,
+                         const Rational& some_beta) {
+    for (unsigned layer = 0; layer <= unsigned(node); ++layer) {
+        OfLayer& own = by_layer_.emplace_back();
+        const auto add_null_lagrangian = [&](const VectorSquare& square, const Rational& share) {
+            own.null_lagrangian.push_back(
+                in_doubles(square, nearest_double(evaluate(square.weight, g) * share)));
+        };
+        for (const VectorSquare& square : node_energy(layer, 0)) {
+            const bool is_strain = square.part == EnergyPart::strain;
+            (is_strain ? own.strain : own.stabilisation)
+                .push_back(in_doubles(square, nearest_double(evaluate(square.weight, g))));
+            if (is_strain && some_beta != 0) {
+                add_null_lagrangian(square, -1 / some_beta);
+            }
+        }
+        if (some_beta == 0) {
+            continue;
+        }
+        for (const VectorSquare& square : node_energy(layer, some_beta)) {
+            if (square.part == EnergyPart::strain) {
+                add_null_lagrangian(square, 1 / some_beta);
+            }
+        }
+    }
+}
+
+/// Adds weight |sum of terms|^2 at exp(i k y), components as in LateralChain. Off the diagonal
+/// the imaginary parts of mirror images in y cancel.
+void EdgeSquares::add(MatrixXd& stiffness, const std::vector<Square>& squares, Index layer,
+                      Index components, double wave_number) {
+    for (const Square& square : squares) {
+        Eigen::VectorXcd row = Eigen::VectorXcd::Zero(stiffness.rows());
+        for (const Square::Term& term : square.terms) {
+            const Complex phase = std::polar(1.0, wave_number * term.along);
+            for (Index a = 0; a < components; ++a) {
+                row(components * (layer + term.layer) + a) +=
+                    term.factors[std::size_t(a)] * phase * (a == 1 ? Complex(0, -1) : Complex(1));
+            }
+        }
+        stiffness += square.weight * (row.conjugate() * row.transpose()).real();
+    }
+}
+
+EdgeEnergies EdgeSquares::energies(std::size_t dimensions, const EdgeReach& reach,
+                                   double wave_number) const {
     const auto components = Index(dimensions);
     const Index nodes = reach.interior() + reach.node;
     const Index window = nodes + reach.node;
@@ -45,36 +83,13 @@ EdgeEnergies edge_energies(const NodeEnergy& node_energy, std::size_t dimensions
     EdgeEnergies energies{
         .outermost = {}, .further = {none, none, none}, .components = components, .reach = reach};
     energies.outermost.assign(std::size_t(reach.layers), energies.further);
-    // Layers from reach.node on have whole families, and so the same squares.
-    struct Squares {
-        std::vector<VectorSquare> plain;
-        std::vector<VectorSquare> with_beta;
-    };
-    std::vector<Squares> by_layer;
-    for (unsigned layer = 0; layer <= unsigned(reach.node); ++layer) {
-        by_layer.push_back({node_energy(layer, 0), some_beta == 0 ? std::vector<VectorSquare>{}
-                                                                  : node_energy(layer, some_beta)});
-    }
     for (Index layer = 0; layer < nodes; ++layer) {
-        const auto& [plain, with_beta] = by_layer[std::size_t(std::min(layer, reach.node))];
+        const OfLayer& own = by_layer_[std::min(std::size_t(layer), by_layer_.size() - 1)];
         EdgeEnergies::Node& node =
             layer < reach.layers ? energies.outermost[std::size_t(layer)] : energies.further;
-        for (const VectorSquare& square : plain) {
-            const double weight = nearest_double(evaluate(square.weight, g));
-            add(square.part == EnergyPart::strain ? node.strain : node.stabilisation, square,
-                weight, layer, components, wave_number);
-            if (some_beta != 0 && square.part == EnergyPart::strain) {
-                add(node.null_lagrangian, square, -weight / nearest_double(some_beta), layer,
-                    components, wave_number);
-            }
-        }
-        for (const VectorSquare& square : with_beta) {
-            if (square.part == EnergyPart::strain) {
-                add(node.null_lagrangian, square,
-                    nearest_double(evaluate(square.weight, g) / some_beta), layer, components,
-                    wave_number);
-            }
-        }
+        add(node.strain, own.strain, layer, components, wave_number);
+        add(node.null_lagrangian, own.null_lagrangian, layer, components, wave_number);
+        add(node.stabilisation, own.stabilisation, layer, components, wave_number);
     }
     return energies;
 }

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -60,11 +61,39 @@ struct EdgeEnergies {
 /// The squares of the energy of a node so many layers from an edge at x = 0, at a value of beta.
 using NodeEnergy = std::function<std::vector<VectorSquare>(unsigned layer, const Rational& beta)>;
 
-/// The squares of a node are linear in beta, and asked for at 0 and at some_beta; where that is 0
-/// there is no null Lagrangian.
-EdgeEnergies edge_energies(const NodeEnergy& node_energy, std::size_t dimensions,
-                           const EdgeReach& reach, const Rational& g, const Rational& some_beta,
-                           double wave_number);
+/// The squares of an edge's nodes at one g, rounded to doubles.
+class EdgeSquares {
+  public:
+    /// The squares of a node are linear in beta, and asked for at 0 and at some_beta; where that is
+    /// 0 there is no null Lagrangian. Layers from `node`, the reach of a node's energy, on have
+    /// whole families.
+    EdgeSquares(const NodeEnergy& node_energy, Eigen::Index node, const Rational& g,
+                const Rational& some_beta);
+
+    EdgeEnergies energies(std::size_t dimensions, const EdgeReach& reach, double wave_number) const;
+
+  private:
+    struct Square {
+        struct Term {
+            Eigen::Index layer;  ///< from that of the node inwards
+            int along;           ///< the edge, from the node
+            std::array<double, 2> factors;
+        };
+        double weight;
+        std::vector<Term> terms;
+    };
+    struct OfLayer {
+        std::vector<Square> strain;
+        std::vector<Square> null_lagrangian;  ///< weights may be negative
+        std::vector<Square> stabilisation;
+    };
+
+    static Square in_doubles(const VectorSquare& square, double weight);
+    static void add(Eigen::MatrixXd& stiffness, const std::vector<Square>& squares,
+                    Eigen::Index layer, Eigen::Index components, double wave_number);
+
+    std::vector<OfLayer> by_layer_;
+};
 
 /// Amplitudes of all outgoing modes (rows) that the mirror images of those that travel (columns)
 /// make, all of them 1 on layer reach.waves(). In leapfrog steps with midpoint dashpots a

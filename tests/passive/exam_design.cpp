@@ -16,14 +16,16 @@ using namespace nmbcgen::test;
 namespace {
 
 EdgeTask task_at(double G, const PlaneLattice& lattice) {
-    return {.node_energy =
+    const Rational largest_beta = nopd2d_largest_beta(of_paper(1));
+    return {.squares = EdgeSquares(
                 [](unsigned layer, const Rational& beta) {
                     return nopd2d_at_edge(of_paper(1), layer, beta);
                 },
+                EdgeReach{}.node, g_of(G), largest_beta),
             .dimensions = 2,
             .reach = {},
-            .g = g_of(G),
-            .largest_beta = nopd2d_largest_beta(of_paper(1)),
+            .has_stabilisation = G != 0,
+            .largest_beta = largest_beta,
             .highest_eigenvalue = highest_eigenvalue(lattice, 16)};
 }
 

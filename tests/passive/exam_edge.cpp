@@ -42,7 +42,8 @@ TEST_CASE("the layers behind an edge have the forces of the interior, whatever b
     for (const unsigned radius_squared : {1U, 2U, 4U, 5U, 9U}) {
         const EdgeReach reach = reach_of(radius_squared);
         const EdgeEnergies energies =
-            edge_energies(at_edge(radius_squared), 2, reach, g_of(0.3), largest_beta, 1.1);
+            EdgeSquares(at_edge(radius_squared), reach.node, g_of(0.3), largest_beta)
+                .energies(2, reach, 1.1);
         PassiveEdge edge = plain(reach.layers);
         edge.strain.setConstant(0.7);
         edge.null_lagrangian = 0.31;
@@ -67,7 +68,7 @@ TEST_CASE("the layers behind an edge have the forces of the interior, whatever b
 TEST_CASE("energy of an edge is not negative for 0 <= beta <= 2 mu, and can be beyond") {
     for (const double wave_number : {0.0, 0.9, 2.4}) {
         const EdgeEnergies energies =
-            edge_energies(at_edge(1), 2, reach_of(1), g_of(0), largest_beta, wave_number);
+            EdgeSquares(at_edge(1), 1, g_of(0), largest_beta).energies(2, reach_of(1), wave_number);
         const auto lowest = [&](double beta) {
             PassiveEdge edge = plain(2);
             edge.strain << 0.3, 1.9;
@@ -86,9 +87,10 @@ TEST_CASE("without dashpots an edge keeps the energy") {
     const PlaneLattice lattice = lattice_of_paper(4, 0.5);
     for (const double degrees : {0.0, 50.0}) {
         const ArrivingWave wave = arriving_wave(lattice, true, 0.6, radians(degrees));
-        const Eigen::MatrixXcd matrix = edge_reflection(
-            edge_energies(at_edge(4), 2, reach_of(4), g_of(0.5), largest_beta, wave.wave_number),
-            plain(4), wave.outgoing, wave.omega);
+        const Eigen::MatrixXcd matrix =
+            edge_reflection(EdgeSquares(at_edge(4), 2, g_of(0.5), largest_beta)
+                                .energies(2, reach_of(4), wave.wave_number),
+                            plain(4), wave.outgoing, wave.omega);
         CHECK((matrix.adjoint() * matrix - Eigen::MatrixXcd::Identity(matrix.rows(), matrix.cols()))
                   .norm() < 1e-9);
     }
@@ -111,16 +113,17 @@ TEST_CASE("a design for waves up to 60 degrees, delta = 1, G = 0") {
     struct Row {
         double angle, P, S;
     };
+    const EdgeSquares squares(at_edge(1), 1, 0, largest_beta);
     for (const Row& row : {Row{0, 0, .010}, Row{20, 0, 0}, Row{40, .001, .001}, Row{60, .031, .064},
                            Row{70, .111, .177}, Row{80, .34, .43}}) {
         CAPTURE(row.angle);
         for (const bool is_P : {true, false}) {
             const ArrivingWave wave = arriving_wave(lattice, is_P, .1, radians(row.angle));
-            const double reflected = edge_reflection(edge_energies(at_edge(1), 2, reach_of(1), 0,
-                                                                   largest_beta, wave.wave_number),
-                                                     edge, wave.outgoing, wave.omega)
-                                         .col(wave.column)
-                                         .squaredNorm();
+            const double reflected =
+                edge_reflection(squares.energies(2, reach_of(1), wave.wave_number), edge,
+                                wave.outgoing, wave.omega)
+                    .col(wave.column)
+                    .squaredNorm();
             // A tenth of it, or .002. Head-on, .010 of S is ((1 - a_t)/(1 + a_t))^2.
             CHECK(std::abs(reflected - (is_P ? row.P : row.S)) <
                   std::max(.002, .1 * (is_P ? row.P : row.S)));
@@ -139,7 +142,7 @@ TEST_CASE("the chain of atoms has a passive end of fourth order in closed form")
              {{Offset{0, 0, 0}, {-1, 0, 0}}, {Offset{1, 0, 0}, {1, 0, 0}}}}};
     };
     const EdgeReach reach{.node = 1, .forces = 1, .layers = 2};
-    const EdgeEnergies energies = edge_energies(bond, 1, reach, 0, 0, 0);
+    const EdgeEnergies energies = EdgeSquares(bond, 1, 0, 0).energies(1, reach, 0);
     const double root = std::sqrt(5.0);
     const double x = (3 - root) / 2;
     const double spring = std::sqrt(8 * (root - 2));
