@@ -90,9 +90,8 @@ std::vector<double> symbol_at(const ChainModel& model) {
     return symbol;
 }
 
-NoSuchBoundary no_design(const Rational& G, const std::domain_error& reason) {
-    return NoSuchBoundary(
-        fmt::format("no passive side was designed at {}: {}", to_string(G), reason.what()));
+NoSuchBoundary no_design(const std::string& at, const std::domain_error& reason) {
+    return NoSuchBoundary(fmt::format("no passive design was found at {}: {}", at, reason.what()));
 }
 
 }  // namespace
@@ -128,7 +127,7 @@ PassiveSide passive_side(const PlaneModel& model) {
         return designed_side(std::move(task), designed_waves(lattice),
                              {lattice.speed_P, lattice.speed_S}, wave_numbers);
     } catch (const std::domain_error& error) {
-        throw no_design(model.g, error);
+        throw no_design("g = " + to_string(model.g), error);
     }
 }
 
@@ -139,7 +138,7 @@ PassiveSide passive_end(const ChainModel& model) {
             [&](unsigned layer) { return nopd1d_at_edge(model.horizon, layer); },
             nearest_double(model.time_step));
     } catch (const std::domain_error& error) {
-        throw no_design(model.G, error);
+        throw no_design("G = " + to_string(model.G), error);
     }
 }
 

@@ -41,7 +41,8 @@ PassiveSide best_of_searches(EdgeTask task, const std::vector<WeightedWave>& wav
     constexpr double good = 1e-3;  // of the energy: better ones are not looked for
     std::optional<PassiveSide> best;
     double least = HUGE_VAL;
-    for (const double weight : {0.3, 1.0, 3.0}) {
+    constexpr double stiffest = 3;
+    for (const double weight : {0.3, 1.0, stiffest}) {
         task.long_steps = weight;
         try {
             PassiveSide side = designed_side(task, waves, {1}, 1);
@@ -55,13 +56,16 @@ PassiveSide best_of_searches(EdgeTask task, const std::vector<WeightedWave>& wav
                 best = std::move(side);
             }
         } catch (const std::domain_error&) {
-            if (weight == 3.0 && !best) {
+            if (weight == stiffest && !best) {
                 throw;
             }
         }
         if (least < good) {
             break;
         }
+    }
+    if (!best) {
+        throw std::domain_error("the search found nothing that reflects a part of the waves only");
     }
     return *best;
 }
@@ -78,13 +82,14 @@ std::vector<double> entries_of(const Eigen::MatrixXd& matrix) {
 }  // namespace
 
 nmbc::PassiveEnd for_runtime(const PassiveSide& side, const EdgeEnergies& energies) {
+    constexpr double nearly = 0.99;  // as in designed_side()
     const auto rows = side.task.reach.interior();
-    // From node to node what decays does so by a half or more, in all but the wildest lattices.
+    // What decays does so by a half or more from node to node at the values of G that suit waves.
     return {.rows = std::size_t(rows),
             .stiffness = entries_of(energies.stiffness(side.edge).topRows(rows)),
             .mass = entries_of(side.edge.mass),
             .dashpots = entries_of(side.edge.dashpots.front()),
-            .highest_eigenvalue = side.highest_eigenvalue,
+            .highest_eigenvalue = side.highest_eigenvalue / nearly,
             .further = std::size_t(4 * side.task.reach.node)};
 }
 

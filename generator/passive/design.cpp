@@ -62,6 +62,10 @@ EdgeNumbers<To> converted(const EdgeNumbers<From>& from, Convert convert) {
 
 /// What is positive remains so.
 Rational rounded(double value, long denominator) {
+    constexpr double too_large = 1e15;
+    if (!(std::abs(value) * double(denominator) < too_large)) {
+        throw std::domain_error("the search ends far from the lattice");
+    }
     const long nearest = std::lround(value * double(denominator));
     return {nearest == 0 && value > 0 ? 1 : nearest, denominator};
 }
@@ -291,7 +295,9 @@ PassiveSide designed_side(EdgeTask task, const std::vector<WeightedWave>& waves,
     constexpr double nearly = 0.99;  // two sides next to each other are stiffer than one
     const double stable = nearly * 4 / (task.time_step * task.time_step);
     if (!(task.highest_eigenvalue < stable)) {
-        throw std::domain_error("the lattice itself is not stable in such steps");
+        throw std::domain_error("the lattice itself is stable in steps below " +
+                                std::to_string(2 / std::sqrt(task.highest_eigenvalue)) + ", not " +
+                                std::to_string(task.time_step));
     }
     PassiveSide side{.task = std::move(task), .design = {}, .edge = {}, .highest_eigenvalue = 0};
     side.design = design_edge(side.task, waves, speeds);
@@ -300,7 +306,8 @@ PassiveSide designed_side(EdgeTask task, const std::vector<WeightedWave>& waves,
         std::max(side.task.highest_eigenvalue,
                  highest_eigenvalue_of_edge(side.task, side.edge, wave_numbers));
     if (!(side.highest_eigenvalue < stable)) {
-        throw std::domain_error("the search ends at springs too stiff for such steps");
+        throw std::domain_error("the search ends at springs too stiff for steps of " +
+                                std::to_string(side.task.time_step));
     }
     return side;
 }

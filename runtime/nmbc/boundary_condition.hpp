@@ -53,6 +53,11 @@ class BoundaryCondition {
     /// be overwritten.
     virtual void start(NodeLine<Real> /*u*/, NodeLine<Real> /*v*/) {}
 
+    /// Between the two: the lattice's own forces have brought v from 0 to `duration` = -dt/2. An
+    /// end with forces of its own puts the v of its layer right.
+    virtual void after_start(NodeLine<const Real> /*u*/, NodeLine<Real> /*v*/,
+                             double /*duration*/) {}
+
     /// In every step, when u is at t, t = step * dt, and the lattice's own forces have brought the
     /// layer's and the interior's v to t + dt/2. Writes the ghosts' v, and may change the v of
     /// nodes near the end. After that every u moves on by dt v, ghosts included.

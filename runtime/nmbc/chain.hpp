@@ -114,6 +114,9 @@ class BasicChain {
             damp();
         }
         force_during(back)->kick(displacement_, velocity_);
+        const std::span<const Real> fixed = displacement_;
+        left_->after_start({fixed, End::left}, {velocity_, End::left}, back);
+        right_->after_start({fixed, End::right}, {velocity_, End::right}, back);
         is_written_to_ = false;
         start_ends();  // their ghosts' velocities follow those of -dt/2
     }

@@ -37,8 +37,9 @@ struct PassiveEnd {
     /// does so. The end adds both to the chain.
     std::size_t further = 0;
 
-    /// Throws std::invalid_argument for sizes that do not fit, masses that are not positive and a
-    /// damped lattice; NotCertified for steps that are too long.
+    /// Throws std::invalid_argument for sizes that do not fit, numbers that are not finite or
+    /// positive, and a damped lattice; NotCertified for another lattice than it was made for, and
+    /// for steps that are too long.
     template <class Real>
     std::unique_ptr<BoundaryCondition<Real>> make(const Lattice& lattice, const ChainParameters& p,
                                                   std::type_identity<Real> precision) const;
@@ -98,7 +99,9 @@ class PassiveCondition final : public BoundaryCondition<Real> {
           moved_(end.mass.size()),
           velocities_(padded(moved_) * moved_),
           displacements_(padded(rows_) * columns_),
-          new_(padded(rows_)) {
+          new_(padded(rows_)),
+          forces_(rows_ * columns_),
+          drags_(moved_ * moved_) {
         const double rate = p.wave_speed() / p.spacing;
         const double step = p.time_step * rate;
         std::vector<double> sum(moved_ * moved_);
@@ -126,6 +129,12 @@ class PassiveCondition final : public BoundaryCondition<Real> {
         for (std::size_t i = 0; i < of_lattice.size(); ++i) {
             displacements_[place(i / columns_, i % columns_, columns_)] =
                 static_cast<Real>(step * rate * (lost[i] - gained[i]));
+            const std::size_t row = i / columns_;
+            const double mass = row < moved_ ? end.mass[row] : 1;
+            forces_[i] = rate * rate * (of_lattice[i] - end.stiffness[i] / mass);
+        }
+        for (std::size_t i = 0; i < moved_ * moved_; ++i) {
+            drags_[i] = -rate * end.dashpots[i] / end.mass[i / moved_];
         }
     }
 
@@ -140,6 +149,22 @@ class PassiveCondition final : public BoundaryCondition<Real> {
             u[ghost] = 0;
             v[ghost] = 0;
         }
+    }
+
+    void after_start(NodeLine<const Real> u, NodeLine<Real> v, double duration) override {
+        const auto add = [&](const std::vector<double>& matrix, std::size_t rows,
+                             std::size_t columns, NodeLine<const Real> field) {
+            std::vector<double> change(rows);
+            for (std::size_t i = 0; i < matrix.size(); ++i) {
+                change[i / columns] +=
+                    matrix[i] * static_cast<double>(field[ghosts_ + i % columns]);
+            }
+            for (std::size_t row = 0; row < rows; ++row) {
+                v[ghosts_ + row] += static_cast<Real>(duration * change[row]);
+            }
+        };
+        add(forces_, rows_, columns_, u);
+        add(drags_, moved_, moved_, v);
     }
 
     void after_kick(NodeLine<const Real> u, NodeLine<Real> v, std::size_t /*step*/) override {
@@ -194,6 +219,8 @@ class PassiveCondition final : public BoundaryCondition<Real> {
     std::vector<Real> velocities_;     // A, in blocks of rows, column by column
     std::vector<Real> displacements_;  // B, likewise
     std::vector<Real> new_;            // v of the rows
+    std::vector<double> forces_;       // K' - M^-1 K, of the start, row by row
+    std::vector<double> drags_;        // -M^-1 C, likewise
 };
 
 }  // namespace detail
@@ -208,14 +235,35 @@ std::unique_ptr<BoundaryCondition<Real>> PassiveEnd::make(
             "a passive end of q masses and m rows, q = 1 .. m, needs q * q dashpots and m * (m + " +
             std::to_string(lattice.reach()) + ") entries of the stiffness");
     }
-    if (!std::ranges::all_of(mass, [](double one) { return one > 0 && std::isfinite(one); })) {
-        throw std::invalid_argument("the masses of a passive end must be positive");
+    if (!std::ranges::all_of(mass, [](double one) { return one > 0 && std::isfinite(one); }) ||
+        !(highest_eigenvalue > 0)) {
+        throw std::invalid_argument(
+            "the masses and the highest eigenvalue of a passive end must be positive");
+    }
+    const auto is_finite = [](double one) { return std::isfinite(one); };
+    if (!std::ranges::all_of(stiffness, is_finite) || !std::ranges::all_of(dashpots, is_finite)) {
+        throw std::invalid_argument("the matrices of a passive end must be finite");
     }
     if (!lattice.damping.empty()) {
         throw std::invalid_argument("a passive end needs a lattice without damping");
     }
+    // The row next to the interior has its forces towards it.
+    const std::size_t columns = rows + lattice.reach();
+    for (std::size_t m = 1; m <= lattice.reach(); ++m) {
+        const double own = stiffness[(rows - 1) * columns + rows - 1 + m];
+        const double of_lattice = m < lattice.symbol.size() ? lattice.symbol[m] : 0;
+        constexpr double roundings = 1e-9;
+        if (!(std::abs(own - of_lattice) <= roundings * lattice.symbol[0])) {
+            throw NotCertified(
+                "this passive end was made for another lattice: horizon, G or family are not those "
+                "of the chain");
+        }
+    }
     const double longest = 2 / std::sqrt(highest_eigenvalue);
     const double step = p.time_step * p.wave_speed() / p.spacing;
+    if (!(step > 0)) {
+        throw std::invalid_argument("a passive end needs a positive time step, speed and spacing");
+    }
     if (!(step < longest)) {
         throw NotCertified("a chain with this passive end is stable in steps below " +
                            std::to_string(longest) + " dX/c, and the step is " +

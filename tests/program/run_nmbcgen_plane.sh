@@ -106,7 +106,7 @@ refuses 2 "passive designs are of nopd1d, nopd2d, bond2d" passive --family chain
 refuses 2 "passive ends have constant influence" passive --horizon 2 --weights 1,1/2 --G 1
 refuses 2 "designs above 6 take too long" passive --horizon 7 --G 1
 refuses 2 "passive requires --G" passive --horizon 2
-refuses 3 "the lattice itself is not stable in such steps" passive --horizon 2 --G 1 --time-step 5/2
+refuses 3 "no passive design was found at G = 1: the lattice itself is stable in steps below 2.26" passive --horizon 2 --G 1 --time-step 5/2
 refuses 2 "--time-step: '-1' is not a non-negative exact number" passive --horizon 2 --G 1 --time-step -1
 refuses 2 "--radius2 excludes --header" passive "${smallest[@]}" --G 0 --header
 refuses 2 "--horizon (or --radius2) is required" passive --G 1

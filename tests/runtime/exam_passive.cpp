@@ -138,6 +138,20 @@ TEST_CASE("an end as nmbcgen prints it: a pulse leaves, opposite a free end that
     CHECK(nmbc::energies(chain).total() < 1e-9 * first);
 }
 
+TEST_CASE_TEMPLATE("a rigid shift at rest stays where it is", Real, double, float) {
+    nmbc::BasicChain<Real> chain(nmbc::make_lattice(nmbc::generated::nopd1d_n2_order1, 1),
+                                 nmbc::generated::passive_nopd1d_n2_G1o1_dt3o2,
+                                 {.nodes = 40, .time_step = 1.5});
+    chain.start(std::vector<Real>(chain.nodes(), Real{1}), std::vector<Real>(chain.nodes()));
+    chain.advance(100);
+    const std::size_t ghosts = chain.ghosts();
+    for (std::size_t i = ghosts; i + ghosts < chain.nodes(); ++i) {
+        // A hundred steps of some ten roundings each.
+        CHECK(std::abs(double(chain.displacement()[i]) - 1) <
+              1e3 * double(std::numeric_limits<Real>::epsilon()));
+    }
+}
+
 TEST_CASE("the ends are mirror images, and units are those of the chain") {
     auto chain = chain_of<double>(31, 0.7);
     std::vector<double> u(chain.nodes());
@@ -167,7 +181,12 @@ TEST_CASE("what does not fit is refused") {
                          std::invalid_argument);
     end = fourth_order();
     end.mass[1] = 0;
-    CHECK_THROWS_WITH_AS(chain(end), "the masses of a passive end must be positive",
+    CHECK_THROWS_WITH_AS(chain(end),
+                         "the masses and the highest eigenvalue of a passive end must be positive",
+                         std::invalid_argument);
+    end = fourth_order();
+    end.dashpots[0] = NAN;
+    CHECK_THROWS_WITH_AS(chain(end), "the matrices of a passive end must be finite",
                          std::invalid_argument);
     end = fourth_order();
     end.highest_eigenvalue = 17;
@@ -175,6 +194,15 @@ TEST_CASE("what does not fit is refused") {
                          "a chain with this passive end is stable in steps below 0.485071 dX/c, "
                          "and the step is 0.500000 dX/c",
                          nmbc::NotCertified);
+    CHECK_THROWS_WITH_AS(
+        nmbc::Chain(nmbc::make_lattice(nmbc::generated::nopd1d_n1_order1, 0.501), fourth_order(),
+                    parameters),
+        "this passive end was made for another lattice: horizon, G or family are not those of the "
+        "chain",
+        nmbc::NotCertified);
+    CHECK_THROWS_AS(
+        fourth_order().make(lattice, {.nodes = 20, .time_step = -1}, std::type_identity<double>{}),
+        std::invalid_argument);
     nmbc::Lattice damped = lattice;
     damped.damping.assign(lattice.symbol.size(), 0.1);
     CHECK_THROWS_WITH_AS(nmbc::Chain(damped, fourth_order(), parameters),

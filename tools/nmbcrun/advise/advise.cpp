@@ -106,7 +106,7 @@ std::size_t size_of(const Candidate& candidate) {
         case BoundaryKind::nmbc:
             return std::size_t(candidate.boundary.order) * std::size_t(candidate.boundary.stride);
         case BoundaryKind::passive:
-            return 8 * std::size_t(candidate.horizon);
+            return 7 * std::size_t(candidate.horizon);  // nodes it adds
         default:
             return candidate.steps;  // of history, or as many nodes
     }

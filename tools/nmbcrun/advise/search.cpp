@@ -245,7 +245,13 @@ void Search::add_passive() {
         leave_out("passive", "is designed for nopd1d of constant influence, undamped");
         return;
     }
-    add("passive", {.kind = BoundaryKind::passive}, {{}, DesignedEnd::largest_cfl},
+    if (scene_.horizon > DesignedEnd::largest_horizon) {
+        leave_out("passive",
+                  fmt::format("is designed for n up to {}", DesignedEnd::largest_horizon));
+        return;
+    }
+    const double longest = std::max(DesignedEnd::largest_cfl, given_cfl().value_or(0));
+    add("passive", {.kind = BoundaryKind::passive}, {{}, longest},
         "what passive ends are designed for", [&](double cfl) {
             try {
                 return reflection_error_.of({.kind = BoundaryKind::passive}, step_of(cfl));

@@ -9,7 +9,9 @@
 #include <mutex>
 #include <nmbc/passive.hpp>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -31,46 +33,58 @@ using Design = std::shared_ptr<const Designed>;
 
 Design designed(const nmbc::Lattice& lattice, double time_step) {
     static std::mutex mutex;
-    static std::map<std::tuple<unsigned, double, double>, Design> known;
+    struct Known {
+        Design found;
+        std::string why_not;
+    };
+    static std::map<std::tuple<unsigned, double, double>, Known> known;
     const double G = stabilisation_of(lattice);
     const auto n = unsigned(lattice.reach() / 2);
+    static_assert(DesignedEnd::largest_horizon == nmbcgen::largest_designed_horizon);
     if (n > nmbcgen::largest_designed_horizon) {
         throw SceneError(fmt::format("passive ends are designed for n up to {}, not {}",
                                      nmbcgen::largest_designed_horizon, n));
     }
     const std::lock_guard lock(mutex);
-    Design& design = known[{n, G, time_step}];
-    if (!design) {
+    const auto [entry, is_new] = known.try_emplace({n, G, time_step});
+    Known& design = entry->second;
+    if (is_new) {
         try {
             nmbcgen::PassiveSide side = nmbcgen::passive_end(
                 lattice.symbol, n, nmbcgen::Rational(G),
                 [n](unsigned layer) { return nmbcgen::nopd1d_at_edge(n, layer); }, time_step);
             nmbcgen::EdgeEnergies energies = side.task.at(0);
             nmbc::PassiveEnd end = for_runtime(side, energies);
-            design = std::make_shared<const Designed>(
+            design.found = std::make_shared<const Designed>(
                 Designed{std::move(side), std::move(energies), std::move(end)});
         } catch (const std::domain_error& reason) {
-            throw SceneError(fmt::format(
-                "no passive end was found at n = {}, G = {}, dt = {:.4g} dX/c: {}. Try a smaller "
-                "time.cfl, or another kind",
-                n, G, time_step, reason.what()));
+            design.why_not = reason.what();
         }
     }
-    return design;
+    if (!design.found) {
+        throw SceneError(fmt::format(
+            "no passive end was found at n = {}, G = {}, dt = {:.4g} dX/c: {}. Try a smaller "
+            "time.cfl, or another kind",
+            n, G, time_step, design.why_not));
+    }
+    return design.found;
 }
 
 /// Wave numbers of packets go beyond the band, where they are those of other waves; at its ends and
-/// at a few others a wave cannot be told from another one of its frequency.
-nmbcgen::ArrivingWave told_apart(const nmbcgen::LateralChain& chain, double xi) {
+/// at a few others a wave cannot be told from another one of its frequency. Nothing where it cannot
+/// be told from others nearby, either.
+std::optional<nmbcgen::ArrivingWave> told_apart(const nmbcgen::LateralChain& chain, double xi) {
     constexpr double pi = std::numbers::pi;
-    constexpr double aside = 1e-4;
     const double folded = std::abs(std::remainder(xi, 2 * pi));
-    const double inside = std::clamp(folded, aside, pi - aside);
-    try {
-        return arriving_wave(chain, inside);
-    } catch (const std::domain_error&) {
-        return arriving_wave(chain, inside < pi / 2 ? inside + aside : inside - aside);
+    for (const double aside : {0.0, 1e-4, -1e-4, 1e-3, -1e-3}) {
+        try {
+            constexpr double nearest = 1e-4;
+            return arriving_wave(chain, std::clamp(folded + aside, nearest, pi - nearest));
+        } catch (const std::domain_error&) {
+            continue;
+        }
     }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -87,7 +101,14 @@ std::function<WavesSentBack(double xi)> sent_back_by_passive_end(const nmbc::Lat
     const Design design = designed(lattice, time_step);
     return [design, chain = nmbcgen::chain_of(lattice.symbol)](double xi) {
         const auto& [side, energies, end] = *design;
-        const nmbcgen::ArrivingWave wave = told_apart(chain, xi);
+        const auto told = told_apart(chain, xi);
+        if (!told) {  // as much as can come back
+            return WavesSentBack{.k = {std::polar(1.0, -xi)},
+                                 .amplitudes = Eigen::MatrixXcd::Ones(1, 1),
+                                 .column = 0,
+                                 .energy = 1};
+        }
+        const nmbcgen::ArrivingWave& wave = *told;
         const Eigen::MatrixXcd amplitudes =
             edge_amplitudes(energies, side.edge, wave.outgoing, wave.omega, side.task.time_step);
         WavesSentBack sent{.k = {}, .amplitudes = amplitudes, .column = wave.column, .energy = 0};

@@ -18,6 +18,7 @@ namespace nmbcrun {
 struct DesignedEnd {
     /// The largest cfl that is chosen for it: its springs are stiffer than the lattice's.
     static constexpr double largest_cfl = 0.9;
+    static constexpr int largest_horizon = 6;  ///< designs of larger ones take too long
 
     /// Throws std::invalid_argument for other lattices than nopd1d of constant influence without
     /// damping, and SceneError where there is no design for such steps.
