@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 #include <nmbc/nmbc.hpp>
 #include <nmbc/tables/passive_end.hpp>  // made by the build
 #include <nmbc/tables/tables.hpp>
@@ -185,7 +186,7 @@ TEST_CASE("what does not fit is refused") {
                          "the masses and the highest eigenvalue of a passive end must be positive",
                          std::invalid_argument);
     end = fourth_order();
-    end.dashpots[0] = NAN;
+    end.dashpots[0] = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_WITH_AS(chain(end), "the matrices of a passive end must be finite",
                          std::invalid_argument);
     end = fourth_order();
