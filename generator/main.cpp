@@ -182,7 +182,8 @@ int run(const Request& request) {
         case Action::passive:
             print(with_progress([&request](const Progress&) {
                 if (!request.end) {
-                    return passive_json(*request.side);
+                    return request.as_header ? passive_header(*request.side)
+                                             : passive_json(*request.side);
                 }
                 return request.as_header ? passive_header(*request.end)
                                          : passive_json(*request.end);

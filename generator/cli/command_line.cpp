@@ -178,9 +178,9 @@ CLI::App* add_passive(CLI::App& app, Request& request, Pending& pending) {
                "families in dX sqrt(rho/E); default 0: continuous time)");
     passive
         ->add_flag("--header", request.as_header,
-                   "print an end of a chain as a C++ header, an nmbc::PassiveEnd")
-        ->disable_flag_override()
-        ->excludes(radius);
+                   "print a C++ header: of an end of a chain an nmbc::PassiveEnd, of a side of "
+                   "nopd2d an nmbc::PassiveSide")
+        ->disable_flag_override();
     return passive;
 }
 

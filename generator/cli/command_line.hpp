@@ -34,15 +34,15 @@ struct Request {
     std::optional<Rational> cfl;  ///< dt omega_max / 2, which is to give the time step
     const Format* format = &formats().front();
     bool to_stdout = false;
-    bool certified = true;           ///< with certificates of stability
-    bool require_stable = false;     ///< nothing is written unless the certificate covers G
-    unsigned samples = 200;          ///< wave numbers of Action::reflect
-    Question question;               ///< of Action::recommend
-    std::optional<ChainModel> end;   ///< of Action::passive
-    bool as_header = false;          ///< the end, in place of JSON
-    std::optional<PlaneModel> side;  ///< of Action::passive; instead of the question of a chain
-    Aim aim;        ///< of Action::optimise, its condition but for the stride apart
-    Curves curves;  ///< of Action::dispersion
+    bool certified = true;          ///< with certificates of stability
+    bool require_stable = false;    ///< nothing is written unless the certificate covers G
+    unsigned samples = 200;         ///< wave numbers of Action::reflect
+    Question question;              ///< of Action::recommend
+    std::optional<ChainModel> end;  ///< of Action::passive
+    bool as_header = false;         ///< the end, in place of JSON
+    std::optional<SideTask> side;   ///< of Action::passive; instead of the question of a chain
+    Aim aim;                        ///< of Action::optimise, its condition but for the stride apart
+    Curves curves;                  ///< of Action::dispersion
     std::optional<PlaneCurves> plane_curves;  ///< instead, of the plane family that `curves` names
     const ClosedFormat* closed_format = &closed_formats().front();  ///< of Action::closed_forms
     std::optional<std::filesystem::path> cache;                     ///< folder of kept certificates

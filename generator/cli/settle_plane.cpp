@@ -140,6 +140,9 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
                 projected_model({.family = family, .model = choice, .polarisation = polarisation});
             });
         }
+        if (request.as_header && !known->has_poisson) {
+            throw CLI::ValidationError("--header", "the runtime has planes of nopd2d alone");
+        }
         request.side = {.family = family,
                         .choice = choice,
                         .g = request.question.G,

@@ -4,38 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/family.hpp"
-#include "generator/families/projected.hpp"
+#include "generator/families/vector_family.hpp"
 #include "generator/lattice/projection.hpp"
 #include "generator/pipeline.hpp"
 
 namespace nmbcgen {
 namespace {
-
-std::vector<WeightedWave> designed_waves(const PlaneLattice& lattice) {
-    std::vector<WeightedWave> waves;
-    for (const double angle : {0.0, 15.0, 30.0, 45.0, widest_designed_angle}) {
-        for (const double xi : {0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0}) {
-            for (const bool is_P : {true, false}) {
-                const ArrivingWave wave = wave_at(lattice, is_P, xi, angle);
-                const PlaneMode& mode = wave.outgoing[std::size_t(wave.column)];
-                // Where waves stand, or go backwards, their angle is not that of their energy.
-                const double slow = 0.2 * (is_P ? lattice.speed_P : lattice.speed_S);
-                if (mode.group_velocity > slow) {
-                    waves.push_back({wave, 1 / std::sqrt(xi)});
-                }
-            }
-        }
-    }
-    return waves;
-}
 
 using Json = nlohmann::ordered_json;
 
@@ -47,12 +27,13 @@ Json strings(const std::vector<Rational>& values) {
     return list;
 }
 
-Json reflections(const PlaneLattice& lattice, const PassiveSide& side) {
+Json reflections(const PlaneLattice& lattice, const DesignedSide& side) {
     Json list = Json::array();
-    for (const double angle : {0.0, 20.0, 40.0, 60.0, 70.0, 80.0}) {
+    for (const double angle :
+         {0.0, 10.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 60.0, 70.0, 80.0}) {
         for (const double xi : {0.05, 0.1, 0.2, 0.5, 1.0}) {
             const auto reflected = [&](bool is_P) {
-                return reflected_by_edge(side.task, side.edge, wave_at(lattice, is_P, xi, angle));
+                return reflected_by_edge(side.task, side.edge, told_wave(lattice, is_P, xi, angle));
             };
             list.push_back(
                 {{"angle", angle}, {"xi", xi}, {"P", reflected(true)}, {"S", reflected(false)}});
@@ -96,42 +77,23 @@ NoSuchBoundary no_design(const std::string& at, const std::domain_error& reason)
 
 }  // namespace
 
-ArrivingWave wave_at(const PlaneLattice& lattice, bool is_P, double xi, double degrees) {
+ArrivingWave told_wave(const PlaneLattice& lattice, bool is_P, double xi, double degrees) {
     try {
-        return arriving_wave(lattice, is_P, xi, degrees * std::numbers::pi / 180);
+        return wave_at(lattice, is_P, xi, degrees);
     } catch (const std::domain_error& error) {
-        throw NoSuchBoundary(fmt::format("{} waves of xi = {:g}/dX at {:g} degrees: {}",
-                                         is_P ? "P" : "S", xi, degrees, error.what()));
+        throw NoSuchBoundary(error.what());
     }
 }
 
-PassiveSide passive_side(const PlaneModel& model) {
-    const VectorFamily& family = find_vector_family(model.family);
-    const PlaneLattice lattice = plane_lattice(family.describe(model.choice), model.g, 0);
-    constexpr std::size_t wave_numbers = 32;
-    const auto node = Eigen::Index(horizon_of(model.choice));
-    const auto forces = Eigen::Index(lateral_chain(lattice, 0).reach());
-    const Rational largest_beta = family.largest_beta(model.choice);
-    EdgeTask task{.squares = EdgeSquares(
-                      [&](unsigned layer, const Rational& beta) {
-                          return family.at_edge(model.choice, layer, beta);
-                      },
-                      node, model.g, largest_beta),
-                  .dimensions = 2,
-                  .reach = {.node = node, .forces = forces, .layers = 2 * node},
-                  .has_stabilisation = model.g != 0,
-                  .largest_beta = largest_beta,
-                  .highest_eigenvalue = highest_eigenvalue(lattice, wave_numbers),
-                  .time_step = nearest_double(model.time_step)};
+DesignedSide designed(const SideTask& model) {
     try {
-        return designed_side(std::move(task), designed_waves(lattice),
-                             {lattice.speed_P, lattice.speed_S}, wave_numbers);
+        return passive_side(model);
     } catch (const std::domain_error& error) {
         throw no_design("g = " + to_string(model.g), error);
     }
 }
 
-PassiveSide passive_end(const ChainModel& model) {
+DesignedSide passive_end(const ChainModel& model) {
     try {
         return passive_end(
             symbol_at(model), model.horizon, model.G,
@@ -142,8 +104,8 @@ PassiveSide passive_end(const ChainModel& model) {
     }
 }
 
-std::string passive_json(const PlaneModel& model) {
-    const PassiveSide side = passive_side(model);
+std::string passive_json(const SideTask& model) {
+    const DesignedSide side = designed(model);
     const VectorModel described = find_vector_family(model.family).describe(model.choice);
     const PlaneLattice lattice = plane_lattice(described, model.g, 0);
     Json all{
@@ -175,7 +137,7 @@ std::string passive_json(const PlaneModel& model) {
 }
 
 std::string passive_json(const ChainModel& model) {
-    const PassiveSide side = passive_end(model);
+    const DesignedSide side = passive_end(model);
     const Model described = make_model("nopd1d", model.horizon);
     const LateralChain chain = chain_of(symbol_at(model));
     Json reflections = Json::array();

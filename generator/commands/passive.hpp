@@ -5,32 +5,16 @@
 
 #include <string>
 
-#include "generator/families/vector_family.hpp"
 #include "generator/passive/chain_end.hpp"
+#include "generator/passive/plane_side.hpp"
 
 namespace nmbcgen {
 
-/// A plane lattice at one g.
-struct PlaneModel {
-    std::string family;
-    VectorChoice choice;
-    Rational g;
-    Rational time_step;  ///< of the steps it is for [dX sqrt(rho/E)]; 0: continuous time
-};
+/// wave_at(). Throws NoSuchBoundary where the wave cannot be told from others.
+ArrivingWave told_wave(const PlaneLattice& lattice, bool is_P, double xi, double degrees);
 
-/// Larger families take minutes.
-inline constexpr unsigned largest_side_radius_squared = 25;
-
-inline constexpr double widest_designed_angle = 60;  ///< from the normal [degrees]
-
-/// At an angle from the normal [degrees]. Throws NoSuchBoundary where it cannot be told from other
-/// waves.
-ArrivingWave wave_at(const PlaneLattice& lattice, bool is_P, double xi, double degrees);
-
-/// Designed for P and S waves at angles up to the widest one with xi up to 1/dX, longer ones
-/// counting more. Takes a second at radius 1, and 20 s at radius 3. Throws NoSuchBoundary where
-/// such waves cannot be told from each other, or no design is found.
-PassiveSide passive_side(const PlaneModel& model);
+/// passive_side(). Throws NoSuchBoundary where no design is found.
+DesignedSide designed(const SideTask& model);
 
 /// A chain nopd1d at one G.
 struct ChainModel {
@@ -40,13 +24,14 @@ struct ChainModel {
 };
 
 /// Throws NoSuchBoundary where no design is found.
-PassiveSide passive_end(const ChainModel& model);
+DesignedSide passive_end(const ChainModel& model);
 
-/// An end as a C++ header: an nmbc::PassiveEnd.
+/// As a C++ header: an nmbc::PassiveEnd, an nmbc::PassiveSide.
 std::string passive_header(const ChainModel& model);
+std::string passive_header(const SideTask& model);
 
 /// Designs as JSON (docs/reference/json.md): all of it exact, and what they reflect.
-std::string passive_json(const PlaneModel& model);
+std::string passive_json(const SideTask& model);
 std::string passive_json(const ChainModel& model);
 
 }  // namespace nmbcgen

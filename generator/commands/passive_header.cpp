@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <numbers>
+#include <string_view>
+
 #include "generator/commands/passive.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/names/names.hpp"
+#include "generator/names/projected_family.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -24,7 +28,7 @@ std::string rows_of(const std::vector<double>& entries, std::size_t columns) {
 }  // namespace
 
 std::string passive_header(const ChainModel& model) {
-    const PassiveSide side = passive_end(model);
+    const DesignedSide side = passive_end(model);
     const nmbc::PassiveEnd end = for_runtime(side, side.task.at(0));
     const std::string name =
         fmt::format("passive_nopd1d_n{}_G{}{}", model.horizon, p_over_q(model.G),
@@ -50,6 +54,43 @@ std::string passive_header(const ChainModel& model) {
         end.rows, rows_of(end.stiffness, end.stiffness.size() / end.rows),
         rows_of(end.mass, end.mass.size()), rows_of(end.dashpots, end.mass.size()),
         end.highest_eigenvalue, end.further);
+}
+
+std::string passive_header(const SideTask& model) {
+    const nmbc::PassiveSide side = for_runtime(designed(model));
+    const std::size_t layers = side.strain.size();
+    const std::string state = model.choice.plane_strain ? "strain" : "stress";
+    const std::string nu = to_string(model.choice.poisson.value_or(0));
+    std::string lattice =
+        name_of({.family = model.family, .model = model.choice, .polarisation = Polarisation::P});
+    lattice.resize(lattice.size() - std::string_view("_P").size());
+    const std::string name =
+        fmt::format("passive_{}_g{}{}", lattice, p_over_q(model.g),
+                    model.time_step == 0 ? "" : "_dt" + p_over_q(model.time_step));
+    return fmt::format(
+        "// SPDX-License-Identifier: MIT\n"
+        "// Made by nmbcgen passive --family nopd2d --radius2 {1} --nu {2} --state {3} --G {4}{5} "
+        "--header\n"
+        "// clang-format off\n"
+        "#pragma once\n\n"
+        "#include <nmbc/plane_sides.hpp>\n\n"
+        "namespace nmbc::generated {{\n\n"
+        "/// A passive side of nopd2d, delta^2 = {1} dX^2, nu = {2}, plane {3}, G = {4} pi.\n"
+        "inline const PassiveSide {0}{{\n"
+        "    .strain = {{{6}}},\n"
+        "    .stabilisation = {{{7}}},\n"
+        "    .mass = {{std::vector<double>{{{8}}},\n             {{{9}}}}},\n"
+        "    .dashpots = {{std::vector<double>\n    {{{10}}},\n    {{{11}}}}},\n"
+        "    .null_lagrangian = {12:.17g},\n"
+        "    .made_for = nopd2d({1}, {13:.17g}, {14:.17g}, StressState::plane_{15})}};\n\n"
+        "}}  // namespace nmbc::generated\n",
+        name, model.choice.radius_squared, nu, state, to_string(model.g),
+        model.time_step == 0 ? "" : " --time-step " + to_string(model.time_step),
+        rows_of(side.strain, layers), rows_of(side.stabilisation, layers),
+        rows_of(side.mass[0], layers), rows_of(side.mass[1], layers),
+        rows_of(side.dashpots[0], layers), rows_of(side.dashpots[1], layers), side.null_lagrangian,
+        nearest_double(model.choice.poisson.value_or(0)),
+        nearest_double(model.g) * std::numbers::pi, state);
 }
 
 }  // namespace nmbcgen

@@ -10,6 +10,7 @@
 
 #include "generator/exact/rational.hpp"
 #include "generator/families/projected.hpp"
+#include "generator/families/vector_family.hpp"
 #include "generator/names/projected_family.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/plane/side_reflection.hpp"
@@ -20,7 +21,7 @@
 namespace nmbcgen {
 namespace {
 
-constexpr std::array angles{0.0, 20.0, 40.0, 60.0, 80.0};  // from the normal [degrees]
+constexpr std::array angles{0.0, 20.0, 35.0, 40.0, 60.0, 80.0};  // from the normal [degrees]
 constexpr double reflected_xi = 0.1;
 constexpr std::size_t layers = 20;
 constexpr std::size_t strip_wave_numbers = 40;
@@ -47,7 +48,7 @@ std::vector<double> spread(const std::vector<double>& coefficients, std::size_t 
 
 /// NMBC2 of stride n, component by component, from the chains that waves along x see; nothing where
 /// there is none at this g.
-std::optional<SideCondition> second_order_condition(const PlaneModel& model,
+std::optional<SideCondition> second_order_condition(const SideTask& model,
                                                     const PlaneLattice& lattice) {
     SideCondition condition;
     for (const Polarisation polarisation : {Polarisation::P, Polarisation::S}) {
@@ -74,7 +75,7 @@ std::optional<SideCondition> second_order_condition(const PlaneModel& model,
     return condition;
 }
 
-std::vector<GhostSide> ghost_sides(const PlaneModel& model, const PlaneLattice& lattice) {
+std::vector<GhostSide> ghost_sides(const SideTask& model, const PlaneLattice& lattice) {
     std::vector<GhostSide> sides{
         {.name = "NMBC1 as printed, (81)", .condition = published_condition(lattice)},
         {.name = "NMBC1 by component", .condition = polarisation_wise_condition(lattice)}};
@@ -103,7 +104,7 @@ double growth_of(const PlaneLattice& lattice, const SideCondition& condition) {
     return growth > growth_limit * std::sqrt(highest_eigenvalue(lattice, steps)) ? growth : 0;
 }
 
-void examine(GhostSide& side, const PlaneModel& model, const PlaneLattice& lattice) {
+void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice) {
     side.amplification = largest_amplification(lattice, side.condition, wave_samples);
     side.growth = growth_of(lattice, side.condition);
     const VectorFamily& family = find_vector_family(model.family);
@@ -151,8 +152,8 @@ std::string reflections_of(const PlaneLattice& lattice, Reflected reflected) {
     std::string text;
     for (const double angle : angles) {
         text +=
-            fmt::format("  {:.3f}/{:.3f}", reflected(wave_at(lattice, true, reflected_xi, angle)),
-                        reflected(wave_at(lattice, false, reflected_xi, angle)));
+            fmt::format("  {:.3f}/{:.3f}", reflected(told_wave(lattice, true, reflected_xi, angle)),
+                        reflected(told_wave(lattice, false, reflected_xi, angle)));
     }
     return text;
 }
@@ -183,17 +184,17 @@ std::string heading() {
 
 }  // namespace
 
-std::string side_recommendation(const PlaneModel& model, const Progress& progress) {
+std::string side_recommendation(const SideTask& model, const Progress& progress) {
     const VectorModel described = find_vector_family(model.family).describe(model.choice);
     const PlaneLattice lattice = plane_lattice(described, model.g, 0);
     std::vector<GhostSide> sides = ghost_sides(model, lattice);
-    std::optional<PassiveSide> passive;
+    std::optional<DesignedSide> passive;
     std::atomic<std::size_t> done = 0;
     const std::size_t all = sides.size() + 1;
     progress(0, all);
     on_all_cores(all, [&](std::size_t i) {
         if (i == 0) {
-            passive = passive_side(model);
+            passive = designed(model);
         } else {
             examine(sides[i - 1], model, lattice);
         }

@@ -11,6 +11,6 @@ namespace nmbcgen {
 /// add no energy: what was found of each on samples, and what they reflect against the angle. Takes
 /// some seconds at radius 1 and half a minute at radius 3. Throws NoSuchBoundary where a wave
 /// cannot be told from another one.
-std::string side_recommendation(const PlaneModel& model, const Progress& progress);
+std::string side_recommendation(const SideTask& model, const Progress& progress);
 
 }  // namespace nmbcgen

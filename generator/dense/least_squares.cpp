@@ -5,40 +5,53 @@
 #include <cmath>
 #include <stdexcept>
 #include <unsupported/Eigen/LevenbergMarquardt>
-#include <unsupported/Eigen/NumericalDiff>
 
 namespace nmbcgen {
 namespace {
 
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Residuals = std::function<VectorXd(const VectorXd&)>;
+using Residuals = std::function<Linearised(const VectorXd&)>;
 
 class Functor : public Eigen::DenseFunctor<double> {
   public:
     Functor(const Residuals& residuals, const VectorXd& start)
-        : DenseFunctor(int(start.size()), int(residuals(start).size())), residuals_(residuals) {}
+        : DenseFunctor(int(start.size()), int(residuals(start).values.size())),
+          residuals_(residuals) {}
 
-    int operator()(const VectorXd& parameters, VectorXd& values) const {
-        values = residuals_(parameters);
+    int operator()(const VectorXd& parameters, VectorXd& values) {
+        values = at(parameters).values;
+        return 0;
+    }
+    int df(const VectorXd& parameters, MatrixXd& slopes) {
+        slopes = at(parameters).slopes;
         return 0;
     }
 
   private:
+    /// The search asks for the slopes where it has asked for the values.
+    const Linearised& at(const VectorXd& parameters) {
+        if (parameters.size() != last_.size() || parameters != last_) {
+            found_ = residuals_(parameters);
+            last_ = parameters;
+        }
+        return found_;
+    }
+
     const Residuals& residuals_;
+    VectorXd last_{};
+    Linearised found_{};
 };
 
 }  // namespace
 
-VectorXd least_squares(const Residuals& residuals, const VectorXd& start) {
+VectorXd least_squares(const VectorXd& start, const Residuals& residuals) {
     Functor functor(residuals, start);
-    // Central differences: of one-sided ones the gradient vanishes a digit away from the minimum.
-    Eigen::NumericalDiff<Functor, Eigen::Central> with_differences(functor);
-    Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Functor, Eigen::Central>> search(
-        with_differences);
+    Eigen::LevenbergMarquardt<Functor> search(functor);
     constexpr double nine_digits = 1e-9;
     search.setXtol(nine_digits);
     search.setFtol(nine_digits);
-    constexpr Eigen::Index enough = 8000;
+    constexpr Eigen::Index enough = 400;
     search.setMaxfev(enough);
     VectorXd parameters = start;
     search.minimize(parameters);

@@ -8,12 +8,17 @@
 
 namespace nmbcgen {
 
+/// Residuals and their derivatives: a row for each residual, a column for each parameter.
+struct Linearised {
+    Eigen::VectorXd values;
+    Eigen::MatrixXd slopes;
+};
+
 /// Parameters near `start` whose residuals have a least sum of squares (Levenberg and Marquardt),
-/// nine digits or so of them.
+/// nine digits or so of them, or what is found after 400 evaluations.
 /// @throws std::domain_error if the search leaves the finite numbers
-Eigen::VectorXd least_squares(
-    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals,
-    const Eigen::VectorXd& start);
+Eigen::VectorXd least_squares(const Eigen::VectorXd& start,
+                              const std::function<Linearised(const Eigen::VectorXd&)>& residuals);
 
 }  // namespace nmbcgen
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace nmbcgen {
@@ -37,15 +38,15 @@ std::vector<VectorSquare> as_vectors(const std::vector<ExactSquare>& squares, in
 
 /// Some searches end in a minimum far from the lattice, and others do not, which count stiffness
 /// more: the best of those that end at all.
-PassiveSide best_of_searches(EdgeTask task, const std::vector<WeightedWave>& waves) {
+DesignedSide best_of_searches(EdgeTask task, const std::vector<WeightedWave>& waves) {
     constexpr double good = 1e-3;  // of the energy: better ones are not looked for
-    std::optional<PassiveSide> best;
+    std::optional<DesignedSide> best;
     double least = HUGE_VAL;
-    constexpr double stiffest = 3;
-    for (const double weight : {0.3, 1.0, stiffest}) {
+    std::string why_none = "the search found nothing that reflects a part of the waves only";
+    for (const double weight : {0.3, 1.0, 3.0}) {
         task.long_steps = weight;
         try {
-            PassiveSide side = designed_side(task, waves, {1}, 1);
+            DesignedSide side = designed_side(task, waves, {1}, 1);
             double reflected = 0;
             for (const WeightedWave& one : waves) {
                 reflected += reflected_by_edge(side.task, side.edge, one.wave);
@@ -55,41 +56,29 @@ PassiveSide best_of_searches(EdgeTask task, const std::vector<WeightedWave>& wav
                 least = reflected;
                 best = std::move(side);
             }
-        } catch (const std::domain_error&) {
-            if (weight == stiffest && !best) {
-                throw;
-            }
+        } catch (const std::domain_error& error) {
+            why_none = error.what();
         }
         if (least < good) {
             break;
         }
     }
     if (!best) {
-        throw std::domain_error("the search found nothing that reflects a part of the waves only");
+        throw std::domain_error(why_none);
     }
     return *best;
 }
 
-/// Row by row.
-std::vector<double> entries_of(const Eigen::MatrixXd& matrix) {
-    std::vector<double> entries;
-    for (const auto& row : matrix.rowwise()) {
-        entries.insert(entries.end(), row.begin(), row.end());
-    }
-    return entries;
-}
-
 }  // namespace
 
-nmbc::PassiveEnd for_runtime(const PassiveSide& side, const EdgeEnergies& energies) {
-    constexpr double nearly = 0.99;  // as in designed_side()
+nmbc::PassiveEnd for_runtime(const DesignedSide& side, const EdgeEnergies& energies) {
     const auto rows = side.task.reach.interior();
     // What decays does so by a half or more from node to node at the values of G that suit waves.
     return {.rows = std::size_t(rows),
             .stiffness = entries_of(energies.stiffness(side.edge).topRows(rows)),
             .mass = entries_of(side.edge.mass),
             .dashpots = entries_of(side.edge.dashpots.front()),
-            .highest_eigenvalue = side.highest_eigenvalue / nearly,
+            .highest_eigenvalue = side.highest_eigenvalue / stable_margin,
             .further = std::size_t(4 * side.task.reach.node)};
 }
 
@@ -103,8 +92,8 @@ LateralChain chain_of(const std::vector<double>& symbol) {
     return chain;
 }
 
-PassiveSide passive_end(const std::vector<double>& symbol, unsigned horizon, const Rational& G,
-                        const ChainEdge& at_edge, double time_step) {
+DesignedSide passive_end(const std::vector<double>& symbol, unsigned horizon, const Rational& G,
+                         const ChainEdge& at_edge, double time_step) {
     const auto n = Eigen::Index(horizon);
     const LateralChain chain = chain_of(symbol);
     constexpr std::size_t steps = 400;

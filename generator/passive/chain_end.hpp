@@ -23,11 +23,11 @@ inline constexpr unsigned largest_designed_horizon = 6;
 /// Designed for waves with xi up to 1/dX, longer ones counting more; what it reflects vanishes with
 /// xi. Made for leapfrog steps of this length [dX/c]; 0: for continuous time. The symbol is that of
 /// the chain's at_edge at this G. Throws std::domain_error where no design is found.
-PassiveSide passive_end(const std::vector<double>& symbol, unsigned horizon, const Rational& G,
-                        const ChainEdge& at_edge, double time_step);
+DesignedSide passive_end(const std::vector<double>& symbol, unsigned horizon, const Rational& G,
+                         const ChainEdge& at_edge, double time_step);
 
 /// The same as the runtime takes it, with 4n nodes more for what decays beside it. Its highest
 /// eigenvalue is said 1 % higher than it was found.
-nmbc::PassiveEnd for_runtime(const PassiveSide& side, const EdgeEnergies& energies);
+nmbc::PassiveEnd for_runtime(const DesignedSide& side, const EdgeEnergies& energies);
 
 }  // namespace nmbcgen

@@ -67,13 +67,16 @@ struct WeightedWave {
 
 /// Least squares of the waves' reflected amplitudes, from a fixed start; of the logarithms of
 /// weights and masses, too, which keeps the edge near the lattice, and of what its highest
-/// eigenvalue is above most_stiff(), which keeps steps long. Stops at a minimum or after 8000
+/// eigenvalue is above most_stiff(), which keeps steps long. Stops at a minimum or after 400
 /// evaluations. Throws std::domain_error where it leaves the numbers that there are.
 PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>& waves,
                           const std::vector<double>& speeds);
 
+/// Of the eigenvalue that steps allow: two sides next to each other are stiffer than one.
+inline constexpr double stable_margin = 0.99;
+
 /// A designed side, or an end of a chain, and what it is worth.
-struct PassiveSide {
+struct DesignedSide {
     EdgeTask task;
     PassiveDesign design;
     PassiveEdge edge;
@@ -83,8 +86,8 @@ struct PassiveSide {
 
 /// With the highest eigenvalue of so many wave numbers along the side. Throws as design_edge(), and
 /// std::domain_error where its own steps are too long for the lattice or the design.
-PassiveSide designed_side(EdgeTask task, const std::vector<WeightedWave>& waves,
-                          const std::vector<double>& speeds, std::size_t wave_numbers);
+DesignedSide designed_side(EdgeTask task, const std::vector<WeightedWave>& waves,
+                           const std::vector<double>& speeds, std::size_t wave_numbers);
 
 /// The part of a wave's energy that comes back, in any polarisation.
 double reflected_by_edge(const EdgeTask& task, const PassiveEdge& edge, const ArrivingWave& wave);

@@ -105,12 +105,26 @@ MatrixXd EdgeEnergies::stiffness(const PassiveEdge& edge) const {
     return sum;
 }
 
-MatrixXcd edge_amplitudes(const EdgeEnergies& energies, const PassiveEdge& edge,
-                          const std::vector<PlaneMode>& outgoing, double omega, double time_step) {
-    const double lag = std::sqrt(1 - std::pow(omega * time_step / 2, 2));
+namespace {
+
+/// Equations of motion of an edge at one frequency: system times the free layers' displacements and
+/// the outgoing amplitudes is `incident`, for each incident wave.
+struct EdgeSystem {
+    double damping = 0;
+    MatrixXcd outgoing;  ///< columns: displacements of a mode, on all layers
+    MatrixXcd arriving;
+    MatrixXcd system;
+    MatrixXcd incident;
+    Index free = 0;  ///< unknowns that are displacements
+};
+
+EdgeSystem edge_system(const EdgeEnergies& energies, const PassiveEdge& edge,
+                       const std::vector<PlaneMode>& outgoing, double omega, double time_step) {
     const Index size = energies.components;
     const Index own_numbers = energies.reach.layers;
     const Index equations = size * energies.reach.interior();
+    EdgeSystem result;
+    result.damping = omega * std::sqrt(1 - std::pow(omega * time_step / 2, 2));
     MatrixXcd motion = energies.stiffness(edge).topRows(equations).cast<Complex>();
     for (Index layer = 0; layer < energies.reach.interior(); ++layer) {
         for (Index a = 0; a < size; ++a) {
@@ -118,12 +132,11 @@ MatrixXcd edge_amplitudes(const EdgeEnergies& energies, const PassiveEdge& edge,
             motion(own, own) -= omega * omega * (layer < own_numbers ? edge.mass(layer, a) : 1);
             for (Index other = 0; layer < own_numbers && other < own_numbers; ++other) {
                 motion(own, size * other + a) +=
-                    Complex(0, omega * lag) * edge.dashpots[std::size_t(a)](layer, other);
+                    Complex(0, result.damping) * edge.dashpots[std::size_t(a)](layer, other);
             }
         }
     }
     const Index first = energies.reach.waves();  // layers below move freely
-    const Index free = size * first;
     const Index layers = motion.cols() / size;
     const auto on_layers = [&](const PlaneMode& mode) {
         Eigen::VectorXcd column = Eigen::VectorXcd::Zero(motion.cols());
@@ -136,17 +149,48 @@ MatrixXcd edge_amplitudes(const EdgeEnergies& energies, const PassiveEdge& edge,
     };
     const auto all = Index(outgoing.size());
     const Index travelling = travelling_count(outgoing);
-    MatrixXcd system(equations, free + all);
-    system.leftCols(free) = motion.leftCols(free);
-    MatrixXcd incident(equations, travelling);
+    result.free = size * first;
+    result.outgoing.resize(motion.cols(), all);
+    result.arriving.resize(motion.cols(), travelling);
     for (Index o = 0; o < all; ++o) {
         const PlaneMode& mode = outgoing[std::size_t(o)];
-        system.col(free + o) = motion * on_layers(mode);
+        result.outgoing.col(o) = on_layers(mode);
         if (o < travelling) {
-            incident.col(o) = -motion * on_layers(mirror_image(mode));
+            result.arriving.col(o) = on_layers(mirror_image(mode));
         }
     }
-    return solution_of(system, incident).bottomRows(all);
+    result.system.resize(equations, result.free + all);
+    result.system.leftCols(result.free) = motion.leftCols(result.free);
+    result.system.rightCols(all) = motion * result.outgoing;
+    result.incident = -motion * result.arriving;
+    return result;
+}
+
+}  // namespace
+
+MatrixXcd edge_amplitudes(const EdgeEnergies& energies, const PassiveEdge& edge,
+                          const std::vector<PlaneMode>& outgoing, double omega, double time_step) {
+    const EdgeSystem at = edge_system(energies, edge, outgoing, omega, time_step);
+    return solution_of(at.system, at.incident).bottomRows(Index(outgoing.size()));
+}
+
+EdgeResponse edge_response(const EdgeEnergies& energies, const PassiveEdge& edge,
+                           const ArrivingWave& wave, double time_step) {
+    const EdgeSystem at = edge_system(energies, edge, wave.outgoing, wave.omega, time_step);
+    const Index all = at.outgoing.cols();
+    const Index travelling = at.arriving.cols();
+    const Eigen::VectorXcd unknowns = solution_of(at.system, at.incident.col(wave.column));
+    MatrixXcd rows = MatrixXcd::Zero(at.system.rows(), travelling);
+    rows.middleRows(at.free, travelling).setIdentity();
+    const Eigen::VectorXcd in_metric =
+        in_flux_metric(MatrixXcd::Ones(travelling, travelling), wave.outgoing).col(wave.column);
+    EdgeResponse response{.amplitudes = {}, .adjoint = {}, .field = {}, .damping = at.damping};
+    response.amplitudes = in_metric.cwiseProduct(unknowns.segment(at.free, travelling));
+    response.adjoint =
+        in_metric.asDiagonal() * solution_of(at.system.transpose(), rows).transpose();
+    response.field = at.outgoing * unknowns.tail(all) + at.arriving.col(wave.column);
+    response.field.head(at.free) = unknowns.head(at.free);
+    return response;
 }
 
 MatrixXcd edge_reflection(const EdgeEnergies& energies, const PassiveEdge& edge,
@@ -154,6 +198,14 @@ MatrixXcd edge_reflection(const EdgeEnergies& energies, const PassiveEdge& edge,
     return in_flux_metric(edge_amplitudes(energies, edge, outgoing, omega, time_step)
                               .topRows(travelling_count(outgoing)),
                           outgoing);
+}
+
+std::vector<double> entries_of(const Eigen::MatrixXd& matrix) {
+    std::vector<double> entries;
+    for (const auto& row : matrix.rowwise()) {
+        entries.insert(entries.end(), row.begin(), row.end());
+    }
+    return entries;
 }
 
 }  // namespace nmbcgen

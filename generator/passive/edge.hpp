@@ -108,4 +108,19 @@ Eigen::MatrixXcd edge_reflection(const EdgeEnergies& energies, const PassiveEdge
                                  const std::vector<PlaneMode>& outgoing, double omega,
                                  double time_step = 0);
 
+/// What an edge makes of one arriving wave, and how that follows the edge: where its dynamic
+/// stiffness D = K - omega^2 M + i damping C changes by dD, `amplitudes` change by -adjoint dD
+/// field.
+struct EdgeResponse {
+    Eigen::VectorXcd amplitudes;  ///< of the waves that travel away, in the flux metric
+    Eigen::MatrixXcd adjoint;     ///< rows: these waves; columns: the equations of motion
+    Eigen::VectorXcd field;       ///< displacements of all layers
+    double damping = 0;           ///< omega, or what of it acts in steps
+};
+EdgeResponse edge_response(const EdgeEnergies& energies, const PassiveEdge& edge,
+                           const ArrivingWave& wave, double time_step);
+
+/// Row by row.
+std::vector<double> entries_of(const Eigen::MatrixXd& matrix);
+
 }  // namespace nmbcgen

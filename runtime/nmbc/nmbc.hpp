@@ -9,7 +9,10 @@
 #include <nmbc/coefficients.hpp>
 #include <nmbc/ends.hpp>
 #include <nmbc/energy.hpp>
+#include <nmbc/higdon.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/node_line.hpp>
 #include <nmbc/passive.hpp>
+#include <nmbc/plane.hpp>
+#include <nmbc/plane_stability.hpp>
 #include <nmbc/table.hpp>

@@ -28,7 +28,7 @@ allow generator/names "generator/(table|exact|names)/|$text"
 allow generator/dense 'generator/dense/|(unsupported/)?Eigen/'
 allow generator/stability 'generator/(table|exact|dense|lattice|stability)/|boost/|Eigen/Core'
 allow generator/plane 'generator/(table|exact|dense|lattice|plane)/|Eigen/Core'
-allow generator/passive 'generator/(table|exact|dense|plane|passive)/|nmbc/passive.hpp|Eigen/Core'
+allow generator/passive 'generator/(table|exact|dense|families|plane|passive)/|nmbc/(passive|plane_sides).hpp|Eigen/Core'
 allow generator/matching "generator/(table|exact|lattice|matching)/|ginac/|$text"
 allow generator/emit "generator/(table|exact|lattice|names|emit)/|nlohmann/|$text"
 allow generator/support "generator/(table|emit|names|support)/|nlohmann/|CLI/|fcntl.h|unistd.h|sys/(file|stat).h|$text"
@@ -53,6 +53,7 @@ below='scene|sides|sources|tables|certification|simulation'
 run compare "$below" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT'
 run chart "$below|compare|output" 'generator/support/|boost/math/'
 run advise "$below|compare|chart" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT|boost/math/|unistd.h'
+run plane 'scene|sides|sources|output' 'generator/(table|exact|names|passive)/|generator/support/files.hpp'
 allow tools/nmbcrun "tools/nmbcrun/|generator/support/(exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|tools/nmbcrun/|CLI/|nmbc/|benchmark/|boost/math/|$text"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|unistd.h|$text"

@@ -66,12 +66,13 @@ Scene with_horizon(Scene scene, int horizon) {
 }
 
 Scene with_force(Scene scene) {
-    scene.force = nmbcrun::Force{.history = nmbcrun::History::gaussian,
-                                 .amplitude = 1,
-                                 .centre = 150,
-                                 .time = 40,
-                                 .duration = 12,
-                                 .file = {}};
+    scene.force = nmbcrun::Force{{.history = nmbcrun::History::gaussian,
+                                  .amplitude = 1,
+                                  .time = 40,
+                                  .duration = 12,
+                                  .file = {}},
+                                 150,
+                                 0};
     return scene;
 }
 

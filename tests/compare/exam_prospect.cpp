@@ -47,12 +47,8 @@ Difference difference_of(Scene scene) {
 
 TEST_CASE("spectra of sources are those of the waves that they send out") {
     Scene forced = scene_of(2, 1.5, 300, 500);
-    forced.force = nmbcrun::Force{.history = nmbcrun::History::ricker,
-                                  .centre = 150,
-                                  .half_width = 2,
-                                  .time = 40,
-                                  .duration = 6,
-                                  .file = {}};
+    forced.force = nmbcrun::Force{
+        {.history = nmbcrun::History::ricker, .time = 40, .duration = 6, .file = {}}, 150, 2};
     Scene sine = forced;
     sine.force->history = nmbcrun::History::sine;
     sine.force->time = 5;

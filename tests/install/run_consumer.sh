@@ -45,6 +45,9 @@ grep -q '^refused: .*Opposite::any' "$work/output"
 grep -qx 't = 800 dX/c: 2e-06 of the energy is left' "$work/output"
 grep -qx 'half and whole bar differ by roundings' "$work/output"
 
+"$work/build/plate" | tee "$work/output"
+grep -q '^t =  80 us: .* 6.2e-04 of the largest$' "$work/output"
+
 # Every header compiles alone.
 find "$work/prefix/include" -name '*.hpp' | while read -r header; do
     "$compiler" -std=c++20 -Wall -Wextra -Werror -fsyntax-only -x c++ -I"$work/poison" \

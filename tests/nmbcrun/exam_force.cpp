@@ -21,13 +21,9 @@ Scene forced(const Force& force, double end = 60) {
 }
 
 Force gaussian(double half_width) {
-    return {.history = History::gaussian,
-            .amplitude = 0.3,
-            .centre = 100,
-            .half_width = half_width,
-            .time = 12,
-            .duration = 2,
-            .file = {}};
+    return {{.history = History::gaussian, .amplitude = 0.3, .time = 12, .duration = 2, .file = {}},
+            100,
+            half_width};
 }
 
 TEST_CASE("histories") {
@@ -43,13 +39,14 @@ TEST_CASE("histories") {
     CHECK(Forcing(forced(ricker), 0.1).force_at(14) == doctest::Approx(-0.3 * std::exp(-1)));
     CHECK(Forcing(forced(ricker), 0.1).force_at(12) == 0.3);
 
-    Force sine{.history = History::sine,
-               .amplitude = 2,
-               .centre = 100,
-               .time = 3,
-               .frequency = 0.5,
-               .cycles = 1.25,
-               .file = {}};
+    const Force sine{{.history = History::sine,
+                      .amplitude = 2,
+                      .time = 3,
+                      .frequency = 0.5,
+                      .cycles = 1.25,
+                      .file = {}},
+                     100,
+                     0};
     const Forcing burst(forced(sine), 0.1);
     CHECK(burst.force_at(2.9) == 0);
     CHECK(burst.force_at(3.5) == doctest::Approx(2));
@@ -62,7 +59,7 @@ TEST_CASE("histories") {
 
 TEST_CASE("a history of a file is linear in between, and 0 outside") {
     const auto file = std::filesystem::temp_directory_path() / "exam_force.csv";
-    Force force{.history = History::file, .amplitude = 10, .centre = 100, .time = 5, .file = file};
+    Force force{{.history = History::file, .amplitude = 10, .time = 5, .file = file}, 100, 0};
     std::ofstream(file) << "time,force\n0,1\n2,3\n3,-1\n";
     const Forcing forcing(forced(force), 0.1);
     CHECK(forcing.force_at(4.9) == 0);

@@ -109,7 +109,7 @@ TEST_CASE("a row of energies has all of its columns, or is none") {
         std::ofstream(folder / "run.csv") << nmbcrun::energies_head("") << row;
         std::vector<nmbcrun::Sample> samples;
         nmbcrun::read_energies(
-            folder / "run.csv", [](std::size_t /*row*/) { return true; },
+            folder / "run.csv", nmbcrun::energies_header, [](std::size_t /*row*/) { return true; },
             [&](const std::vector<double>& numbers) {
                 samples.push_back(nmbcrun::sample_of(numbers));
             });

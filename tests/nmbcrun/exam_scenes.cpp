@@ -3,11 +3,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 
 #include "tests/nmbcrun/bar.hpp"
+#include "tools/nmbcrun/plane/plane_simulation.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
+#include "tools/nmbcrun/scene/scene_reader.hpp"
 
 namespace nmbcrun::test {
 namespace {
@@ -19,6 +22,16 @@ TEST_CASE("the first 100 steps of every scene in tools/scenes") {
             continue;
         }
         CAPTURE(entry.path().string());
+        const std::string text = read_text(entry.path().string());
+        if (is_plane_scene(text, entry.path().string(), {})) {
+            const PlaneScene scene = read_plane_scene(text, entry.path().string(), {});
+            CHECK(scene.title != scene.name);
+            PlaneSimulation simulation(scene);
+            REQUIRE(simulation.plan().steps >= 100);
+            simulation.advance(100);
+            CHECK(std::isfinite(simulation.energies().total()));
+            continue;
+        }
         const Scene scene = read_scene(entry.path().string(), {});
         CHECK(scene.title != scene.name);
         Simulation simulation(scene);

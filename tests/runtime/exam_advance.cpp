@@ -7,7 +7,8 @@
 #include <limits>
 #include <nmbc/nmbc.hpp>
 #include <nmbc/tables/tables.hpp>
-#include <random>
+
+#include "tests/runtime/random_start.hpp"
 
 namespace {
 
@@ -34,18 +35,6 @@ nmbc::Lattice springs(std::size_t reach, bool damped) {
         }
     }
     return lattice;
-}
-
-template <class Real>
-void start_randomly(nmbc::BasicChain<Real>& chain) {
-    std::mt19937_64 random(20180417);
-    std::normal_distribution<Real> normal;
-    std::vector<Real> u(chain.nodes());
-    std::vector<Real> v(chain.nodes());
-    for (auto* values : {&u, &v}) {
-        std::ranges::generate(*values, [&] { return normal(random); });
-    }
-    chain.start(u, v);
 }
 
 template <class Real>
@@ -77,8 +66,8 @@ TEST_CASE_TEMPLATE("advance is so many steps, bit for bit", Real, double, float)
                     nmbc::BasicChain<Real> at_once(springs(reach, damped), left, right, parameters);
                     nmbc::BasicChain<Real> one_by_one(springs(reach, damped), left, right,
                                                       parameters);
-                    start_randomly(at_once);
-                    start_randomly(one_by_one);
+                    start_at_random(at_once);
+                    start_at_random(one_by_one);
                     at_once.advance(0);
                     at_once.advance(17);
                     for (int step = 0; step < 17; ++step) {
@@ -96,8 +85,8 @@ TEST_CASE("between two sweeps the hooks see and do the same") {
         const nmbc::ChainParameters parameters{.nodes = 700, .time_step = 0.1};
         nmbc::Chain at_once(springs(4, damped), nmbc::FreeEnd{}, parameters);
         nmbc::Chain one_by_one(springs(4, damped), nmbc::FreeEnd{}, parameters);
-        start_randomly(at_once);
-        start_randomly(one_by_one);
+        start_at_random(at_once);
+        start_at_random(one_by_one);
         const auto prescribe = [](std::span<const double> u, std::span<double> v, double time) {
             v[300] = std::sin(time) - u[300];
         };
@@ -121,7 +110,7 @@ TEST_CASE("between two sweeps the hooks see and do the same") {
 TEST_CASE("fields written to in a hook are a new start to the ends, at once") {
     const nmbc::ChainParameters parameters{.nodes = 20, .time_step = 0.1};
     nmbc::Chain chain(springs(2, false), nmbc::FixedEnd{}, parameters);
-    start_randomly(chain);
+    start_at_random(chain);
     chain.advance(3, [&chain](auto&&, auto&&, double) { chain.displacement()[0] = 1; });
     CHECK(chain.displacement()[0] == 1);  // since the last step; the two before were held at 0
     chain.advance(1);

@@ -8,9 +8,10 @@
 #include <nmbc/nmbc.hpp>
 #include <nmbc/tables/passive_end.hpp>  // made by the build
 #include <nmbc/tables/tables.hpp>
-#include <random>
 #include <stdexcept>
 #include <vector>
+
+#include "tests/runtime/random_start.hpp"
 
 namespace {
 
@@ -62,19 +63,6 @@ double energy(const nmbc::BasicChain<Real>& chain, const std::vector<double>& be
         }
     }
     return sum;
-}
-
-template <class Real>
-void start_at_random(nmbc::BasicChain<Real>& chain) {
-    std::mt19937_64 random(7);
-    std::normal_distribution<double> normal;
-    std::vector<Real> u(chain.nodes());
-    std::vector<Real> v(chain.nodes());
-    for (std::size_t i = 0; i < u.size(); ++i) {
-        u[i] = static_cast<Real>(normal(random));
-        v[i] = static_cast<Real>(normal(random));
-    }
-    chain.start(u, v);
 }
 
 /// The part of the energy that a Gaussian pulse leaves behind.

@@ -14,9 +14,11 @@
 #include "tools/nmbcrun/chart/chart.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
+#include "tools/nmbcrun/plane/plane_run.hpp"
 #include "tools/nmbcrun/run.hpp"
 #include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
+#include "tools/nmbcrun/scene/scene_reader.hpp"
 #include "tools/nmbcrun/verify.hpp"
 
 namespace {
@@ -34,10 +36,6 @@ struct Arguments {
     bool plot = false;
     bool keep_checkpoint = false;
 };
-
-nmbcrun::Scene scene_of(const Arguments& arguments) {
-    return nmbcrun::read_scene(arguments.scene, nmbcrun::split_settings(arguments.settings));
-}
 
 void stop_where_interrupted() {
     if (nmbcrun::interrupted()) {
@@ -84,6 +82,23 @@ void run_as_asked(nmbcrun::Scene scene, const Arguments& arguments) {
     if (arguments.plot) {
         nmbcrun::draw_run(scene, arguments.folder);
     }
+}
+
+/// Of a plane scene, what there is of its commands.
+nmbcgen::ExitCode plane_command(const std::string& command, const nmbcrun::PlaneScene& scene,
+                                const Arguments& arguments) {
+    if (command == "verify") {
+        return nmbcrun::verify_plane(scene, arguments.tolerance, arguments.quiet) ? done
+                                                                                  : does_not_hold;
+    }
+    if (command != "run" || arguments.plot || arguments.tolerance > 0) {
+        throw nmbcrun::SceneError(arguments.scene +
+                                  " is a plane scene, which run (without --plot and --tolerance) "
+                                  "and verify take");
+    }
+    nmbcrun::run_plane(
+        scene, {arguments.folder, arguments.quiet, arguments.resume, arguments.keep_checkpoint});
+    return done;
 }
 
 /// The exit code of a command, errors told.
@@ -194,7 +209,15 @@ int main(int argc, char** argv) {
         return bad_input;
     }
     return exit_code_of([&] {
-        nmbcrun::Scene scene = scene_of(arguments);
+        const std::string text = nmbcrun::read_text(arguments.scene);
+        const nmbcrun::Overrides overrides = nmbcrun::split_settings(arguments.settings);
+        if (nmbcrun::is_plane_scene(text, arguments.scene, overrides)) {
+            return plane_command(app.get_subcommands().front()->get_name(),
+                                 nmbcrun::read_plane_scene(text, arguments.scene, overrides),
+                                 arguments);
+        }
+        nmbcrun::Scene scene =
+            nmbcrun::with_tables(nmbcrun::read_scene_text(text, arguments.scene, overrides));
         if (verify->parsed()) {
             return nmbcrun::verify(scene, arguments.tolerance, arguments.quiet) ? done
                                                                                 : does_not_hold;

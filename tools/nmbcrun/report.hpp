@@ -5,7 +5,6 @@
 #include <span>
 #include <string>
 
-#include "tools/nmbcrun/output/checkpoint.hpp"
 #include "tools/nmbcrun/output/sample.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 

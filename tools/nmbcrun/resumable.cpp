@@ -21,43 +21,38 @@ bool depends_on_end(const Scene& scene) {
 }  // namespace
 
 std::map<std::string, std::string> identity(const Simulation& simulation) {
-    auto keys = simulation.scene().given;
-    if (depends_on_end(simulation.scene())) {
-        keys["the number of steps"] = fmt::format("{}", simulation.plan().steps);
-    } else {
-        keys.erase("time.end");
-    }
-    keys.erase("title");
-    keys.erase("output.checkpoint");
+    auto keys = identity_of(simulation.scene().given, depends_on_end(simulation.scene()),
+                            simulation.plan().steps, simulation.plan().time_step);
     for (const auto& file : simulation.scene().own_tables) {
         keys["the checksum of " + file->name()] = fmt::format("{:x}", checksum(file->text()));
     }
-    keys["the version of nmbcrun"] = NMBC_VERSION;
-    keys["the time step"] = fmt::format("{:a}", simulation.plan().time_step);
     return keys;
 }
 
-void require_resumable(const Simulation& simulation, const Checkpoint& checkpoint,
-                       const std::filesystem::path& path) {
-    const auto& stored = checkpoint.scene;
-    const auto given = identity(simulation);
-    const auto value = [](const auto& keys, const std::string& key) {
-        const auto found = keys.find(key);
-        return found == keys.end() ? std::string("not given") : found->second;
-    };
-    auto all = stored;
-    all.insert(given.begin(), given.end());
-    for (const auto& [key, unused] : all) {
-        if (value(stored, key) != value(given, key)) {
-            throw SceneError(fmt::format("{} is of another scene: there {} is {}, here {}",
-                                         path.string(), key, value(stored, key),
-                                         value(given, key)));
-        }
+std::vector<std::vector<double>> packed(const ChainRun& run) {
+    const auto& [chain, ledger, highlights] = run;
+    return {chain.displacement,
+            chain.velocity,
+            chain.damped,
+            chain.left,
+            chain.right,
+            {ledger.start, ledger.work, ledger.left, ledger.right},
+            {highlights.peak, highlights.driven_peak, highlights.drift}};
+}
+
+ChainRun chain_run_of(const Checkpoint& checkpoint, const std::filesystem::path& path) {
+    const auto& parts = checkpoint.state;
+    if (parts.size() != 7 || parts[5].size() != 4 || parts[6].size() != 3) {
+        throw FileError(fmt::format("{} is no checkpoint of a chain", path.string()));
     }
-    if (checkpoint.chain.steps > simulation.plan().steps) {
-        throw SceneError(fmt::format("{} is at step {}, beyond time.end (step {})", path.string(),
-                                     checkpoint.chain.steps, simulation.plan().steps));
-    }
+    return {.chain = {.steps = checkpoint.steps,
+                      .displacement = parts[0],
+                      .velocity = parts[1],
+                      .damped = parts[2],
+                      .left = parts[3],
+                      .right = parts[4]},
+            .ledger = {parts[5][0], parts[5][1], parts[5][2], parts[5][3]},
+            .highlights = {parts[6][0], parts[6][1], parts[6][2]}};
 }
 
 }  // namespace nmbcrun

@@ -65,11 +65,12 @@ class Run {
         lock_.emplace(options.folder / (scene.name + ".lock"));
         if (options.resume) {
             const Checkpoint from = load_checkpoint(checkpoint_);
-            require_resumable(simulation_, from, checkpoint_);
+            require_resumable(identity(simulation_), simulation_.plan().steps, from, checkpoint_);
+            const ChainRun stored = chain_run_of(from, checkpoint_);
             recorder_.emplace(scene, options.folder, from.journals);
-            simulation_.resume(from.chain);
-            ledger_.resume(simulation_.chain(), from.ledger);
-            highlights_ = from.highlights;
+            simulation_.resume(stored.chain);
+            ledger_.resume(simulation_.chain(), stored.ledger);
+            highlights_ = stored.highlights;
             is_stored_ = true;
         } else {
             replaces_earlier_ = std::filesystem::exists(checkpoint_);
@@ -207,8 +208,9 @@ void Run::add_last_row() {
 void Run::store() {
     recorder_->sync();
     const End& end = end_ ? *end_ : End{highlights_, recorder_->marks()};
-    save_checkpoint(checkpoint_, {identity(simulation_), chain().state(), ledger_.totals(),
-                                  end.highlights, end.journals});
+    save_checkpoint(checkpoint_,
+                    {identity(simulation_), chain().steps(),
+                     packed({chain().state(), ledger_.totals(), end.highlights}), end.journals});
     recorder_->keep(true);
     recorder_->remove_leftovers();
     is_stored_ = true;

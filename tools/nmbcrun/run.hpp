@@ -2,19 +2,11 @@
 /// Runs a scene.
 #pragma once
 
-#include <filesystem>
-
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/run_options.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
-
-struct RunOptions {
-    std::filesystem::path folder;  ///< for what the run writes
-    bool quiet = false;            ///< only the last lines on stdout
-    bool resume = false;           ///< go on from the checkpoint in the folder
-    bool keep_checkpoint = false;  ///< at the end, too: a later run may have a later end
-};
 
 /// Runs the scene, writes what it asks for (Recorder) and prints a table of energies on stdout, and
 /// what was left, where it went and the files.

@@ -241,7 +241,7 @@ void Search::add_table(const nmbc::MatchingTable& table) {
 }
 
 void Search::add_passive() {
-    if (scene_.family != "nopd1d" || !scene_.weights.empty() || is_damped(scene_)) {
+    if (!has_constant_influence(scene_) || is_damped(scene_)) {
         leave_out("passive", "is designed for nopd1d of constant influence, undamped");
         return;
     }

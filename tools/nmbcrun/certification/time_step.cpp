@@ -222,7 +222,7 @@ std::string choices_at_another_G(const Scene& scene) {
     const std::string G = best_G(scene.horizon);
     Scene other = scene;
     other.G = nmbc::detail::nearest_to_fraction(G);
-    const bool is_best = scene.family == "nopd1d" && scene.weights.empty() && other.G != scene.G;
+    const bool is_best = has_constant_influence(scene) && other.G != scene.G;
     const std::string choices = is_best ? certified_choices(other) : "";
     return choices.empty() ? ""
                            : fmt::format(R"(. Certified at model.G = "{}", which suits long waves )"

@@ -16,7 +16,7 @@ std::vector<NamedBoundary> boundaries_of(const Scene& scene) {
                            {.order = table->order, .stride = table->stride}});
         }
     }
-    if (scene.family == "nopd1d" && scene.weights.empty() && !is_damped(scene)) {
+    if (has_constant_influence(scene) && !is_damped(scene)) {
         all.push_back({"passive", {.kind = BoundaryKind::passive}});
         all.push_back({"truncated 1", {.kind = BoundaryKind::truncated, .order = 1}});
     }

@@ -16,7 +16,7 @@ namespace {
 
 // The file: magic, size and checksum of what follows, and that. Numbers are as this machine has
 // them: another byte order would not go on bit for bit anyway, and is no magic.
-constexpr std::uint64_t magic = 0x32307463626d6e;  // "nmbct02"; another layout, another number
+constexpr std::uint64_t magic = 0x33307463626d6e;  // "nmbct03"; another layout, another number
 
 struct Header {
     std::uint64_t magic_number = magic;
@@ -42,9 +42,7 @@ class Writer {
         put(pair.first);
         put(pair.second);
     }
-    template <class Value>
-    requires std::is_trivially_copyable_v<Value>
-    void put_all(const std::vector<Value>& values) {
+    void put(const std::vector<double>& values) {
         put(values.size());
         append(values.data(), values.size());
     }
@@ -88,23 +86,22 @@ class Reader {
         get(mark.size);
         get(mark.checksum);
     }
-    template <class Value>
-    requires std::is_trivially_copyable_v<Value>
-    void get_all(std::vector<Value>& values) {
+    void get(std::vector<double>& values) {
         std::size_t size = 0;
         get(size);
-        require(size <= bytes_.size() / sizeof(Value));
+        require(size <= bytes_.size() / sizeof(double));
         values.resize(size);
-        const std::string_view taken = take(size * sizeof(Value));
+        const std::string_view taken = take(size * sizeof(double));
         if (size > 0) {
             std::memcpy(values.data(), taken.data(), taken.size());
         }
     }
-    void get_all(std::vector<Journal::Mark>& marks) {
+    template <class Value>
+    void get_all(std::vector<Value>& values) {
         std::size_t size = 0;
         get(size);
         for (std::size_t i = 0; i < size; ++i) {
-            get(marks.emplace_back());
+            get(values.emplace_back());
         }
     }
     void get_all(std::map<std::string, std::string>& pairs) {
@@ -138,16 +135,8 @@ class Reader {
 template <class Part, class Each, class All>
 void visit(Part& checkpoint, Each each, All all) {
     all(checkpoint.scene);
-    each(checkpoint.chain.steps);
-    all(checkpoint.chain.displacement);
-    all(checkpoint.chain.velocity);
-    all(checkpoint.chain.damped);
-    all(checkpoint.chain.left);
-    all(checkpoint.chain.right);
-    each(checkpoint.ledger);
-    each(checkpoint.highlights.peak);
-    each(checkpoint.highlights.driven_peak);
-    each(checkpoint.highlights.drift);
+    each(checkpoint.steps);
+    all(checkpoint.state);
     all(checkpoint.journals);
 }
 
@@ -203,6 +192,43 @@ Checkpoint load_checkpoint(const std::filesystem::path& path) {
         checkpoint, [&](auto& value) { reader.get(value); },
         [&](auto& list) { reader.get_all(list); });
     return checkpoint;
+}
+
+std::map<std::string, std::string> identity_of(std::map<std::string, std::string> given,
+                                               bool depends_on_end, std::size_t steps,
+                                               double time_step) {
+    if (depends_on_end) {
+        given["the number of steps"] = fmt::format("{}", steps);
+    } else {
+        given.erase("time.end");
+    }
+    given.erase("title");
+    given.erase("output.checkpoint");
+    given["the version of nmbcrun"] = NMBC_VERSION;
+    given["the time step"] = fmt::format("{:a}", time_step);
+    return given;
+}
+
+void require_resumable(const std::map<std::string, std::string>& given, std::size_t last_step,
+                       const Checkpoint& checkpoint, const std::filesystem::path& path) {
+    const auto& stored = checkpoint.scene;
+    const auto value = [](const auto& keys, const std::string& key) {
+        const auto found = keys.find(key);
+        return found == keys.end() ? std::string("not given") : found->second;
+    };
+    auto all = stored;
+    all.insert(given.begin(), given.end());
+    for (const auto& [key, unused] : all) {
+        if (value(stored, key) != value(given, key)) {
+            throw SceneError(fmt::format("{} is of another scene: there {} is {}, here {}",
+                                         path.string(), key, value(stored, key),
+                                         value(given, key)));
+        }
+    }
+    if (checkpoint.steps > last_step) {
+        throw SceneError(fmt::format("{} is at step {}, beyond time.end (step {})", path.string(),
+                                     checkpoint.steps, last_step));
+    }
 }
 
 }  // namespace nmbcrun

@@ -2,29 +2,21 @@
 /// A run in a file: all that it goes on from, bit for bit.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
-#include <nmbc/chain.hpp>
 #include <string>
 #include <vector>
 
 #include "tools/nmbcrun/output/journal.hpp"
-#include "tools/nmbcrun/simulation/ledger.hpp"
 
 namespace nmbcrun {
 
-/// What a run keeps of its energies for its last lines.
-struct Highlights {
-    double peak = 0;         ///< the largest total energy of every tenth step
-    double driven_peak = 0;  ///< and of those under a source
-    double drift = 0;        ///< the largest of the ledger, whatever its sign
-};
-
+/// Of a chain's run or a plane's.
 struct Checkpoint {
     std::map<std::string, std::string> scene{};  ///< what must be the same when the run goes on
-    nmbc::ChainState<double> chain{};
-    Ledger::Totals ledger{};
-    Highlights highlights{};
+    std::uint64_t steps = 0;
+    std::vector<std::vector<double>> state{};  ///< fields and sums, in an order of the run's own
     std::vector<Journal::Mark> journals{};
 };
 
@@ -34,5 +26,16 @@ void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkp
 
 /// Throws FileError where there is none, or none that is whole.
 Checkpoint load_checkpoint(const std::filesystem::path& path);
+
+/// Of the keys of a scene, what a run that goes on must have in common, with its steps and version;
+/// what changes no result is left out. depends_on_end: whether a later end changes earlier steps.
+std::map<std::string, std::string> identity_of(std::map<std::string, std::string> given,
+                                               bool depends_on_end, std::size_t steps,
+                                               double time_step);
+
+/// Throws SceneError where the checkpoint's scene is not the given one, or is beyond the last step
+/// of this run. path: of the checkpoint.
+void require_resumable(const std::map<std::string, std::string>& given, std::size_t last_step,
+                       const Checkpoint& checkpoint, const std::filesystem::path& path);
 
 }  // namespace nmbcrun

@@ -10,14 +10,14 @@
 
 namespace nmbcrun {
 
-std::string energies_head(std::string_view about) {
+std::string energies_head(std::string_view about, std::string_view header) {
     std::string head;
     while (!about.empty()) {
         const std::size_t size = about.find('\n') + 1;
         head += fmt::format("# {}", about.substr(0, size));
         about.remove_prefix(size);
     }
-    return fmt::format("{}{}\n", head, energies_header);
+    return fmt::format("{}{}\n", head, header);
 }
 
 std::string energies_row(const Sample& sample) {
@@ -28,15 +28,16 @@ std::string energies_row(const Sample& sample) {
                        balance.work, balance.left, balance.right, balance.drift);
 }
 
-void read_energies(const std::filesystem::path& path,
+void read_energies(const std::filesystem::path& path, std::string_view header,
                    const std::function<bool(std::size_t)>& is_wanted,
                    const std::function<void(const std::vector<double>&)>& take) {
     std::ifstream stream(path);
     std::vector<double> row;
     std::string line;
     std::size_t rows = 0;
+    const auto columns = std::size_t(std::ranges::count(header, ',')) + 1;
     while (std::getline(stream, line)) {
-        if (line.starts_with('#') || line == energies_header || !is_wanted(rows++)) {
+        if (line.starts_with('#') || line == header || !is_wanted(rows++)) {
             continue;
         }
         row.clear();
@@ -50,7 +51,7 @@ void read_energies(const std::filesystem::path& path,
             }
             next = after + 1;
         }
-        if (row.size() != energies_columns) {
+        if (row.size() != columns) {
             throw FileError(fmt::format("cannot read {}: {}", path.string(), line));
         }
         take(row);

@@ -20,13 +20,13 @@ inline constexpr std::string_view energies_header =
 inline constexpr auto energies_columns = std::size_t(std::ranges::count(energies_header, ',')) + 1;
 
 /// The lines before the rows; about: what is said of the run, whole lines.
-std::string energies_head(std::string_view about);
+std::string energies_head(std::string_view about, std::string_view header = energies_header);
 
 std::string energies_row(const Sample& sample);
 
-/// Calls with the numbers of each wanted row (counted from 0), in the order of the header. Throws
+/// Of a file with this header: calls with the numbers of each wanted row (counted from 0). Throws
 /// FileError where a wanted row has others than its columns.
-void read_energies(const std::filesystem::path& path,
+void read_energies(const std::filesystem::path& path, std::string_view header,
                    const std::function<bool(std::size_t)>& is_wanted,
                    const std::function<void(const std::vector<double>&)>& take);
 

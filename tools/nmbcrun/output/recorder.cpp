@@ -227,7 +227,8 @@ std::vector<Sample> Recorder::samples(std::size_t rows) const {
     const std::size_t every = std::max<std::size_t>(1, rows / 12);
     std::vector<Sample> samples;
     read_energies(
-        energies_->source(), [&](std::size_t row) { return row % every == 0 || row + 1 == rows; },
+        energies_->source(), energies_header,
+        [&](std::size_t row) { return row % every == 0 || row + 1 == rows; },
         [&](const std::vector<double>& row) { samples.push_back(sample_of(row)); });
     return samples;
 }

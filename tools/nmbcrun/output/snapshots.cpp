@@ -42,7 +42,7 @@ nmbcgen::NewFile write_snapshots(Journal& snapshots, Journal& energies,
     const std::size_t times = snapshots.size() / (sizeof(double) * (1 + 2 * p.nodes));
     std::vector<double> rows;
     read_energies(
-        energies.source(), [](std::size_t /*row*/) { return true; },
+        energies.source(), energies_header, [](std::size_t /*row*/) { return true; },
         [&](const std::vector<double>& row) { rows.insert(rows.end(), row.begin(), row.end()); });
 
     Hdf5File file(snapshots.path());

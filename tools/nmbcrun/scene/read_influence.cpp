@@ -12,10 +12,10 @@
 namespace nmbcrun {
 namespace {
 
-constexpr const char* key = "model.influence";
+constexpr const char* influence_key = "model.influence";
 
 std::vector<nmbcgen::Rational> named(SceneReader& reader, unsigned horizon) {
-    const std::string name = reader.text(key).value();
+    const std::string name = reader.text(influence_key).value();
     const auto list = nmbcgen::influences();
     const auto found = std::ranges::find(list, name, &nmbcgen::Influence::name);
     if (found == list.end()) {
@@ -23,27 +23,29 @@ std::vector<nmbcgen::Rational> named(SceneReader& reader, unsigned horizon) {
         for (const nmbcgen::Influence& influence : list) {
             names += fmt::format("\"{}\", ", influence.name);
         }
-        reader.fail(key, fmt::format("must be {}or a list of {} exact numbers, not \"{}\"", names,
-                                     horizon, name));
+        reader.fail(influence_key,
+                    fmt::format("must be {}or a list of {} exact numbers, not \"{}\"", names,
+                                horizon, name));
     }
     return weights_of(*found, horizon);
 }
 
 std::vector<nmbcgen::Rational> listed(SceneReader& reader, unsigned horizon) {
     std::vector<nmbcgen::Rational> weights;
-    for (const std::string& text : reader.numbers_or_texts(key)) {
+    for (const std::string& text : reader.numbers_or_texts(influence_key)) {
         try {
             weights.push_back(nmbcgen::parse_rational(text));
         } catch (const std::invalid_argument& error) {
-            reader.fail(key, fmt::format("must be a list of exact numbers: {}", error.what()));
+            reader.fail(influence_key,
+                        fmt::format("must be a list of exact numbers: {}", error.what()));
         }
         if (weights.back() == 0) {
-            reader.fail(key, "has a 0: every bond needs a positive weight");
+            reader.fail(influence_key, "has a 0: every bond needs a positive weight");
         }
     }
     if (weights.size() != horizon) {
-        reader.fail(key, fmt::format("has {} weights, where horizon {} needs {}", weights.size(),
-                                     horizon, horizon));
+        reader.fail(influence_key, fmt::format("has {} weights, where horizon {} needs {}",
+                                               weights.size(), horizon, horizon));
     }
     return weights;
 }
@@ -51,11 +53,12 @@ std::vector<nmbcgen::Rational> listed(SceneReader& reader, unsigned horizon) {
 }  // namespace
 
 std::vector<std::string> read_influence(SceneReader& reader, int horizon) {
-    if (!reader.has(key)) {
+    if (!reader.has(influence_key)) {
         return {};
     }
-    const auto weights = nmbcgen::normalised(
-        reader.is_text(key) ? named(reader, unsigned(horizon)) : listed(reader, unsigned(horizon)));
+    const auto weights =
+        nmbcgen::normalised(reader.is_text(influence_key) ? named(reader, unsigned(horizon))
+                                                          : listed(reader, unsigned(horizon)));
     std::vector<std::string> texts;
     texts.reserve(weights.size());
     for (const nmbcgen::Rational& weight : weights) {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <initializer_list>
 #include <numbers>
 #include <optional>
 
@@ -12,57 +11,9 @@
 namespace nmbcrun {
 namespace {
 
-/// The keys of one table of the scene.
-class Group {
-  public:
-    Group(SceneReader& reader, std::string name, const std::string& path)
-        : reader_(reader),
-          name_(std::move(name)),
-          folder_(std::filesystem::path(path).parent_path()) {}
-
-    SceneReader& reader() const { return reader_; }
-    std::string key(std::string_view key) const { return name_ + "." + std::string(key); }
-
-    double number(std::string_view name, const Bounds& bounds) const {
-        return reader_.required(key(name), reader_.number(key(name), bounds));
-    }
-    double number_or(std::string_view name, const Bounds& bounds, double otherwise) const {
-        return reader_.number(key(name), bounds).value_or(otherwise);
-    }
-    double not_zero(std::string_view name) const {
-        const double value = number(name, any_number);
-        if (value == 0) {
-            reader_.fail(key(name), "must not be 0");
-        }
-        return value;
-    }
-    template <class Value>
-    Value choice(std::string_view name,
-                 const std::vector<std::pair<std::string_view, Value>>& choices) const {
-        return reader_.required(key(name), read_choice(reader_, key(name), choices));
-    }
-    std::filesystem::path file() const {
-        return folder_ / reader_.required(key("file"), reader_.text(key("file")));
-    }
-
-    /// These are keys of the table, but not beside the choice that `because` names.
-    void refuse(std::initializer_list<std::string_view> keys, std::string_view because) const {
-        for (const std::string_view each : keys) {
-            if (reader_.has(key(each))) {
-                reader_.fail(key(each), "has no meaning for " + std::string(because));
-            }
-        }
-    }
-
-  private:
-    SceneReader& reader_;
-    std::string name_;
-    std::filesystem::path folder_;
-};
-
 constexpr Bounds wave_numbers{0, std::numbers::pi, true, "a number from 0 to pi"};
 
-Drive read_drive(const Group& group) {
+Drive read_drive(const KeyGroup& group) {
     Drive drive;
     drive.amplitude = group.not_zero("amplitude");
     drive.duration = group.number("duration", positive);
@@ -71,7 +22,7 @@ Drive read_drive(const Group& group) {
     return drive;
 }
 
-Pulse read_pulse(const Group& group, Shape shape) {
+Pulse read_pulse(const KeyGroup& group, Shape shape) {
     Pulse pulse{.shape = shape, .amplitude = group.not_zero("amplitude")};
     pulse.width = group.number("width", positive);
     if (shape == Shape::packet) {
@@ -89,7 +40,7 @@ const std::vector<std::pair<std::string_view, std::optional<Shape>>> shapes_and_
     {"packet", Shape::packet},
     {"csv", std::nullopt}};
 
-InitialKind read_initial_kind(const Group& group) {
+InitialKind read_initial_kind(const KeyGroup& group) {
     enum class Of { displacement, velocity };
     const auto of =
         read_choice<Of>(group.reader(), group.key("of"),
@@ -110,7 +61,7 @@ InitialKind read_initial_kind(const Group& group) {
     return InitialKind::velocity;
 }
 
-Initial read_initial(const Group& group) {
+Initial read_initial(const KeyGroup& group) {
     const auto shape = group.choice("shape", shapes_and_file);
     if (!shape) {
         group.refuse({"of", "direction", "amplitude", "centre", "width", "wave_number"},
@@ -123,14 +74,47 @@ Initial read_initial(const Group& group) {
     return {.kind = kind, .pulse = pulse, .centre = group.number("centre", any_number), .file = {}};
 }
 
-Force read_force(const Group& group) {
-    Force force;
-    force.history = group.choice<History>("history", {{"gaussian", History::gaussian},
-                                                      {"ricker", History::ricker},
-                                                      {"sine", History::sine},
-                                                      {"csv", History::file}});
-    force.centre = group.number("centre", any_number);
-    force.half_width = group.number_or("half_width", not_negative, force.half_width);
+Force read_force(const KeyGroup& group) {
+    const History history = history_of(group);
+    const double centre = group.number("centre", any_number);
+    const double half_width = group.number_or("half_width", not_negative, 0);
+    return {read_history(group, history), centre, half_width};
+}
+
+Incoming read_incoming(const KeyGroup& group) {
+    const auto end =
+        group.choice<nmbc::End>("end", {{"left", nmbc::End::left}, {"right", nmbc::End::right}});
+    const auto shape = group.choice<Shape>(
+        "shape",
+        {{"gaussian", Shape::gaussian}, {"ricker", Shape::ricker}, {"packet", Shape::packet}});
+    const Pulse pulse = read_pulse(group, shape);
+    return {.end = end, .pulse = pulse, .arrival = group.number("arrival", not_negative)};
+}
+
+Preload read_preload(const KeyGroup& group) {
+    return {.strain = group.number("strain", any_number)};
+}
+
+template <class Source>
+void read(std::optional<Source>& source, Source (*read_group)(const KeyGroup&),
+          const KeyGroup& group, const std::string& name) {
+    if (group.reader().has(name)) {
+        source = read_group(group);
+    }
+}
+
+}  // namespace
+
+History history_of(const KeyGroup& group) {
+    return group.choice<History>("history", {{"gaussian", History::gaussian},
+                                             {"ricker", History::ricker},
+                                             {"sine", History::sine},
+                                             {"csv", History::file}});
+}
+
+ForceHistory read_history(const KeyGroup& group, History history) {
+    ForceHistory force;
+    force.history = history;
     if (force.history == History::file) {
         force.amplitude = group.reader().has(group.key("amplitude")) ? group.not_zero("amplitude")
                                                                      : force.amplitude;
@@ -155,32 +139,8 @@ Force read_force(const Group& group) {
     return force;
 }
 
-Incoming read_incoming(const Group& group) {
-    const auto end =
-        group.choice<nmbc::End>("end", {{"left", nmbc::End::left}, {"right", nmbc::End::right}});
-    const auto shape = group.choice<Shape>(
-        "shape",
-        {{"gaussian", Shape::gaussian}, {"ricker", Shape::ricker}, {"packet", Shape::packet}});
-    const Pulse pulse = read_pulse(group, shape);
-    return {.end = end, .pulse = pulse, .arrival = group.number("arrival", not_negative)};
-}
-
-Preload read_preload(const Group& group) {
-    return {.strain = group.number("strain", any_number)};
-}
-
-template <class Source>
-void read(std::optional<Source>& source, Source (*read_group)(const Group&), const Group& group,
-          const std::string& name) {
-    if (group.reader().has(name)) {
-        source = read_group(group);
-    }
-}
-
-}  // namespace
-
 void read_sources(SceneReader& reader, const std::string& path, Scene& scene) {
-    const auto group = [&](const char* name) { return Group(reader, name, path); };
+    const auto group = [&](const char* name) { return KeyGroup(reader, name, path); };
     read(scene.drive, read_drive, group("drive"), "drive");
     read(scene.initial, read_initial, group("initial"), "initial");
     read(scene.force, read_force, group("force"), "force");

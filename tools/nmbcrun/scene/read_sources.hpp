@@ -4,10 +4,16 @@
 
 #include <string>
 
+#include "tools/nmbcrun/scene/key_group.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 #include "tools/nmbcrun/scene/scene_reader.hpp"
 
 namespace nmbcrun {
+
+/// The keys of a force that say how it goes in time: which history, and its own. Throws SceneError
+/// where they do not fit.
+History history_of(const KeyGroup& group);
+ForceHistory read_history(const KeyGroup& group, History history);
 
 /// Sets the scene's sources. path: of the scene file, whose folder those of files are relative to.
 /// Throws SceneError where a source is incomplete, has a key that it does not take, or where there

@@ -119,19 +119,6 @@ Boundary read_boundary(SceneReader& reader, const std::string& group, const Boun
         .target = target ? target : others.target};
 }
 
-/// The name of the output files: the scene file's own unless it says another, which must not lead
-/// out of the folder or garble what is printed.
-std::string read_name(SceneReader& reader, const std::string& path) {
-    const auto name = reader.text("output.name");
-    const auto forbidden = [](unsigned char c) { return c == '/' || std::iscntrl(c) != 0; };
-    if (name && (name->empty() || name->find("..") != std::string::npos ||
-                 std::ranges::any_of(*name, forbidden))) {
-        reader.fail("output.name",
-                    "must be a file name without a folder, '..' and control characters");
-    }
-    return name.value_or(std::filesystem::path(path).stem().string());
-}
-
 /// The nearest double to an exact number in a string, or a number. It has no default: 0 is standard
 /// NOPD, which the paper's conditions absorb badly, and any other value is another lattice.
 double read_G(SceneReader& reader, const Scene& scene) {
@@ -159,18 +146,6 @@ int read_horizon(SceneReader& reader, const std::string& family) {
                                    : reader.required("model.horizon", horizon));
 }
 
-/// Beyond these a time step is no double.
-void require_wave_speed(SceneReader& reader, const Scene& scene) {
-    constexpr double fastest = 1e150;
-    const double c = wave_speed(scene);
-    if (!(c >= 1 / fastest && c <= fastest)) {
-        reader.fail("material",
-                    fmt::format("makes the wave speed sqrt(youngs_modulus / density) {:g}; it must "
-                                "be from {:g} to {:g}",
-                                c, 1 / fastest, fastest));
-    }
-}
-
 /// The nodes nearest to the positions.
 std::vector<std::size_t> read_probes(SceneReader& reader, const Scene& scene) {
     std::vector<std::size_t> probes;
@@ -190,6 +165,37 @@ std::vector<std::size_t> read_probes(SceneReader& reader, const Scene& scene) {
 }
 
 }  // namespace
+
+std::string read_name(SceneReader& reader, const std::string& path) {
+    const auto name = reader.text("output.name");
+    const auto forbidden = [](unsigned char c) { return c == '/' || std::iscntrl(c) != 0; };
+    if (name && (name->empty() || name->find("..") != std::string::npos ||
+                 std::ranges::any_of(*name, forbidden))) {
+        reader.fail("output.name",
+                    "must be a file name without a folder, '..' and control characters");
+    }
+    return name.value_or(std::filesystem::path(path).stem().string());
+}
+
+void require_wave_speed(const SceneReader& reader, double c) {
+    constexpr double fastest = 1e150;
+    if (!(c >= 1 / fastest && c <= fastest)) {
+        reader.fail("material",
+                    fmt::format("makes the wave speed sqrt(youngs_modulus / density) {:g}; it must "
+                                "be from {:g} to {:g}",
+                                c, 1 / fastest, fastest));
+    }
+}
+
+void settle_step(const SceneReader& reader, std::optional<double>& step,
+                 std::optional<double>& cfl) {
+    if (step && cfl && reader.is_overridden("time.step") != reader.is_overridden("time.cfl")) {
+        (reader.is_overridden("time.cfl") ? step : cfl).reset();
+    }
+    if (step && cfl) {
+        reader.fail("time", "has both step and cfl; at most one of them is allowed");
+    }
+}
 
 std::string best_G(long n) {
     return nmbcgen::to_string(nmbcgen::Rational(4 * n * n * n, (n + 1) * (2 * n + 1)));
@@ -280,7 +286,10 @@ Overrides split_settings(const std::vector<std::string>& settings) {
 }
 
 Scene read_scene(const std::string& path, const Overrides& overrides) {
-    Scene scene = read_scene_text(read_text(path), path, overrides);
+    return with_tables(read_scene_text(read_text(path), path, overrides));
+}
+
+Scene with_tables(Scene scene) {
     for (const std::filesystem::path& file : scene.table_files) {
         scene.own_tables.push_back(std::make_shared<const TableFile>(file));
     }
@@ -312,7 +321,7 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     scene.density = reader.number("material.density", positive).value_or(scene.density);
     scene.youngs_modulus =
         reader.number("material.youngs_modulus", positive).value_or(scene.youngs_modulus);
-    require_wave_speed(reader, scene);
+    require_wave_speed(reader, wave_speed(scene));
     scene.nodes = std::size_t(
         reader.required("domain.nodes", reader.whole_number("domain.nodes", 1, most_nodes)));
     scene.spacing = reader.number("domain.spacing", positive).value_or(scene.spacing);
@@ -346,14 +355,7 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     scene.checkpoint = reader.number("output.checkpoint", positive).value_or(scene.checkpoint);
     scene.given = reader.given();
     reader.refuse_unknown_keys();
-    // An override of one replaces the other of the file.
-    if (scene.step && scene.cfl &&
-        reader.is_overridden("time.step") != reader.is_overridden("time.cfl")) {
-        (reader.is_overridden("time.cfl") ? scene.step : scene.cfl).reset();
-    }
-    if (scene.step && scene.cfl) {
-        reader.fail("time", "has both step and cfl; at most one of them is allowed");
-    }
+    settle_step(reader, scene.step, scene.cfl);
     return scene;
 }
 

@@ -19,6 +19,8 @@
 
 namespace nmbcrun {
 
+class SceneReader;
+
 /// Of an interior, as far as memory goes.
 inline constexpr long most_nodes = 100'000'000;
 
@@ -130,6 +132,11 @@ struct Scene {
 /// The scene with this boundary in the place of each artificial one.
 Scene with_artificial_ends(Scene scene, const Boundary& boundary);
 
+/// nopd1d of constant influence: the lattice whose families nmbcrun can cut off, if undamped.
+inline bool has_constant_influence(const Scene& scene) {
+    return scene.family == "nopd1d" && scene.weights.empty();
+}
+
 inline bool is_damped(const Scene& scene) {
     return scene.tau != "0";
 }
@@ -155,6 +162,18 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 /// KEY=VALUE texts at their first '='. Throws SceneError where one has none, or no key.
 Overrides split_settings(const std::vector<std::string>& settings);
 
+/// The name of the output files: the scene file's own unless it says another, which must not lead
+/// out of the folder or garble what is printed.
+std::string read_name(SceneReader& reader, const std::string& path);
+
+/// Throws SceneError for a sqrt(E/rho) with which a time step is no double.
+void require_wave_speed(const SceneReader& reader, double c);
+
+/// At most one of time.step and time.cfl: an override of one replaces the other of the file. Throws
+/// SceneError where both are left.
+void settle_step(const SceneReader& reader, std::optional<double>& step,
+                 std::optional<double>& cfl);
+
 /// Reads a scene file, with overrides applied, and its tables. Throws SceneError naming the
 /// file and line, or the override, what is wrong and what is allowed; FileError where a file
 /// cannot be read.
@@ -163,5 +182,8 @@ Scene read_scene(const std::string& path, const Overrides& overrides);
 /// Likewise, of a text that is read already, without its tables; path: for messages, and the folder
 /// and name it implies.
 Scene read_scene_text(const std::string& text, const std::string& path, const Overrides& overrides);
+
+/// Reads the scene's tables. Throws as read_scene().
+Scene with_tables(Scene scene);
 
 }  // namespace nmbcrun

@@ -264,6 +264,41 @@ std::vector<double> SceneReader::numbers(std::string_view key, const Bounds& bou
     return values;
 }
 
+std::optional<std::array<double, 2>> SceneReader::pair(std::string_view key, const Bounds& bounds) {
+    const std::vector<double> values = numbers(key, bounds);
+    if (find(key) == nullptr) {
+        return std::nullopt;
+    }
+    if (values.size() != 2) {
+        fail(key, fmt::format("must be a list [x, y], not one of {} numbers", values.size()));
+    }
+    return std::array{values[0], values[1]};
+}
+
+std::vector<std::array<double, 2>> SceneReader::pairs(std::string_view key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return {};
+    }
+    std::vector<std::array<double, 2>> values;
+    const auto refuse = [&](const toml::node& entry) {
+        fail(key, fmt::format("must be a list of points, [[1, 2.5], [3, 4]], not {}",
+                              as_written(entry)));
+    };
+    if (!node->is_array()) {
+        refuse(*node);
+    }
+    for (const toml::node& entry : *node->as_array()) {
+        const toml::array* const point = entry.as_array();
+        if (point == nullptr || point->size() != 2 || !point->at(0).is_number() ||
+            !point->at(1).is_number()) {
+            refuse(entry);
+        }
+        values.push_back({*point->at(0).value<double>(), *point->at(1).value<double>()});
+    }
+    return values;
+}
+
 std::vector<std::string> SceneReader::texts(std::string_view key) {
     const toml::node* node = find(key);
     const auto is_string = [](const toml::node& each) { return each.is_string(); };

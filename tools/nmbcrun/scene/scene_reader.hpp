@@ -6,6 +6,7 @@
 #define TOML_EXCEPTIONS 1
 #include <toml++/toml.h>
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -52,6 +53,10 @@ class SceneReader {
     std::optional<bool> truth(std::string_view key);
     /// A list of numbers; empty if the key is not there.
     std::vector<double> numbers(std::string_view key, const Bounds& bounds);
+    /// A list [x, y], if the key is there.
+    std::optional<std::array<double, 2>> pair(std::string_view key, const Bounds& bounds);
+    /// A list of such lists; empty if the key is not there.
+    std::vector<std::array<double, 2>> pairs(std::string_view key);
     /// A list of strings; empty if the key is not there.
     std::vector<std::string> texts(std::string_view key);
     /// A list whose values are as number_or_text() has them; empty if the key is not there.
@@ -75,6 +80,8 @@ class SceneReader {
     bool is_word(std::string_view key, std::string_view word);
     /// Whether it is there and a string.
     bool is_text(std::string_view key) const { return document_.at_path(key).is_string(); }
+    /// Whether it is there and a list.
+    bool is_list(std::string_view key) const { return document_.at_path(key).is_array(); }
 
     /// Whether an override set the key.
     bool is_overridden(std::string_view key) const;

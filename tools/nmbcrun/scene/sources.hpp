@@ -53,17 +53,21 @@ enum class History {
     file,      ///< linear between the rows of a file, which begins at `time`
 };
 
-/// A body force of the nodes with |X - centre| <= half_width, rho u_tt = .. + f.
-struct Force {
+/// A force in time.
+struct ForceHistory {
     History history = History::gaussian;
     double amplitude = 1;        ///< [force/volume]; of a file: what its forces are multiplied by
-    double centre = 0;           ///< [length]
-    double half_width = 0;       ///< [length]
     double time = 0;             ///< middle of a gaussian or ricker, start of the others [time]
     double duration = 0;         ///< [time]
     double frequency = 0;        ///< of a sine [1/time]
     double cycles = 1;           ///< of a sine
     std::filesystem::path file;  ///< columns time, force
+};
+
+/// A body force of the nodes with |X - centre| <= half_width, rho u_tt = .. + f.
+struct Force : ForceHistory {
+    double centre = 0;      ///< [length]
+    double half_width = 0;  ///< [length]
 };
 
 /// A wave that comes in through an end.

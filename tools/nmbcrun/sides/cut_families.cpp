@@ -67,9 +67,8 @@ double stabilisation_of(const nmbc::Lattice& lattice) {
                            });
     if (!known || !lattice.damping.empty()) {
         throw std::invalid_argument(
-            "truncated and passive ends know nopd1d of constant influence without damping, no "
-            "other "
-            "lattice");
+            "truncated and passive ends know nopd1d of constant influence without damping, "
+            "no other lattice");
     }
     return G;
 }

@@ -9,10 +9,7 @@
 
 namespace nmbcrun {
 
-/// Of order P, K the shift by a node inwards and Z^-1 the one by a step back, by the box scheme:
-///     [(1 + K)/2 (1 - Z^-1)/dt - (c/dX) (K - 1) (1 + Z^-1)/2]^P u = 0,
-/// at each ghost node from the innermost outwards, all speeds c = sqrt(E/rho). Order 1 is (58) with
-/// midpoint ghosts, NMBC1 of stride 1.
+/// nmbc::HigdonCondition of `order` speeds, all c = sqrt(E/rho), without decay.
 ///
 /// It knows the continuum, not the lattice, and has no certificate. Every polynomial of degree P -
 /// 1 in x and t satisfies it, u = t for one at order 2, so that roundings eps make u grow by about

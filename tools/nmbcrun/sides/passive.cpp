@@ -25,7 +25,7 @@ namespace nmbcrun {
 namespace {
 
 struct Designed {
-    nmbcgen::PassiveSide side;
+    nmbcgen::DesignedSide side;
     nmbcgen::EdgeEnergies energies;
     nmbc::PassiveEnd end;
 };
@@ -50,7 +50,7 @@ Design designed(const nmbc::Lattice& lattice, double time_step) {
     Known& design = entry->second;
     if (is_new) {
         try {
-            nmbcgen::PassiveSide side = nmbcgen::passive_end(
+            nmbcgen::DesignedSide side = nmbcgen::passive_end(
                 lattice.symbol, n, nmbcgen::Rational(G),
                 [n](unsigned layer) { return nmbcgen::nopd1d_at_edge(n, layer); }, time_step);
             nmbcgen::EdgeEnergies energies = side.task.at(0);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tools/nmbcrun/scene/scene.hpp"
+#include "tools/nmbcrun/sources/force_in_time.hpp"
 
 namespace nmbcrun {
 
@@ -22,27 +23,22 @@ class Forcing {
     const std::vector<std::size_t>& nodes() const { return nodes_; }
 
     /// Of the history: f at a time.
-    double force_at(double time) const;
+    double force_at(double time) const { return history_.at(time); }
 
     /// Whether the force acts, above 1e-16 of its amplitude, at this time or later.
-    bool drives(double time) const { return time <= last_; }
+    bool drives(double time) const { return history_.drives(time); }
 
     /// In words: what the time steps miss of a history from a file; empty where they do not.
-    std::string warning() const;
+    std::string warning() const { return history_.warning(time_step_); }
 
     /// first_interior: entry of the first interior node of v. time: the end of the step.
     void operator()(std::span<double> v, std::size_t first_interior, double time) const;
 
   private:
-    double linear_between_rows(double time) const;
-
-    Force force_;
+    ForceInTime history_;
     double density_;
     double time_step_;
-    double last_ = 0;
     std::vector<std::size_t> nodes_;  // from 0
-    std::vector<double> times_;       // of a file
-    std::vector<double> forces_;
 };
 
 }  // namespace nmbcrun

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+/// A passive side of a plane lattice.
+#pragma once
+
+#include <nmbc/plane_sides.hpp>
+#include <string>
+
+#include "generator/passive/design.hpp"
+#include "generator/table/vector_model.hpp"
+
+namespace nmbcgen {
+
+/// A plane lattice at one g, and what a side of it is to be.
+struct SideTask {
+    std::string family;
+    VectorChoice choice;
+    Rational g;
+    Rational time_step;  ///< of the steps it is for [dX sqrt(rho/E)]; 0: continuous time
+    /// Whether the body may have one: beside a free side it must not.
+    bool has_null_lagrangian = true;
+};
+
+/// Larger families take minutes.
+inline constexpr unsigned largest_side_radius_squared = 25;
+
+inline constexpr double widest_designed_angle = 60;  ///< from the normal [degrees]
+
+/// At an angle from the normal [degrees]. Throws std::domain_error where it cannot be told from
+/// other waves.
+ArrivingWave wave_at(const PlaneLattice& lattice, bool is_P, double xi, double degrees);
+
+/// Designed for P and S waves at angles up to the widest one with xi up to 1/dX, longer ones
+/// counting more. Takes a second at radius 1, and 20 s at radius 3. Throws std::domain_error where
+/// such waves cannot be told from each other, or no design is found.
+DesignedSide passive_side(const SideTask& model);
+
+/// The same as the runtime takes it.
+nmbc::PassiveSide for_runtime(const DesignedSide& side);
+
+}  // namespace nmbcgen

@@ -1,0 +1,459 @@
+// SPDX-License-Identifier: MIT
+/// A rectangle of a plane lattice between four sides, stepped by leapfrog.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <nmbc/leapfrog.hpp>
+#include <nmbc/plane_dashpots.hpp>
+#include <nmbc/plane_force.hpp>
+#include <nmbc/plane_ghosts.hpp>
+#include <nmbc/plane_model.hpp>
+#include <nmbc/plane_potential.hpp>
+#include <nmbc/plane_sides.hpp>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nmbc {
+
+/// Physical set-up, in any one consistent system of units.
+struct PlaneParameters {
+    std::size_t nx = 0;         ///< interior nodes along x
+    std::size_t ny = 0;         ///< and along y
+    double spacing = 1;         ///< dX [length]
+    double youngs_modulus = 1;  ///< E [stress]
+    double density = 1;         ///< rho [mass/volume]
+    double time_step = 0;       ///< dt [time]
+
+    /// sqrt(E/rho)/dX [1/time]: waves are a little faster than a node per 1/rate.
+    double rate() const { return std::sqrt(youngs_modulus / density) / spacing; }
+};
+
+/// Energies [per thickness] at t - dt/2, where the velocity is known; the displacement there is the
+/// mean of its two neighbours in time.
+struct PlaneEnergies {
+    double kinetic = 0;
+    double strain = 0;         ///< of the stress sigma that belongs to the strain: sigma:e/2
+    double stabilisation = 0;  ///< (s/2) sum |z|^2
+    /// Kinetic energy plus the potential one, that of the null Lagrangian included, with u^k and
+    /// u^{k+1} in its two places: of the whole body, a step lowers it by what leaves through
+    /// passive sides and sponges, and by nothing else unless ghosts move. `total` differs by
+    /// O(dt^2).
+    double staggered = 0;
+
+    double total() const { return kinetic + strain + stabilisation; }
+};
+
+/// All that a run goes on from.
+template <class Real>
+struct PlaneState {
+    std::size_t steps = 0;
+    std::array<std::vector<Real>, 2> displacement{};
+    std::array<std::vector<Real>, 2> velocity{};
+    std::vector<Real> ghosts{};    ///< what the conditions of ghosts remember
+    std::array<double, 4> gone{};  ///< sums of what left() counts
+};
+
+/// The state: u at t and v at t - dt/2, two components each, on grid(): ghosts, the layers of
+/// passive sides, the interior.
+template <class Real>
+class BasicPlane {
+  public:
+    /// At rest, at t = 0. Throws std::invalid_argument where a parameter is not positive and
+    /// finite, sides do not go together, or the body is too thin for them.
+    BasicPlane(const PlaneModel& model, const PlaneSides& sides, const PlaneParameters& parameters)
+        : model_(with_beta(model, sides)),
+          sides_(sides),
+          parameters_(checked(parameters)),
+          ghosts_(2 * model.horizon()),
+          layers_{layers_of(sides.left), layers_of(sides.right), layers_of(sides.bottom),
+                  layers_of(sides.top)},
+          nx_(parameters.nx + layers_[0] + layers_[1]),
+          ny_(parameters.ny + layers_[2] + layers_[3]),
+          force_(detail::PlaneNodes(model_, {sides.left, sides.right, 0, nx_, model.horizon()},
+                                    {sides.bottom, sides.top, 1, ny_, model.horizon()},
+                                    static_cast<std::ptrdiff_t>(grid().nx))) {
+        if (parameters.nx < least_interior(0) || parameters.ny < least_interior(1)) {
+            throw std::invalid_argument("between periodic sides a body needs " +
+                                        std::to_string(ghosts_) + " nodes");
+        }
+        for (std::size_t a = 0; a < 2; ++a) {
+            u_[a].resize(grid().nx * grid().ny, 0);
+            v_[a].resize(grid().nx * grid().ny, 0);
+        }
+        add_dashpots();
+        add_ghost_lines();
+        add_friction();
+    }
+
+    const PlaneModel& model() const { return model_; }
+    const PlaneSides& sides() const { return sides_; }
+    const PlaneParameters& parameters() const { return parameters_; }
+
+    /// Nodes of a field: ghosts and layers included.
+    Grid grid() const { return {.nx = nx_ + 2 * ghosts_, .ny = ny_ + 2 * ghosts_}; }
+    /// The entry of an interior node in the fields.
+    std::size_t entry(std::size_t x, std::size_t y) const {
+        return (y + ghosts_ + layers_[2]) * grid().nx + x + ghosts_ + layers_[0];
+    }
+    std::size_t ghosts() const { return ghosts_; }
+    /// Between the ghosts of a side and the interior; sides in the order of plane_sides.
+    const std::array<std::size_t, 4>& layers() const { return layers_; }
+
+    double time() const { return static_cast<double>(steps_) * parameters_.time_step; }
+    std::size_t steps() const { return steps_; }
+
+    /// Component 0 is along x, 1 along y.
+    std::span<const Real> displacement(std::size_t component) const { return u_[component]; }
+    std::span<const Real> velocity(std::size_t component) const { return v_[component]; }
+    std::span<Real> displacement(std::size_t component) { return u_[component]; }
+    std::span<Real> velocity(std::size_t component) { return v_[component]; }
+
+    /// Energy [per thickness] that has left through each passive side or sponge since the start; in
+    /// the order of plane_sides. What moving ghosts take is not counted.
+    std::array<double, 4> left() const {
+        std::array<double, 4> energy{};
+        const double unit = parameters_.density * parameters_.spacing * parameters_.spacing *
+                            parameters_.rate() * parameters_.time_step;
+        std::ranges::transform(gone_, energy.begin(), [=](double sum) { return unit * sum; });
+        return energy;
+    }
+
+    /// Takes the fields for u and v at t = 0 and moves v to -dt/2 by the accelerations there.
+    void start() {
+        steps_ = 0;
+        gone_ = {};
+        const double rate = parameters_.rate();
+        clear_ghosts();
+        close_ghosts(u_);
+        for (auto& lines : ghost_lines_) {
+            lines.start(u_, v_);
+        }
+        const double back = -parameters_.time_step / 2;
+        auto dragged = v_;
+        for (const auto& group : dashpots_) {
+            group.drag(back * rate, field(dragged));
+        }
+        friction_.drag(back / parameters_.time_step, field(dragged));
+        force_.kick(back * rate * rate, field(std::as_const(u_)), field(dragged));
+        v_ = std::move(dragged);
+        for (auto& lines : ghost_lines_) {
+            lines.start(u_, v_);
+        }
+    }
+
+    PlaneState<Real> state() const {
+        PlaneState<Real> state{steps_, u_, v_, {}, gone_};
+        for (const auto& lines : ghost_lines_) {
+            lines.remembered(state.ghosts);
+        }
+        return state;
+    }
+
+    /// Goes on from the state of a plane of the same model, sides and parameters, bit for bit.
+    /// Throws std::invalid_argument where the state is of another size.
+    void resume(const PlaneState<Real>& state) {
+        std::size_t remembered = 0;
+        for (const auto& lines : ghost_lines_) {
+            remembered += lines.remembered_size();
+        }
+        if (state.ghosts.size() != remembered) {
+            throw std::invalid_argument("the state of a plane with other sides");
+        }
+        for (const std::size_t a : {0U, 1U}) {
+            if (state.displacement[a].size() != u_[a].size() ||
+                state.velocity[a].size() != v_[a].size()) {
+                throw std::invalid_argument("the state of a plane of another size");
+            }
+        }
+        steps_ = state.steps;
+        u_ = state.displacement;
+        v_ = state.velocity;
+        gone_ = state.gone;
+        std::span<const Real> ghosts = state.ghosts;
+        for (auto& lines : ghost_lines_) {
+            lines.remember(ghosts);
+        }
+    }
+
+    /// Steps, each of them: v to t + dt/2, then u to t + dt. Before the sides' dashpots, which act
+    /// on what it leaves, `prescribe` may change velocities: it is called with this plane and t +
+    /// dt, u at t and v at t + dt/2. After the step, `observe` sees this plane.
+    template <class Prescribe, class Observe>
+    void advance(std::size_t steps, Prescribe&& prescribe, Observe&& observe) {
+        for (std::size_t step = 0; step < steps; ++step) {
+            detail::advance(*this, 1, prescribe);
+            observe(std::as_const(*this));
+        }
+    }
+    void advance(std::size_t steps) {
+        const auto nothing = [](auto&&...) {};
+        advance(steps, nothing, nothing);
+    }
+
+    /// Of the whole body, and of the ghosts of fixed sides, which are strained, too.
+    PlaneEnergies energies() const {
+        const auto whole = [](const PlaneSide& low, const detail::PlaneAxis& axis) {
+            return std::holds_alternative<PeriodicSide>(low)
+                       ? detail::PlaneAxis::Range{0, axis.nodes()}
+                       : axis.with_energy();
+        };
+        return energies_of({whole(sides_.left, nodes().x()), whole(sides_.bottom, nodes().y())});
+    }
+    /// Of the interior nodes with first_x <= x < last_x, likewise y. Throws std::invalid_argument
+    /// where there are none, or others.
+    PlaneEnergies energies(std::size_t first_x, std::size_t last_x, std::size_t first_y,
+                           std::size_t last_y) const {
+        if (first_x >= last_x || last_x > parameters_.nx || first_y >= last_y ||
+            last_y > parameters_.ny) {
+            throw std::invalid_argument("energies: the nodes must be a range within the interior");
+        }
+        const auto range = [](std::size_t first, std::size_t last, std::size_t layers) {
+            return detail::PlaneAxis::Range{static_cast<std::ptrdiff_t>(first + layers),
+                                            static_cast<std::ptrdiff_t>(last + layers)};
+        };
+        return energies_of(
+            {range(first_x, last_x, layers_[0]), range(first_y, last_y, layers_[2])});
+    }
+    PlaneEnergies interior_energies() const {
+        return energies(0, parameters_.nx, 0, parameters_.ny);
+    }
+
+  private:
+    template <class Body, class... Hooks>
+    friend void detail::advance(Body& body, std::size_t steps, Hooks&... hooks);
+
+    using Fields = std::array<std::vector<Real>, 2>;
+    struct Window {
+        detail::PlaneAxis::Range x;
+        detail::PlaneAxis::Range y;
+    };
+
+    static PlaneModel with_beta(PlaneModel model, const PlaneSides& sides) {
+        const auto is_positive = [](double value) { return value > 0 && std::isfinite(value); };
+        if (model.radius_squared == 0 || !is_positive(model.bulk) || !is_positive(model.shear) ||
+            !(model.stabilisation >= 0 && std::isfinite(model.stabilisation))) {
+            throw std::invalid_argument(
+                "a plane needs a model with positive moduli, such as nopd2d() makes");
+        }
+        detail::require_made_for(sides, model);
+        model.null_lagrangian = detail::checked_null_lagrangian(sides, 2 * model.shear);
+        return model;
+    }
+
+    static const PlaneParameters& checked(const PlaneParameters& p) {
+        const auto is_positive = [](double value) { return value > 0 && std::isfinite(value); };
+        if (!is_positive(p.spacing) || !is_positive(p.youngs_modulus) || !is_positive(p.density) ||
+            !is_positive(p.time_step)) {
+            throw std::invalid_argument(
+                "spacing, Young's modulus, density and time step must be positive and finite");
+        }
+        if (p.nx == 0 || p.ny == 0) {
+            throw std::invalid_argument("a plane needs interior nodes along both axes");
+        }
+        constexpr double most = 1e15;
+        if (static_cast<double>(p.nx) * static_cast<double>(p.ny) > most) {
+            throw std::length_error("so many nodes fit in no memory");
+        }
+        return p;
+    }
+
+    /// A passive side's own layers, and those that they act on; those of a sponge.
+    std::size_t layers_of(const PlaneSide& side) const {
+        if (const auto* const sponge = std::get_if<SpongeSide>(&side)) {
+            return sponge->friction.size();
+        }
+        const std::size_t own = detail::own_layers(side);
+        return own == 0 ? 0 : own + model_.horizon();
+    }
+
+    std::size_t least_interior(std::size_t axis) const {
+        return std::holds_alternative<PeriodicSide>(sides_.at({axis, End::left})) ? ghosts_ : 1;
+    }
+
+    const detail::PlaneNodes& nodes() const { return force_.nodes(); }
+
+    std::ptrdiff_t origin() const {
+        return static_cast<std::ptrdiff_t>(ghosts_ * grid().nx + ghosts_);
+    }
+    detail::PlaneField<Real> field(Fields& fields) const {
+        return {fields[0].data() + origin(), fields[1].data() + origin()};
+    }
+    detail::PlaneField<const Real> field(const Fields& fields) const {
+        return {fields[0].data() + origin(), fields[1].data() + origin()};
+    }
+
+    // What leapfrog asks of a body.
+    void kick();
+    template <class Prescribe>
+    void close_sides(Prescribe& prescribe);
+    void drift();
+    void drift_and_kick() {
+        drift();
+        kick();
+    }
+
+    void clear_ghosts();
+    void close_ghosts(Fields& fields) const;
+    /// The node of a side's layer, along its axis.
+    std::ptrdiff_t node_of_layer(std::size_t number, std::ptrdiff_t layer) const {
+        const Side side = plane_sides[number];
+        const std::size_t nodes = side.axis == 0 ? nx_ : ny_;
+        return side.end == End::left ? layer : static_cast<std::ptrdiff_t>(nodes) - 1 - layer;
+    }
+    double friction_of(std::size_t number, std::ptrdiff_t layer) const;
+
+    void add_dashpots();
+    void add_line_dashpots(std::size_t number);
+    void add_corner_dashpots(std::size_t across_x, std::size_t across_y);
+    void add_ghost_lines();
+    void add_friction();
+    PlaneEnergies energies_of(const Window& window) const;
+
+    PlaneModel model_;
+    PlaneSides sides_;
+    PlaneParameters parameters_;
+    std::size_t ghosts_;
+    std::array<std::size_t, 4> layers_;
+    std::size_t nx_;  // of the body, layers included
+    std::size_t ny_;
+    detail::PlaneForce<Real> force_;
+    std::vector<detail::DashpotGroups<Real>> dashpots_;
+    std::vector<detail::GhostLines<Real>> ghost_lines_;  // in the order in which they close
+    detail::PlaneFriction<Real> friction_;
+    std::array<std::size_t, 4> moving_ghosts_{};  // beyond each side
+    Fields u_;
+    Fields v_;
+    std::array<double, 4> gone_{};  // sums of vbar.C vbar
+    std::size_t steps_ = 0;
+};
+
+using Plane = BasicPlane<double>;
+
+template <class Real>
+void BasicPlane<Real>::kick() {
+    close_ghosts(u_);
+    for (auto& group : dashpots_) {
+        group.keep(field(std::as_const(v_)));
+    }
+    friction_.keep(field(std::as_const(v_)));
+    const double rate = parameters_.rate();
+    force_.kick(parameters_.time_step * rate * rate, field(std::as_const(u_)), field(v_));
+}
+
+template <class Real>
+template <class Prescribe>
+void BasicPlane<Real>::close_sides(Prescribe& prescribe) {
+    prescribe(*this, time() + parameters_.time_step);
+    for (auto& group : dashpots_) {
+        group.close(field(v_), gone_);
+    }
+    friction_.close(field(v_), parameters_.time_step * parameters_.rate(), gone_);
+    for (auto& lines : ghost_lines_) {
+        lines.close(u_, v_, steps_);
+    }
+}
+
+template <class Real>
+void BasicPlane<Real>::drift() {
+    const auto dt = static_cast<Real>(parameters_.time_step);
+    const std::size_t first_x = ghosts_ - moving_ghosts_[0];
+    const std::size_t last_x = ghosts_ + nx_ + moving_ghosts_[1];
+    const std::size_t first_y = ghosts_ - moving_ghosts_[2];
+    const std::size_t rows = ny_ + moving_ghosts_[2] + moving_ghosts_[3];
+    const std::size_t pieces = std::min(detail::pieces_of(nx_ * ny_), rows);
+    detail::for_each_piece(rows, pieces, [&](std::size_t first, std::size_t last) {
+        for (std::size_t y = first_y + first; y < first_y + last; ++y) {
+            for (std::size_t a = 0; a < 2; ++a) {
+                detail::drift_nodes(dt, u_[a].data(), v_[a].data(), y * grid().nx + first_x,
+                                    y * grid().nx + last_x);
+            }
+        }
+    });
+    ++steps_;
+}
+
+template <class Real>
+void BasicPlane<Real>::clear_ghosts() {
+    for (Fields* const fields : {&u_, &v_}) {
+        for (std::vector<Real>& component : *fields) {
+            for (std::size_t i = 0; i < component.size(); ++i) {
+                const std::size_t x = i % grid().nx;
+                const std::size_t y = i / grid().nx;
+                if (x < ghosts_ || x >= ghosts_ + nx_ || y < ghosts_ || y >= ghosts_ + ny_) {
+                    component[i] = 0;
+                }
+            }
+        }
+    }
+}
+
+/// Beyond a periodic side is what the opposite one has.
+template <class Real>
+void BasicPlane<Real>::close_ghosts(Fields& fields) const {
+    const std::size_t pitch = grid().nx;
+    for (std::vector<Real>& u : fields) {
+        if (std::holds_alternative<PeriodicSide>(sides_.left)) {
+            for (std::size_t y = 0; y < grid().ny; ++y) {  // moving ghosts, too
+                Real* const row = &u[y * pitch];
+                std::copy_n(row + nx_, ghosts_, row);
+                std::copy_n(row + ghosts_, ghosts_, row + ghosts_ + nx_);
+            }
+        }
+        if (std::holds_alternative<PeriodicSide>(sides_.bottom)) {
+            std::copy_n(&u[ny_ * pitch], ghosts_ * pitch, u.data());
+            std::copy_n(&u[ghosts_ * pitch], ghosts_ * pitch, &u[(ghosts_ + ny_) * pitch]);
+        }
+    }
+}
+
+/// With m the mean of two displacements and d half of their difference, a quadratic form Q of both
+/// is Q(m) - Q(d).
+template <class Real>
+PlaneEnergies BasicPlane<Real>::energies_of(const Window& window) const {
+    const auto half = static_cast<Real>(parameters_.time_step / 2);
+    Fields velocity = v_;
+    close_ghosts(velocity);
+    Fields mean = u_;
+    close_ghosts(mean);
+    for (std::size_t a = 0; a < 2; ++a) {
+        for (std::size_t i = 0; i < mean[a].size(); ++i) {
+            mean[a][i] -= half * velocity[a][i];
+        }
+    }
+    const auto v = field(std::as_const(velocity));
+    detail::PlanePotential potential;
+    double lost = 0;
+    PlaneEnergies sum;
+    for (std::ptrdiff_t y = window.y.first; y < window.y.last; ++y) {
+        double kinetic = 0;
+        for (std::ptrdiff_t x = window.x.first; x < window.x.last; ++x) {
+            const std::ptrdiff_t at = y * static_cast<std::ptrdiff_t>(grid().nx) + x;
+            for (std::size_t a = 0; a < 2; ++a) {
+                const auto own = static_cast<double>(v[a][at]);
+                kinetic += nodes().x().mass(a, x) * nodes().y().mass(a, y) * own * own / 2;
+            }
+        }
+        sum.kinetic += kinetic;
+        potential.add(potential_of_row(nodes(), y, window.x.first, window.x.last,
+                                       field(std::as_const(mean))));
+        lost += potential_of_row(nodes(), y, window.x.first, window.x.last, v).total();
+    }
+    const double E = parameters_.youngs_modulus;
+    sum.kinetic *= parameters_.density * parameters_.spacing * parameters_.spacing;
+    sum.strain = E * potential.strain;
+    sum.stabilisation = E * potential.stabilisation;
+    sum.staggered = sum.kinetic + E * (potential.total() -
+                                       parameters_.time_step * parameters_.time_step / 4 * lost);
+    return sum;
+}
+
+}  // namespace nmbc
+
+#include <nmbc/plane_assembly.hpp>

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+/// The nodes of a rectangle and what its sides make of them: which neighbours there are, and with
+/// what weights and masses.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <nmbc/plane_model.hpp>
+#include <nmbc/plane_sides.hpp>
+#include <stdexcept>
+#include <variant>
+#include <vector>
+
+namespace nmbc::detail {
+
+/// Along one axis: what each node has by its place between the two sides. The weights of a node are
+/// the products of those of both axes.
+class PlaneAxis {
+  public:
+    /// nodes: of the body, layers included; ghosts: beyond each side, some of which may be there.
+    PlaneAxis(const PlaneSide& low, const PlaneSide& high, std::size_t axis, std::size_t nodes,
+              std::size_t horizon)
+        : nodes_(static_cast<std::ptrdiff_t>(nodes)),
+          ghosts_(static_cast<std::ptrdiff_t>(2 * horizon)),
+          horizon_(static_cast<std::ptrdiff_t>(horizon)),
+          is_cut_{is_cut(low), is_cut(high)},
+          strain_(nodes + 4 * horizon, 1),
+          stabilisation_(strain_),
+          mass_{strain_, strain_} {
+        take(low, axis, false);
+        take(high, axis, true);
+        const auto own = [](const PlaneSide& side) {
+            return static_cast<std::ptrdiff_t>(own_layers(side));
+        };
+        // What a cut side does not reach is plain; beyond sides that are not cut, there is more.
+        const Range all = with_energy();
+        stressed_.first = is_cut_[0] ? std::max(own(low), horizon_) : all.first;
+        stressed_.last = is_cut_[1] ? nodes_ - std::max(own(high), horizon_) : all.last;
+        kicked_.first = is_cut_[0] ? own(low) + horizon_ : 0;
+        kicked_.last = is_cut_[1] ? nodes_ - own(high) - horizon_ : nodes_;
+        passive_ = {own(low), nodes_ - own(high)};
+    }
+
+    std::ptrdiff_t nodes() const { return nodes_; }
+    std::ptrdiff_t ghosts() const { return ghosts_; }
+
+    double strain(std::ptrdiff_t node) const { return strain_[index(node)]; }
+    double stabilisation(std::ptrdiff_t node) const { return stabilisation_[index(node)]; }
+    double mass(std::size_t component, std::ptrdiff_t node) const {
+        return mass_[component][index(node)];
+    }
+
+    /// Nodes from first to last - 1 have what is asked for.
+    struct Range {
+        std::ptrdiff_t first = 0;
+        std::ptrdiff_t last = 0;
+    };
+    /// T is not 0 there: beyond sides that are not cut off, too.
+    Range with_energy() const {
+        return {is_cut_[0] ? 0 : -horizon_, is_cut_[1] ? nodes_ : nodes_ + horizon_};
+    }
+    // Empty, or from last to first, in a thin body:
+    Range plain_stress() const { return stressed_; }  ///< whole families, weights 1
+    Range plain_force() const { return kicked_; }     ///< the forces of the interior
+
+    /// Whether the node is in a layer that has numbers of its own.
+    bool is_passive(std::ptrdiff_t node) const {
+        return node < passive_.first || node >= passive_.last;
+    }
+
+    /// How many neighbours there can be towards the low or the high side, up to the horizon.
+    std::ptrdiff_t neighbours(bool is_high, std::ptrdiff_t node) const {
+        const std::ptrdiff_t there = is_high ? nodes_ - 1 - node : node;
+        return is_cut_[is_high ? 1 : 0] ? std::clamp<std::ptrdiff_t>(there, 0, horizon_) : horizon_;
+    }
+
+    /// Nodes one of which has the neighbours of any.
+    std::vector<std::ptrdiff_t> representatives() const {
+        std::vector<std::ptrdiff_t> nodes;
+        std::vector<std::array<std::ptrdiff_t, 2>> seen;
+        const Range all = with_energy();
+        for (std::ptrdiff_t node = all.first; node < all.last; ++node) {
+            const std::array<std::ptrdiff_t, 2> there{neighbours(false, node),
+                                                      neighbours(true, node)};
+            if (std::ranges::find(seen, there) == seen.end()) {
+                seen.push_back(there);
+                nodes.push_back(node);
+            }
+        }
+        return nodes;
+    }
+
+  private:
+    std::size_t index(std::ptrdiff_t node) const {
+        return static_cast<std::size_t>(node + ghosts_);
+    }
+
+    void take(const PlaneSide& side, std::size_t axis, bool is_high) {
+        if (const auto* const passive = std::get_if<PassiveSide>(&side)) {
+            for (std::size_t layer = 0; layer < passive->strain.size(); ++layer) {
+                const auto from_low = static_cast<std::ptrdiff_t>(layer);
+                const std::size_t at = index(is_high ? nodes_ - 1 - from_low : from_low);
+                strain_[at] = passive->strain[layer];
+                stabilisation_[at] = passive->stabilisation[layer];
+                for (std::size_t component = 0; component < 2; ++component) {
+                    mass_[component][at] = passive->mass[component == axis ? 0 : 1][layer];
+                }
+            }
+        }
+    }
+
+    std::ptrdiff_t nodes_;
+    std::ptrdiff_t ghosts_;
+    std::ptrdiff_t horizon_;
+    std::array<bool, 2> is_cut_;
+    std::vector<double> strain_;
+    std::vector<double> stabilisation_;
+    std::array<std::vector<double>, 2> mass_;
+    Range stressed_{};
+    Range kicked_{};
+    Range passive_{};  ///< between the layers of passive sides
+};
+
+}  // namespace nmbc::detail

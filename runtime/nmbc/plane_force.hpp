@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: MIT
+/// The forces of a plane lattice between its sides.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <nmbc/kernels.hpp>
+#include <nmbc/plane_kernels_beside.hpp>
+#include <nmbc/plane_nodes.hpp>
+#include <utility>
+#include <vector>
+
+namespace nmbc::detail {
+
+/// With E = density = dX = 1. A node has T = P K^-1 - w g, with P the stress that belongs to its
+/// gradient g, K its shape tensor and w = Vs s; the force on node I is then
+///     sum_J (T_I + T_J) R + (w_I + w_J) (u_J - u_I),   R = X_J - X_I,
+/// whatever neighbours are missing. In the interior the sum of T_I R vanishes, and w is s.
+template <class Real>
+class PlaneForce {
+  public:
+    explicit PlaneForce(PlaneNodes nodes)
+        : nodes_(std::move(nodes)),
+          horizon_(nodes_.horizon()),
+          pitch_(nodes_.pitch()),
+          stress_pitch_(nodes_.x().nodes() + 2 * horizon_) {
+        const PlaneModel& model = nodes_.model();
+        const double A = whole_shape();
+        const double k = model.bulk;
+        const double mu = model.shear;
+        const double beta = model.null_lagrangian;
+        const double s = model.stabilisation;
+        coefficients_ = {.direct = static_cast<Real>(((k + mu) / A - s) / A),
+                         .across = static_cast<Real>((k - mu + beta) / (A * A)),
+                         .shear = static_cast<Real>((mu / A - s) / A),
+                         .turned = static_cast<Real>((mu - beta) / (A * A)),
+                         .laplacian = static_cast<Real>(2 * s)};
+        moduli_ = {.direct = static_cast<Real>(k + mu),
+                   .across = static_cast<Real>(k - mu + beta),
+                   .shear = static_cast<Real>(mu),
+                   .turned = static_cast<Real>(mu - beta)};
+        choose_kernels();
+        find_row_numbers();
+    }
+
+    const PlaneNodes& nodes() const { return nodes_; }
+
+    /// v += scale M^-1 times the force, on the nodes of the body.
+    void kick(double scale, PlaneField<const Real> u, PlaneField<Real> v) {
+        const auto rows = static_cast<std::size_t>(nodes_.y().nodes());
+        // A piece finds the T of `horizon` rows on both sides of its own anew.
+        const std::size_t pieces =
+            std::min(pieces_of(rows * static_cast<std::size_t>(nodes_.x().nodes())),
+                     std::max<std::size_t>(rows / (8 * nodes_.model().horizon()), 1));
+        while (rings_.size() < pieces) {
+            rings_.emplace_back(static_cast<std::size_t>(4 * ring_rows() * stress_pitch_), Real(0));
+        }
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) if (pieces > 1)
+#endif
+        for (std::size_t piece = 0; piece < pieces; ++piece) {
+            kick_rows(scale, static_cast<std::ptrdiff_t>(rows * piece / pieces),
+                      static_cast<std::ptrdiff_t>(rows * (piece + 1) / pieces), u, v,
+                      rings_[piece]);
+        }
+    }
+
+  private:
+    std::ptrdiff_t ring_rows() const {
+        return 2 * horizon_ + 1;
+    }
+
+    double whole_shape() const {
+        double sum = 0;
+        for (const PlaneOffset& bond : plane_family(nodes_.model().radius_squared)) {
+            sum += bond.x * bond.x;
+        }
+        return sum;
+    }
+
+    void find_row_numbers();
+    PlaneRowNumbers<Real> row_numbers(std::ptrdiff_t y) const;
+    const PlaneRowNumbers<Real>& numbers_of(std::ptrdiff_t y) const {
+        return row_numbers_[row_kinds_[static_cast<std::size_t>(y + horizon_)]];
+    }
+
+    /// T of a node near a side that is cut off.
+    std::array<Real, 4> stress(std::ptrdiff_t x, std::ptrdiff_t y, PlaneField<const Real> u) const {
+        const PlaneNeighbours& near = nodes_.neighbours(x, y);
+        const auto [g_xx, g_xy, g_yx, g_yy] = nodes_.gradient(near, y * pitch_ + x, u);
+        const PlaneWeights own = nodes_.weights(x, y);
+        const double k = nodes_.model().bulk;
+        const double mu = nodes_.model().shear;
+        const double beta = nodes_.model().null_lagrangian;
+        const std::array<double, 4> P{own.strain * ((k + mu) * g_xx + (k - mu + beta) * g_yy),
+                                      own.strain * (mu * g_xy + (mu - beta) * g_yx),
+                                      own.strain * (mu * g_yx + (mu - beta) * g_xy),
+                                      own.strain * ((k + mu) * g_yy + (k - mu + beta) * g_xx)};
+        const double w = own.stabilisation * nodes_.model().stabilisation;
+        const auto& [xx, xy, yy] = near.inverse_shape;
+        return {static_cast<Real>(P[0] * xx + P[1] * xy - w * g_xx),
+                static_cast<Real>(P[0] * xy + P[1] * yy - w * g_xy),
+                static_cast<Real>(P[2] * xx + P[3] * xy - w * g_yx),
+                static_cast<Real>(P[2] * xy + P[3] * yy - w * g_yy)};
+    }
+
+    void kick_node(double scale, std::ptrdiff_t x, std::ptrdiff_t y, PlaneField<const Real> u,
+                   PlaneField<Real> v, const std::vector<Real>& ring) const {
+        const std::ptrdiff_t at = y * pitch_ + x;
+        const PlaneWeights own = nodes_.weights(x, y);
+        std::array<double, 2> force{};
+        for (const auto& bond : nodes_.neighbours(x, y).bonds) {
+            const double w = nodes_.model().stabilisation *
+                             (own.stabilisation + nodes_.x().stabilisation(x + bond.x) *
+                                                      nodes_.y().stabilisation(y + bond.y));
+            for (std::size_t a = 0; a < 2; ++a) {
+                const auto T = [&](std::size_t b) {
+                    return static_cast<double>(row(ring, 2 * a + b, y)[x]) +
+                           static_cast<double>(row(ring, 2 * a + b, y + bond.y)[x + bond.x]);
+                };
+                force[a] += T(0) * bond.x + T(1) * bond.y +
+                            w * (static_cast<double>(u[a][at + bond.entry]) -
+                                 static_cast<double>(u[a][at]));
+            }
+        }
+        for (std::size_t a = 0; a < 2; ++a) {
+            v[a][at] += static_cast<Real>(scale * force[a] / own.mass[a]);
+        }
+    }
+
+    /// Entry 0 of a row of T: rows come round in the ring.
+    template <class Ring>
+    auto* row(Ring& ring, std::size_t part, std::ptrdiff_t y) const {
+        const std::ptrdiff_t place = (y + horizon_) % ring_rows();
+        return ring.data() +
+               (static_cast<std::ptrdiff_t>(part) * ring_rows() + place) * stress_pitch_ + horizon_;
+    }
+
+    void find_stress(std::ptrdiff_t y, PlaneField<const Real> u, std::vector<Real>& ring) const;
+    void kick_rows(double scale, std::ptrdiff_t first, std::ptrdiff_t last,
+                   PlaneField<const Real> u, PlaneField<Real> v, std::vector<Real>& ring) const;
+
+    /// Of a row's nodes, those that the kernels may take; an empty part at its end where none.
+    PlaneAxis::Range plain_part(const PlaneAxis::Range& x, const PlaneAxis::Range& y,
+                                const PlaneAxis::Range& columns, std::ptrdiff_t row) const {
+        const bool is_plain =
+            stress_row_ != nullptr && row >= y.first && row < y.last && x.first < x.last;
+        return is_plain ? x : PlaneAxis::Range{columns.last, columns.last};
+    }
+
+    static constexpr std::size_t largest_reach = 3;  ///< of the kernels
+
+    template <int RadiusSquared>
+    void use_kernels() {
+        static_assert(PlaneShape<RadiusSquared>::reach <= int(largest_reach));
+        using Shape = PlaneShape<RadiusSquared>;
+        stress_row_ = stress_row<Shape, Real>;
+        kick_row_ = kick_row<Shape, Real>;
+        stress_row_beside_ = stress_row_beside<Shape, Real>;
+        kick_row_beside_ = kick_row_beside<Shape, Real>;
+    }
+    void choose_kernels();
+
+    PlaneNodes nodes_;
+    std::ptrdiff_t horizon_;
+    std::ptrdiff_t pitch_;
+    std::ptrdiff_t stress_pitch_;
+    PlaneCoefficients<Real> coefficients_;
+    decltype(&stress_row<PlaneShape<1>, Real>) stress_row_ = nullptr;
+    decltype(&kick_row<PlaneShape<1>, Real>) kick_row_ = nullptr;
+    decltype(&stress_row_beside<PlaneShape<1>, Real>) stress_row_beside_ = nullptr;
+    decltype(&kick_row_beside<PlaneShape<1>, Real>) kick_row_beside_ = nullptr;
+    PlaneModuli<Real> moduli_{};
+    std::vector<PlaneRowNumbers<Real>> row_numbers_{};  // of rows that differ
+    std::vector<std::size_t> row_kinds_{};              // which of them a row has, from -horizon on
+    std::vector<Real> column_weights_{};                // Vs along x, from -2 horizon on
+    std::vector<Real> row_weights_{};                   // s Vs along y, likewise
+    std::vector<std::vector<Real>> rings_;              ///< T of some rows, one ring for each piece
+};
+
+template <class Real>
+void PlaneForce<Real>::choose_kernels() {
+    switch (nodes_.model().radius_squared) {
+        case 1:
+            return use_kernels<1>();
+        case 2:
+            return use_kernels<2>();
+        case 4:
+            return use_kernels<4>();
+        case 5:
+            return use_kernels<5>();
+        case 8:
+            return use_kernels<8>();
+        case 9:
+            return use_kernels<9>();
+        default:
+            return;  // node by node, which takes some ten times as long
+    }
+}
+
+template <class Real>
+void PlaneForce<Real>::find_stress(std::ptrdiff_t y, PlaneField<const Real> u,
+                                   std::vector<Real>& ring) const {
+    const auto columns = nodes_.x().with_energy();
+    const auto rows = nodes_.y().with_energy();
+    std::array<Real*, 4> T{};
+    for (std::size_t part = 0; part < 4; ++part) {
+        T[part] = row(ring, part, y);
+    }
+    if (y < rows.first || y >= rows.last) {
+        for (Real* const part : T) {
+            std::fill_n(part - horizon_, stress_pitch_, Real(0));
+        }
+        return;
+    }
+    const auto beside = [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+        if (stress_row_beside_ != nullptr && first < last) {
+            const std::ptrdiff_t at = y * pitch_ + first;
+            stress_row_beside_(moduli_, numbers_of(y), static_cast<std::size_t>(first + horizon_),
+                               {u[0] + at, u[1] + at}, pitch_, last - first,
+                               {T[0] + first, T[1] + first, T[2] + first, T[3] + first});
+            return;
+        }
+        for (std::ptrdiff_t x = first; x < last; ++x) {
+            const std::array<Real, 4> own = stress(x, y, u);
+            for (std::size_t part = 0; part < 4; ++part) {
+                T[part][x] = own[part];
+            }
+        }
+    };
+    const auto plain = plain_part(nodes_.x().plain_stress(), nodes_.y().plain_stress(), columns, y);
+    beside(columns.first, plain.first);
+    if (plain.first < plain.last) {
+        const std::ptrdiff_t at = y * pitch_ + plain.first;
+        stress_row_(
+            coefficients_, {u[0] + at, u[1] + at}, pitch_, plain.last - plain.first,
+            {T[0] + plain.first, T[1] + plain.first, T[2] + plain.first, T[3] + plain.first});
+    }
+    beside(plain.last, columns.last);
+}
+
+template <class Real>
+void PlaneForce<Real>::kick_rows(double scale, std::ptrdiff_t first, std::ptrdiff_t last,
+                                 PlaneField<const Real> u, PlaneField<Real> v,
+                                 std::vector<Real>& ring) const {
+    for (std::ptrdiff_t y = first - horizon_; y < first + horizon_; ++y) {
+        find_stress(y, u, ring);
+    }
+    std::array<std::array<const Real*, 2 * largest_reach + 1>, 4> T{};
+    for (std::ptrdiff_t y = first; y < last; ++y) {
+        find_stress(y + horizon_, u, ring);
+        const auto rows_from = [&](std::ptrdiff_t x) {
+            for (std::size_t part = 0; part < 4; ++part) {
+                for (std::ptrdiff_t j = -horizon_; j <= horizon_; ++j) {
+                    T[part][static_cast<std::size_t>(j + horizon_)] =
+                        row(std::as_const(ring), part, y + j) + x;
+                }
+            }
+            return std::array<const Real* const*, 4>{T[0].data(), T[1].data(), T[2].data(),
+                                                     T[3].data()};
+        };
+        const auto beside = [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+            if (kick_row_beside_ != nullptr && begin < end) {
+                const std::ptrdiff_t at = y * pitch_ + begin;
+                kick_row_beside_(numbers_of(y), static_cast<std::size_t>(begin + horizon_),
+                                 static_cast<Real>(scale),
+                                 column_weights_.data() + begin + 2 * horizon_,
+                                 row_weights_.data() + y + horizon_, {u[0] + at, u[1] + at}, pitch_,
+                                 rows_from(begin), end - begin, {v[0] + at, v[1] + at});
+                return;
+            }
+            for (std::ptrdiff_t x = begin; x < end; ++x) {
+                kick_node(scale, x, y, u, v, ring);
+            }
+        };
+        const auto plain = plain_part(nodes_.x().plain_force(), nodes_.y().plain_force(),
+                                      {0, nodes_.x().nodes()}, y);
+        beside(0, plain.first);
+        if (plain.first < plain.last) {
+            const std::ptrdiff_t at = y * pitch_ + plain.first;
+            kick_row_(coefficients_, static_cast<Real>(scale), {u[0] + at, u[1] + at}, pitch_,
+                      rows_from(plain.first), plain.last - plain.first, {v[0] + at, v[1] + at});
+        }
+        beside(plain.last, nodes_.x().nodes());
+    }
+}
+
+template <class Real>
+PlaneRowNumbers<Real> PlaneForce<Real>::row_numbers(std::ptrdiff_t y) const {
+    PlaneRowNumbers<Real> numbers;
+    const auto xs = nodes_.x().with_energy();
+    const auto ys = nodes_.y().with_energy();
+    const bool has_energy = y >= ys.first && y < ys.last;
+    for (std::ptrdiff_t x = -horizon_; x < nodes_.x().nodes() + horizon_; ++x) {
+        const PlaneNeighbours* const near =
+            has_energy && x >= xs.first && x < xs.last ? &nodes_.neighbours(x, y) : nullptr;
+        const PlaneWeights own = nodes_.weights(x, y);
+        const auto weight = [&](std::ptrdiff_t i, std::ptrdiff_t j) {
+            return nodes_.model().stabilisation * nodes_.x().stabilisation(i) *
+                   nodes_.y().stabilisation(j);
+        };
+        double lost = 2 * weight(x, y);
+        if (near != nullptr) {
+            for (const auto& bond : near->bonds) {
+                lost += weight(x, y) + weight(x + bond.x, y + bond.y);
+            }
+        }
+        const auto add = [](std::vector<Real>& list, double value) {
+            list.push_back(static_cast<Real>(value));
+        };
+        for (std::size_t i = 0; i < 3; ++i) {
+            add(numbers.inverse_shape[i], near == nullptr ? 0 : near->inverse_shape[i]);
+        }
+        add(numbers.moment[0], near == nullptr ? 0 : near->sum_x);
+        add(numbers.moment[1], near == nullptr ? 0 : near->sum_y);
+        add(numbers.strain, own.strain);
+        add(numbers.stabilisation, weight(x, y));
+        add(numbers.own, lost);
+        for (std::size_t a = 0; a < 2; ++a) {
+            add(numbers.inverse_mass[a], 1 / own.mass[a]);
+        }
+    }
+    return numbers;
+}
+
+/// Rows far from the sides across y are alike.
+template <class Real>
+void PlaneForce<Real>::find_row_numbers() {
+    if (stress_row_ == nullptr) {
+        return;
+    }
+    for (std::ptrdiff_t x = -2 * horizon_; x < nodes_.x().nodes() + 2 * horizon_; ++x) {
+        column_weights_.push_back(static_cast<Real>(nodes_.x().stabilisation(x)));
+    }
+    for (std::ptrdiff_t y = -2 * horizon_; y < nodes_.y().nodes() + 2 * horizon_; ++y) {
+        row_weights_.push_back(
+            static_cast<Real>(nodes_.model().stabilisation * nodes_.y().stabilisation(y)));
+    }
+    const auto plain = nodes_.y().plain_force();
+    std::size_t alike = 0;
+    bool has_alike = false;
+    for (std::ptrdiff_t y = -horizon_; y < nodes_.y().nodes() + horizon_; ++y) {
+        const bool is_alike = y >= plain.first && y < plain.last;
+        if (is_alike && has_alike) {
+            row_kinds_.push_back(alike);
+            continue;
+        }
+        row_kinds_.push_back(row_numbers_.size());
+        if (is_alike) {
+            alike = row_numbers_.size();
+            has_alike = true;
+        }
+        row_numbers_.push_back(row_numbers(y));
+    }
+}
+
+}  // namespace nmbc::detail

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+/// As plane_kernels.hpp, of nodes beside sides that are cut off.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <nmbc/plane_kernels.hpp>
+#include <utility>
+#include <vector>
+
+namespace nmbc::detail {
+
+/// What the nodes of a row near sides that are cut off have, entry by entry.
+template <class Real>
+struct PlaneRowNumbers {
+    std::array<std::vector<Real>, 3> inverse_shape{};  ///< xx, xy, yy
+    std::array<std::vector<Real>, 2> moment{};         ///< sum of R over the neighbours there are
+    std::vector<Real> strain{};                        ///< V
+    std::vector<Real> stabilisation{};                 ///< w = Vs s
+    std::vector<Real> own{};  ///< m w_I + sum_J w_J + 2 w_I, m the neighbours there are
+    std::array<std::vector<Real>, 2> inverse_mass{};
+};
+
+/// The moduli that make P of the gradient.
+template <class Real>
+struct PlaneModuli {
+    Real direct = 0;  ///< k' + mu
+    Real across = 0;  ///< k' - mu + beta
+    Real shear = 0;   ///< mu
+    Real turned = 0;  ///< mu - beta
+};
+
+/// As stress_row(), near sides: what is beyond them is 0. first: the entry of the first node.
+template <class Shape, class Real>
+void stress_row_beside(const PlaneModuli<Real>& k, const PlaneRowNumbers<Real>& numbers,
+                       std::size_t first_entry, const std::array<const Real*, 2>& u,
+                       std::ptrdiff_t pitch, std::ptrdiff_t nodes, const std::array<Real*, 4>& T) {
+    SlopeColumns<Shape, Real> columns;
+    for (std::ptrdiff_t first = 0; first < nodes; first += plane_block) {
+        const std::ptrdiff_t size = std::min(plane_block, nodes - first);
+        columns.find({u[0] + first, u[1] + first}, pitch, size);
+        const std::size_t entry = first_entry + static_cast<std::size_t>(first);
+        const Real* const xx = &numbers.inverse_shape[0][entry];
+        const Real* const xy = &numbers.inverse_shape[1][entry];
+        const Real* const yy = &numbers.inverse_shape[2][entry];
+        const Real* const moment_x = &numbers.moment[0][entry];
+        const Real* const moment_y = &numbers.moment[1][entry];
+        const Real* const V = &numbers.strain[entry];
+        const Real* const w = &numbers.stabilisation[entry];
+        const std::array<const Real*, 2> own{u[0] + first, u[1] + first};
+        Real* __restrict T_xx = T[0] + first;
+        Real* __restrict T_xy = T[1] + first;
+        Real* __restrict T_yx = T[2] + first;
+        Real* __restrict T_yy = T[3] + first;
+        for (std::ptrdiff_t x = 0; x < size; ++x) {
+            const auto slope = [&](std::size_t a) {
+                const Real by_x = columns.along_x(a, x) - moment_x[x] * own[a][x];
+                const Real by_y = columns.along_y(a, x) - moment_y[x] * own[a][x];
+                return std::pair(xx[x] * by_x + xy[x] * by_y, xy[x] * by_x + yy[x] * by_y);
+            };
+            const auto [g_xx, g_xy] = slope(0);
+            const auto [g_yx, g_yy] = slope(1);
+            const Real P_xx = V[x] * (k.direct * g_xx + k.across * g_yy);
+            const Real P_xy = V[x] * (k.shear * g_xy + k.turned * g_yx);
+            const Real P_yx = V[x] * (k.shear * g_yx + k.turned * g_xy);
+            const Real P_yy = V[x] * (k.direct * g_yy + k.across * g_xx);
+            T_xx[x] = P_xx * xx[x] + P_xy * xy[x] - w[x] * g_xx;
+            T_xy[x] = P_xx * xy[x] + P_xy * yy[x] - w[x] * g_xy;
+            T_yx[x] = P_yx * xx[x] + P_yy * xy[x] - w[x] * g_yx;
+            T_yy[x] = P_yx * xy[x] + P_yy * yy[x] - w[x] * g_yy;
+        }
+    }
+}
+
+/// As kick_row(), near sides. across: w's factor along x, of the first node's column; along: w's
+/// factor of the rows from -reach to reach.
+template <class Shape, class Real>
+void kick_row_beside(const PlaneRowNumbers<Real>& numbers, std::size_t first_entry, Real scale,
+                     const Real* across, const Real* along, const std::array<const Real*, 2>& u,
+                     std::ptrdiff_t pitch, const std::array<const Real* const*, 4>& T,
+                     std::ptrdiff_t nodes, const std::array<Real*, 2>& v) {
+    ColumnSums<Shape, Real> even;
+    ColumnSums<Shape, Real> others;
+    ColumnSums<Shape, Real> plain;
+    std::array<Real, 2 * Shape::reach + 1> row_weights{};
+    std::copy_n(along, row_weights.size(), row_weights.begin());
+    for (std::ptrdiff_t first = 0; first < nodes; first += plane_block) {
+        const std::ptrdiff_t size = std::min(plane_block, nodes - first);
+        const std::ptrdiff_t wide = size + 2 * Shape::reach;
+        const std::size_t entry = first_entry + static_cast<std::size_t>(first);
+        const Real* const moment_x = &numbers.moment[0][entry];
+        const Real* const moment_y = &numbers.moment[1][entry];
+        const Real* const w = &numbers.stabilisation[entry];
+        const Real* const lost = &numbers.own[entry];
+        const Real* const column_weights = across + first - Shape::reach;
+        for (std::size_t a = 0; a < 2; ++a) {
+            const auto T_x = lines_of<Shape>(T[2 * a], first - Shape::reach);
+            const auto T_y = lines_of<Shape>(T[2 * a + 1], first - Shape::reach);
+            const auto moved = lines_of<Shape>(u[a] + first - Shape::reach, pitch);
+            find_columns<Shape, 1>(wide, even, [=](std::ptrdiff_t x, auto extent) {
+                return even_sum<extent>(T_x, x);
+            });
+            find_columns<Shape, 0>(wide, plain, [=](std::ptrdiff_t x, auto extent) {
+                return even_sum<extent>(moved, x);
+            });
+            find_columns<Shape, 0>(wide, others, [=](std::ptrdiff_t x, auto extent) {
+                constexpr int middle = Shape::reach;
+                Real weighted = row_weights[middle] * moved.at(x, 0);
+                unrolled<1, extent>([&](auto j) {
+                    weighted += row_weights[static_cast<std::size_t>(middle + j)] * moved.at(x, j) +
+                                row_weights[static_cast<std::size_t>(middle - j)] * moved.at(x, -j);
+                });
+                return odd_sum<extent>(T_y, x) + column_weights[x] * weighted;
+            });
+            const Real* const own = u[a] + first;
+            const Real* const own_x = T[2 * a][Shape::reach] + first;
+            const Real* const own_y = T[2 * a + 1][Shape::reach] + first;
+            const Real* const inverse_mass = &numbers.inverse_mass[a][entry];
+            Real* __restrict velocity = v[a] + first;
+            for (std::ptrdiff_t x = 0; x < size; ++x) {
+                const Real force =
+                    odd_across<Shape>(even, x) + even_across<Shape, true>(others, x) +
+                    w[x] * even_across<Shape, true>(plain, x) + own_x[x] * moment_x[x] +
+                    own_y[x] * moment_y[x] - lost[x] * own[x];
+                velocity[x] += scale * inverse_mass[x] * force;
+            }
+        }
+    }
+}
+
+}  // namespace nmbc::detail

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+/// The nodes of a rectangle between its sides: their neighbours, weights and gradients.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <nmbc/plane_block.hpp>
+#include <nmbc/plane_model.hpp>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace nmbc::detail {
+
+/// u or v of all nodes and ghosts: component a of node (x, y) is at a[y * pitch + x], and those of
+/// (0, 0) are what the pointers point at.
+template <class Real>
+using PlaneField = std::array<Real*, 2>;
+
+/// What a node has at its place.
+struct PlaneWeights {
+    double strain = 1;
+    double stabilisation = 1;
+    std::array<double, 2> mass{1, 1};
+};
+
+/// The neighbours that a node has, and what makes the gradient of what they do.
+struct PlaneNeighbours {
+    struct Bond {
+        std::ptrdiff_t entry = 0;  ///< from the node's entry of a field
+        int x = 0;
+        int y = 0;
+    };
+    std::vector<Bond> bonds{};
+    std::array<double, 3> inverse_shape{};  ///< xx, xy, yy
+    double sum_x = 0;                       ///< of the offsets
+    double sum_y = 0;
+};
+
+/// The nodes of the plane: what each weighs, which neighbours it has, and the gradient there.
+class PlaneNodes {
+  public:
+    /// pitch: entries of a field from one row to the next. Throws std::invalid_argument where a
+    /// node has too few neighbours for a gradient.
+    PlaneNodes(const PlaneModel& model, PlaneAxis x, PlaneAxis y, std::ptrdiff_t pitch)
+        : model_(model),
+          x_(std::move(x)),
+          y_(std::move(y)),
+          horizon_(static_cast<std::ptrdiff_t>(model.horizon())),
+          pitch_(pitch) {
+        find_neighbours();
+    }
+
+    const PlaneModel& model() const { return model_; }
+    const PlaneAxis& x() const { return x_; }
+    const PlaneAxis& y() const { return y_; }
+    std::ptrdiff_t horizon() const { return horizon_; }
+    std::ptrdiff_t pitch() const { return pitch_; }
+
+    PlaneWeights weights(std::ptrdiff_t x, std::ptrdiff_t y) const {
+        return {x_.strain(x) * y_.strain(y),
+                x_.stabilisation(x) * y_.stabilisation(y),
+                {x_.mass(0, x) * y_.mass(0, y), x_.mass(1, x) * y_.mass(1, y)}};
+    }
+
+    const PlaneNeighbours& neighbours(std::ptrdiff_t x, std::ptrdiff_t y) const {
+        return neighbours_[kind(x, y)];
+    }
+
+    /// xx, xy, yx, yy: the first is the component of u.
+    template <class Real>
+    std::array<double, 4> gradient(const PlaneNeighbours& near, std::ptrdiff_t at,
+                                   const std::array<Real*, 2>& u) const {
+        std::array<double, 4> g{};
+        for (std::size_t a = 0; a < 2; ++a) {
+            double by_x = -static_cast<double>(near.sum_x) * static_cast<double>(u[a][at]);
+            double by_y = -static_cast<double>(near.sum_y) * static_cast<double>(u[a][at]);
+            for (const auto& bond : near.bonds) {
+                const auto there = static_cast<double>(u[a][at + bond.entry]);
+                by_x += bond.x * there;
+                by_y += bond.y * there;
+            }
+            g[2 * a] = near.inverse_shape[0] * by_x + near.inverse_shape[1] * by_y;
+            g[2 * a + 1] = near.inverse_shape[1] * by_x + near.inverse_shape[2] * by_y;
+        }
+        return g;
+    }
+
+  private:
+    std::size_t kind(std::ptrdiff_t x, std::ptrdiff_t y) const {
+        std::ptrdiff_t number = 0;
+        for (const bool is_high : {false, true}) {
+            number = number * (horizon_ + 1) + x_.neighbours(is_high, x);
+            number = number * (horizon_ + 1) + y_.neighbours(is_high, y);
+        }
+        return static_cast<std::size_t>(number);
+    }
+
+    void find_neighbours();
+
+    PlaneModel model_;
+    PlaneAxis x_;
+    PlaneAxis y_;
+    std::ptrdiff_t horizon_;
+    std::ptrdiff_t pitch_;
+    std::vector<PlaneNeighbours> neighbours_{};
+};
+
+inline void PlaneNodes::find_neighbours() {
+    const auto kinds = static_cast<std::size_t>(horizon_ + 1);
+    neighbours_.resize(kinds * kinds * kinds * kinds);
+    const std::vector<PlaneOffset> family = plane_family(model_.radius_squared);
+    for (const std::ptrdiff_t y : y_.representatives()) {
+        for (const std::ptrdiff_t x : x_.representatives()) {
+            PlaneNeighbours& near = neighbours_[kind(x, y)];
+            if (!near.bonds.empty()) {
+                continue;
+            }
+            double xx = 0;
+            double xy = 0;
+            double yy = 0;
+            for (const PlaneOffset& bond : family) {
+                if (-bond.x > x_.neighbours(false, x) || bond.x > x_.neighbours(true, x) ||
+                    -bond.y > y_.neighbours(false, y) || bond.y > y_.neighbours(true, y)) {
+                    continue;
+                }
+                near.bonds.push_back({bond.y * pitch_ + bond.x, bond.x, bond.y});
+                xx += bond.x * bond.x;
+                xy += bond.x * bond.y;
+                yy += bond.y * bond.y;
+                near.sum_x += bond.x;
+                near.sum_y += bond.y;
+            }
+            const double determinant = xx * yy - xy * xy;
+            if (!(determinant > 0)) {
+                throw std::invalid_argument(
+                    "the body is too thin: a node has neighbours in one direction only");
+            }
+            near.inverse_shape = {yy / determinant, -xy / determinant, xx / determinant};
+        }
+    }
+}
+
+}  // namespace nmbc::detail

@@ -1,0 +1,184 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Plane scenes: the pulse of Table 4 between every kind of side, the band of Table 3, what a run
+# writes, verify, and every mistake of such a scene.
+# Usage: run_plane.sh NMBCRUN SOURCE_FOLDER (absolute)
+source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
+scene=$2/tools/scenes/plane_pulse.toml
+band=$2/tools/scenes/plane_band.toml
+printed=(--set boundary.kind=nmbc --set boundary.as_printed=true --set boundary.allow_unstable=true --set time.step=0.05)
+
+expect_stdout_with() { expect "'$1' on stdout" grep -qF -- "$1" "$scratch/stdout"; }
+
+# energy_left LEAST MOST ARGUMENT..: the run ends with that part of its peak.
+energy_left() {
+    local least=$1 most=$2
+    shift 2
+    try run "$@" --quiet
+    expect_exit 0
+    expect_no_stderr
+    expect "energy left of $* between $least and $most" awk -v least="$least" -v most="$most" \
+        '/^energy left/ { exit !($3 >= least && $3 <= most) }' "$scratch/stdout"
+}
+# The default; the lattice without sides, as a prototype found it; the paper's condition, likewise.
+energy_left 2.9e-4 3.2e-4 "$scene"
+energy_left 3.5e-5 3.7e-5 "$scene" --set boundary.kind=extended
+energy_left 1.70e-3 1.75e-3 "$scene" "${printed[@]}"
+energy_left 1.75e-3 1.80e-3 "$scene" "${printed[@]}" --set model.radius2=4 --set model.G=1
+energy_left 2.6e-5 2.8e-5 "$scene" --set boundary.kind=higdon --set boundary.allow_unstable=true --set model.G=1
+energy_left 0.9 1 "$scene" --set boundary.kind=free
+energy_left 0.9 1 "$scene" --set boundary.kind=fixed
+energy_left 0.01 0.03 "$scene" --set boundary.kind=sponge --set boundary.layer=60
+energy_left 0.1 0.3 "$scene" --set boundary.left.kind=free --set boundary.top.kind=fixed
+energy_left 1e-4 2e-3 "$band" --set model.G=0
+
+# A field that comes in from the layers beside the scene's nodes is no growth.
+for kind in extended passive; do
+    try run "$scene" --quiet --set domain.nodes='[40, 40]' --set boundary.left.kind=$kind --set initial.shape=gaussian \
+        --set initial.centre='[-12, 20]' --set initial.width=4 --set time.end=6
+    expect_exit 0
+    expect_no_stderr
+done
+
+# Energy never rises beside passive sides, and the ledger closes.
+try run "$scene" --quiet --set time.end=60 --set output.every=5 --set 'output.probes=[[75, 137], [1, 275]]' \
+    --set output.field=true --set output.snapshots=400 --out out
+expect_exit 0
+expect "total falls, the ledger closes to rounding" awk -F, '/^#/ { next }
+    /^time/ { for (i = 1; i <= NF; i++) column[$i] = i; next }
+    { rows++
+      total = $column["total"]; out = $column["left_side"] + $column["right_side"] + $column["bottom_side"] + $column["top_side"]
+      if (rows == 1) first = total
+      if ($column["drift"] > 1e-12 * first || $column["drift"] < -1e-12 * first) bad = 1
+      if (out < last_out || (rows > 1 && $column["ledger"] > last * (1 + 1e-12))) bad = 1
+      last = $column["ledger"]
+      last_out = out }
+    END { exit bad || rows < 100 || total > 3e-4 * first }' out/plane_pulse.csv
+expect "probes of two nodes" awk -F, '
+    NR == 1 { bad = $0 != "time,ux_75_137,uy_75_137,vx_75_137,vy_75_137,ux_1_275,uy_1_275,vx_1_275,vy_1_275"; next }
+    NF != 9 { bad = 1 } END { exit bad || NR < 100 }' out/plane_pulse_probes.csv
+expect "a field that VTK readers take" python3 - out <<'PYTHON'
+import os, re, struct, sys
+folder = sys.argv[1]
+series = open(f"{folder}/plane_pulse.pvd").read()
+files = re.findall(r'timestep="([^"]+)" file="([^"]+)"', series)
+assert len(files) == 2 and files[0][0] == "0", files
+for path in [f"{folder}/{name}" for _, name in files] + [f"{folder}/plane_pulse_field.vti"]:
+    data = open(path, "rb").read()
+    header, _, rest = data.partition(b'<AppendedData encoding="raw">\n_')
+    assert b'WholeExtent="0 149 0 274 0 0"' in header
+    offsets = [int(o) for o in re.findall(rb'offset="(\d+)"', header)]
+    for offset in offsets:
+        size, = struct.unpack_from("<Q", rest, offset)
+        assert size == 150 * 275 * 3 * 8, size
+    assert rest[offsets[-1] + 8 + size:].startswith(b"\n</AppendedData>")
+first = open(f"{folder}/{files[0][1]}", "rb").read().partition(b'raw">\n_')[2]
+u = struct.unpack_from("<3d", first, 8 + (136 * 150 + 74) * 24)  # node (75, 137), r = 1/2
+assert u[0] == 0 and abs(u[1] - 0.0009998286624877785) < 1e-18 and u[2] == 0, u
+PYTHON
+rm -r out results
+
+# A run that is killed, and one that is stopped, go on byte for byte.
+kept=(--set output.snapshots=300 --set output.field=true --set 'output.probes=[[10, 10]]' --set output.checkpoint=0.1
+    --set model.G=1 --set time.step=0.04 --set boundary.left.kind=higdon --set boundary.allow_unstable=true
+    --set time.end=40 --quiet)
+try run "$scene" "${kept[@]}" --out whole
+expect_exit 0
+"$program" run "$scene" "${kept[@]}" --out stopped >"$scratch/stdout" 2>&1 &
+running=$!
+until [ -e stopped/plane_pulse.checkpoint ]; do sleep 0.01; done
+kill -KILL $running
+wait $running 2>/dev/null || true
+try run "$scene" --resume --out stopped "${kept[@]}" --set model.G=0.5
+expect_exit 2
+expect_stderr "there model.G is 1, here 0.5"
+"$program" run "$scene" "${kept[@]}" --resume --out stopped >"$scratch/stdout" 2>&1 &
+running=$!
+sleep 0.3
+kill -INT $running 2>/dev/null || true
+wait $running || true
+if [ -e stopped/plane_pulse.checkpoint ]; then
+    try run "$scene" "${kept[@]}" --resume --out stopped
+    expect_exit 0
+fi
+expect "the same files, byte for byte" diff -r whole stopped
+expect_no_leftovers stopped
+try run "$scene" "${kept[@]}" --resume --out stopped
+expect_exit 5
+expect_stderr "there is no such file"
+rm -r whole stopped
+
+# verify: 4 % of the pulse comes back; sides so far off that nothing does.
+try verify "$scene" --tolerance 0.05 --quiet
+expect_exit 0
+expect_stdout_with "within the tolerance"
+try verify "$scene" --tolerance 0.01 --quiet
+expect_exit 1
+expect_stdout_with "above the tolerance"
+try verify "$scene" --tolerance 1e-12 --quiet --set boundary.kind=extended
+expect_exit 0
+try verify "$scene" --tolerance 0.1 --set boundary.kind=free
+expect_exit 2
+expect_stderr "all sides are physical"
+
+# setting CODE TEXT KEY=VALUE..: refused, and nothing is written.
+setting() {
+    local expected=$1 text=$2 settings=()
+    shift 2
+    for one in "$@"; do settings+=(--set "$one"); done
+    try run "$scene" "${settings[@]}"
+    expect_exit "$expected"
+    expect_stderr "$text"
+    expect_stderr_lines 3
+    expect_no_stdout
+    expect_nothing_written
+}
+setting 2 "Poisson's ratio must be between -1 and 1, not 1" model.nu=1
+setting 2 "between -1 and 1/2" model.nu=0.5 'model.state="plane strain"'
+setting 2 "model.nu must be an exact number, such as 0.25" 'model.nu="1/0"'
+setting 2 "must be a sum of two squares" model.radius2=3
+setting 2 "model.radius2 must be a whole number from 1 to 100" model.radius2=0
+setting 2 "model.G must be a number not below 0, not -1" model.G=-1
+setting 2 'must be "nopd2d"' model.family=nopd1d
+setting 2 "must be a list [x, y], not one of 3 numbers" "domain.nodes=[1, 2, 3]"
+setting 2 "two whole numbers" "domain.nodes=[1.5, 2]"
+setting 2 "whose product is at most 100000000" "domain.nodes=[100000, 100000]"
+setting 2 'boundary.left.kind must be "passive", "fixed", "free"' boundary.left.kind=open
+setting 2 "a periodic side opposite one that is not" boundary.left.kind=periodic
+setting 2 "boundary.layer does not count for kind \"passive\"" boundary.layer=3
+setting 2 "needs boundary.layer" boundary.kind=sponge
+setting 2 "as_printed, which is (81), beside another order" boundary.kind=nmbc boundary.as_printed=true boundary.order=2
+setting 2 "there is no committed table of nopd2d_r1_nu1o4_P, order 3" boundary.kind=nmbc boundary.order=3 \
+    boundary.allow_unstable=true
+setting 4 "Passive sides are stable by construction" boundary.kind=nmbc
+setting 4 "Passive sides are stable by construction" boundary.top.kind=higdon
+setting 4 "between these sides steps below" time.step=1
+setting 2 "both step and cfl" time.step=0.01 time.cfl=0.1
+setting 2 "steps, more than 1e+12" time.end=1e300
+setting 2 "at most 100000000 are allowed" boundary.kind=extended time.end=1e6
+setting 2 "at most 100000000 are allowed" boundary.kind=sponge boundary.layer=10000000
+setting 2 "makes the wave speed sqrt(youngs_modulus / density)" material.density=1e-320
+setting 2 "puts it outside of the plane" "initial.centre=[1000, 0]"
+setting 2 "initial.wave_number has no meaning for this shape" initial.wave_number=1
+setting 2 "initial.component has no meaning for a packet" initial.shape=packet
+setting 2 "must be a list of points" "output.probes=[1, 2]"
+setting 2 "but the nodes are at 1 to 275 along y" "output.probes=[[1, 276]]"
+setting 2 "is not a key of a scene" foo.bar=1
+setting 2 "passive sides are designed for model.radius2 up to 25" model.radius2=26
+for command in chart advise; do
+    try $command "$scene" --tolerance 0.1
+    [ $command = advise ] || try chart "$scene"
+    expect_exit 2
+    expect_stderr "is a plane scene, which run"
+done
+try run "$scene" --plot
+expect_exit 2
+expect_stderr "is a plane scene, which run"
+
+# A run that grows says so, and what was computed up to there is there.
+try run "$scene" "${printed[@]}" --set time.end=400 --set model.radius2=2 --out grown
+expect_exit 4
+expect_stderr "the energy has grown to"
+expect "energies up to there" test -s grown/plane_pulse.csv
+
+finish

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/plane/plane_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include "generator/support/files.hpp"
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/energies_file.hpp"
+
+namespace nmbcrun {
+namespace {
+
+constexpr std::string_view plane_energies_header =
+    "time,kinetic,strain,stabilisation,total,ledger,work,left_side,right_side,bottom_side,top_side,"
+    "drift";
+
+/// Of a folder that has snapshots, and of nothing else in it.
+void remove_snapshots(const std::filesystem::path& folder) {
+    if (!std::filesystem::is_directory(folder)) {
+        return;
+    }
+    constexpr std::size_t digits = 9;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string stem = entry.path().stem().string();
+        if (entry.path().extension() == ".vti" && stem.size() >= digits &&
+            stem.find_first_not_of("0123456789") == std::string::npos) {
+            std::filesystem::remove(entry.path());
+        }
+    }
+    std::error_code not_empty;
+    std::filesystem::remove(folder, not_empty);
+}
+
+std::string probes_header(const PlaneScene& scene) {
+    std::string header = "time";
+    for (const auto& [x, y] : scene.probes) {
+        header += fmt::format(",ux_{0}_{1},uy_{0}_{1},vx_{0}_{1},vy_{0}_{1}", x + 1, y + 1);
+    }
+    return header + "\n";
+}
+
+}  // namespace
+
+PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path folder)
+    : folder_(std::move(folder)),
+      name_(simulation.scene().name),
+      has_field_(simulation.scene().field) {
+    for (const char* const ending : {".csv", "_probes.csv", "_field.vti", ".pvd"}) {
+        nmbcgen::require_replaceable(path(ending));
+    }
+}
+
+PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path folder,
+                       std::string_view about)
+    : PlaneFiles(simulation, std::move(folder)) {
+    remove_snapshots(growing());  // of a run that was killed
+    energies_ = std::make_unique<Journal>(path(".csv"));
+    energies_->append(energies_head(about, plane_energies_header));
+    if (!simulation.scene().probes.empty()) {
+        probed_ = std::make_unique<Journal>(path("_probes.csv"));
+        probed_->append(probes_header(simulation.scene()));
+    }
+    for (Journal* const journal : journals()) {
+        journal->source();  // what cannot be written is known before the first step
+    }
+}
+
+PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path folder,
+                       const std::vector<Journal::Mark>& marks)
+    : PlaneFiles(simulation, std::move(folder)) {
+    const bool has_probes = !simulation.scene().probes.empty();
+    if (marks.size() != (has_probes ? 2U : 1U)) {
+        throw FileError("the checkpoint has other files than its scene");
+    }
+    energies_ = std::make_unique<Journal>(path(".csv"), marks[0]);
+    if (has_probes) {
+        probed_ = std::make_unique<Journal>(path("_probes.csv"), marks[1]);
+    }
+    if (!std::filesystem::exists(growing()) && std::filesystem::exists(path("_snapshots"))) {
+        std::filesystem::rename(path("_snapshots"), growing());  // of a run that was stopped
+    }
+    const std::size_t every = simulation.scene().snapshots;
+    for (std::size_t step = 0; every > 0 && step <= simulation.plane().steps(); step += every) {
+        snapshots_.emplace_back(double(step) * simulation.plan().time_step, snapshot_name(step));
+    }
+}
+
+PlaneFiles::~PlaneFiles() {
+    if (!is_kept_) {
+        try {
+            remove_snapshots(growing());
+        } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): it stays then
+        }
+    }
+}
+
+std::vector<Journal*> PlaneFiles::journals() const {
+    std::vector<Journal*> all{energies_.get()};
+    if (probed_) {
+        all.push_back(probed_.get());
+    }
+    return all;
+}
+
+std::vector<Journal::Mark> PlaneFiles::marks() const {
+    std::vector<Journal::Mark> marks;
+    for (const Journal* const journal : journals()) {
+        marks.push_back(journal->mark());
+    }
+    return marks;
+}
+
+void PlaneFiles::sync() {
+    for (Journal* const journal : journals()) {
+        journal->sync();
+    }
+}
+
+void PlaneFiles::keep(bool kept) {
+    is_kept_ = kept;
+    for (Journal* const journal : journals()) {
+        journal->keep(kept);
+    }
+}
+
+std::vector<std::vector<double>> PlaneFiles::rows(std::size_t wanted) const {
+    std::vector<std::vector<double>> all;
+    read_energies(
+        energies_->source(), plane_energies_header, [](std::size_t) { return true; },
+        [&](const std::vector<double>& row) { all.push_back(row); });
+    const std::size_t every = std::max<std::size_t>(1, all.size() / wanted);
+    std::vector<std::vector<double>> some;
+    for (std::size_t row = 0; row < all.size(); ++row) {
+        if (row % every == 0 || row + 1 == all.size()) {
+            some.push_back(all[row]);
+        }
+    }
+    return some;
+}
+
+/// Relative to the folder.
+std::filesystem::path PlaneFiles::snapshot_name(std::size_t step) const {
+    return std::filesystem::path(name_ + "_snapshots") / fmt::format("{:09}.vti", step);
+}
+
+void PlaneFiles::record(const PlaneSimulation& simulation, const nmbc::PlaneEnergies& e,
+                        const PlaneBalance& balance) {
+    const nmbc::Plane& plane = simulation.plane();
+    energies_->append(fmt::format("{:.10g},{},{},{},{},{},{},{},{},{},{},{}\n",
+                                  plane.time() - simulation.plan().time_step / 2, e.kinetic,
+                                  e.strain, e.stabilisation, e.total(), balance.energy,
+                                  balance.work, balance.left[0], balance.left[1], balance.left[2],
+                                  balance.left[3], balance.drift));
+    if (!probed_) {
+        return;
+    }
+    std::string row = fmt::format("{:.10g}", plane.time());
+    for (const auto& [x, y] : simulation.scene().probes) {
+        const std::size_t entry = simulation.entry(x, y);
+        row +=
+            fmt::format(",{},{},{},{}", plane.displacement(0)[entry], plane.displacement(1)[entry],
+                        plane.velocity(0)[entry], plane.velocity(1)[entry]);
+    }
+    probed_->append(row + "\n");
+}
+
+void PlaneFiles::take_snapshot(const PlaneSimulation& simulation) {
+    const std::filesystem::path relative = snapshot_name(simulation.plane().steps());
+    nmbcgen::write_files({{growing() / relative.filename(), vti_text(simulation)}});
+    snapshots_.emplace_back(simulation.plane().time(), relative);
+}
+
+void PlaneFiles::publish(const PlaneSimulation& simulation, bool at_end) {
+    std::vector<nmbcgen::NewFile> files;
+    files.push_back(energies_->copy());
+    if (probed_) {
+        files.push_back(probed_->copy());
+    }
+    nmbcgen::publish(files);
+    if (!probed_) {
+        std::filesystem::remove(path("_probes.csv"));
+    }
+    remove_snapshots(path("_snapshots"));
+    std::filesystem::remove(path(".pvd"));
+    if (!snapshots_.empty()) {
+        std::filesystem::rename(growing(), path("_snapshots"));
+        std::string text =
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" "
+            "version=\"0.1\">\n<Collection>\n";
+        for (const auto& [time, file] : snapshots_) {
+            text += fmt::format("<DataSet timestep=\"{:.10g}\" file=\"{}\"/>\n", time,
+                                file.generic_string());
+        }
+        nmbcgen::write_files({{path(".pvd"), text + "</Collection>\n</VTKFile>\n"}});
+    }
+    if (!at_end || !has_field_) {
+        std::filesystem::remove(path("_field.vti"));
+    } else {
+        nmbcgen::write_files({{path("_field.vti"), vti_text(simulation)}});
+    }
+}
+
+void PlaneFiles::remove_leftovers() const {
+    const std::vector<Journal::Mark> own = marks();
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_, error)) {
+        const std::string name = entry.path().filename().string();
+        const bool is_of_this_name = std::ranges::any_of(
+            std::array{".csv", "_probes.csv", ".checkpoint"},
+            [&](const char* ending) { return name.starts_with(name_ + ending + ".new-"); });
+        if (is_of_this_name && std::ranges::find(own, name, &Journal::Mark::name) == own.end()) {
+            nmbcgen::remove_unless_open(entry.path());
+        }
+    }
+}
+
+std::string PlaneFiles::listed() const {
+    std::string lines = fmt::format("energies     {}\n", energies_->path().string());
+    if (probed_) {
+        lines += fmt::format("probes       {}\n", probed_->path().string());
+    }
+    if (!snapshots_.empty()) {
+        lines += fmt::format("snapshots    {}\n", path(".pvd").string());
+    }
+    if (has_field_) {
+        lines += fmt::format("field        {}\n", path("_field.vti").string());
+    }
+    return lines;
+}
+
+std::string vti_text(const PlaneSimulation& simulation) {
+    static_assert(std::endian::native == std::endian::little);
+    const PlaneScene& scene = simulation.scene();
+    const nmbc::Plane& plane = simulation.plane();
+    const auto [nx, ny] = scene.nodes;
+    constexpr std::size_t components = 3;
+    const std::uint64_t bytes = nx * ny * components * sizeof(double);
+    std::string text = fmt::format(
+        "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+        "header_type=\"UInt64\">\n"
+        "<ImageData WholeExtent=\"0 {0} 0 {1} 0 0\" Origin=\"{2} {2} 0\" Spacing=\"{2} {2} {2}\">\n"
+        "<FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+        "format=\"ascii\">{3:.10g}</DataArray></FieldData>\n"
+        "<Piece Extent=\"0 {0} 0 {1} 0 0\">\n<PointData Vectors=\"displacement\">\n"
+        "<DataArray type=\"Float64\" Name=\"displacement\" NumberOfComponents=\"3\" "
+        "format=\"appended\" offset=\"0\"/>\n"
+        "<DataArray type=\"Float64\" Name=\"velocity\" NumberOfComponents=\"3\" "
+        "format=\"appended\" offset=\"{4}\"/>\n"
+        "</PointData>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_",
+        nx - 1, ny - 1, scene.spacing, plane.time(), bytes + sizeof(bytes));
+    const auto append = [&](const auto& value) {
+        std::array<char, sizeof(value)> raw{};
+        std::memcpy(raw.data(), &value, sizeof(value));
+        text.append(raw.data(), raw.size());
+    };
+    for (const bool is_velocity : {false, true}) {
+        append(bytes);
+        for (std::size_t y = 0; y < ny; ++y) {
+            for (std::size_t x = 0; x < nx; ++x) {
+                const std::size_t entry = simulation.entry(x, y);
+                for (const std::size_t a : {0U, 1U}) {
+                    append(is_velocity ? plane.velocity(a)[entry] : plane.displacement(a)[entry]);
+                }
+                append(0.0);
+            }
+        }
+    }
+    return text + "\n</AppendedData>\n</VTKFile>\n";
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+/// The files of a plane run.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/nmbcrun/output/journal.hpp"
+#include "tools/nmbcrun/plane/plane_simulation.hpp"
+
+namespace nmbcrun {
+
+/// FOLDER/NAME.csv, the energies; NAME_probes.csv; NAME_field.vti, the end; NAME.pvd and the
+/// snapshots that it lists, NAME_snapshots/T.vti, T the step. Every member throws FileError.
+class PlaneFiles {
+  public:
+    /// Throws FileError where something else than a file is in the way of one.
+    PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path folder,
+               std::string_view about);
+
+    /// Of a run that goes on from these marks.
+    PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path folder,
+               const std::vector<Journal::Mark>& marks);
+
+    /// Removes snapshots that are not published, unless they are kept.
+    ~PlaneFiles();
+    PlaneFiles(const PlaneFiles&) = delete;
+    PlaneFiles& operator=(const PlaneFiles&) = delete;
+    PlaneFiles(PlaneFiles&&) = delete;
+    PlaneFiles& operator=(PlaneFiles&&) = delete;
+
+    /// A row of energies and of the probes.
+    void record(const PlaneSimulation& simulation, const nmbc::PlaneEnergies& energies,
+                const PlaneBalance& balance);
+    void take_snapshot(const PlaneSimulation& simulation);
+    void flush() { energies_->flush(); }
+    /// Where to go on from, once all of it is on the disk.
+    std::vector<Journal::Mark> marks() const;
+    void sync();
+    /// From here on the growing files stay when this object ends, or do not.
+    void keep(bool kept);
+    /// What is there, in the place of what an earlier run of this name has left; of a run that has
+    /// reached its end the field, too.
+    void publish(const PlaneSimulation& simulation, bool at_end);
+
+    /// Removes the growing files of killed runs that no process has open.
+    void remove_leftovers() const;
+
+    /// time, kinetic, strain, stabilisation, total, .. of about so many of the rows, and the last.
+    std::vector<std::vector<double>> rows(std::size_t wanted) const;
+
+    /// A line each.
+    std::string listed() const;
+    const std::filesystem::path& energies() const { return energies_->path(); }
+
+  private:
+    PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path folder);
+    std::vector<Journal*> journals() const;
+    /// Where snapshots wait for their run's end.
+    std::filesystem::path growing() const { return path("_snapshots.part"); }
+    std::filesystem::path snapshot_name(std::size_t step) const;
+    std::filesystem::path path(const char* ending) const { return folder_ / (name_ + ending); }
+
+    std::filesystem::path folder_;
+    std::string name_;
+    std::unique_ptr<Journal> energies_{};
+    std::unique_ptr<Journal> probed_{};  // none without probes
+    bool has_field_;
+    bool is_kept_ = false;
+    std::vector<std::pair<double, std::filesystem::path>> snapshots_{};  // time, relative path
+};
+
+/// The scene's nodes as VTK image data (.vti): displacement and velocity, three components in
+/// doubles, z = 0.
+std::string vti_text(const PlaneSimulation& simulation);
+
+}  // namespace nmbcrun

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+/// Runs and verifies plane scenes.
+#pragma once
+
+#include "tools/nmbcrun/output/run_options.hpp"
+#include "tools/nmbcrun/plane/plane_scene.hpp"
+
+namespace nmbcrun {
+
+/// Runs the scene, writes what it asks for (PlaneFiles) and prints a table of energies, what was
+/// left and where it went. Throws as PlaneSimulation does; SceneError for a checkpoint of another
+/// scene, Unstable where the energy grows or is none, Interrupted (what was computed up to there is
+/// written, and a checkpoint), FileError (it says whether there is a checkpoint to go on from).
+void run_plane(const PlaneScene& scene, const RunOptions& options);
+
+/// Compares the scene with the same one whose artificial sides are so far off that nothing returns,
+/// and prints max |u - u_ref| over max |u_ref|: whether it is within the tolerance. Throws as
+/// PlaneSimulation does, and SceneError where no side is artificial.
+bool verify_plane(const PlaneScene& scene, double tolerance, bool quiet);
+
+}  // namespace nmbcrun

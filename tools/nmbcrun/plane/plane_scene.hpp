@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+/// A scene of a plane lattice, read from TOML: one whose domain.nodes is [nx, ny]. Keys, units and
+/// defaults: docs/reference/plane-scene.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <nmbc/plane_model.hpp>
+#include <nmbc/plane_sides.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/table/exact.hpp"
+#include "tools/nmbcrun/scene/scene.hpp"
+
+namespace nmbcrun {
+
+enum class SideKind {
+    passive,   ///< stable by construction, designed for the lattice
+    fixed,     ///< ghosts held at u = 0
+    free,      ///< no nodes beyond it
+    periodic,  ///< the opposite side is its neighbour
+    extended,  ///< more of the same lattice, fixed at its far end
+    nmbc,      ///< (60) on the ghost layers, component by component
+    higdon,    ///< Higdon's product of the P and the S speed on the ghost layers
+    sponge,    ///< a layer that damps the velocity
+};
+
+/// As a scene spells it, such as "fixed".
+std::string_view name_of(SideKind kind);
+
+struct PlaneSideChoice {
+    SideKind kind = SideKind::passive;
+    std::size_t layer = 0;  ///< nodes of an extended one, 0: as many as it takes; of a sponge
+    // Of an nmbc:
+    int order = 1;
+    int stride = 1;
+    bool as_printed = false;  ///< (81): the speed of P waves for both components
+    // Of a sponge:
+    double profile = 2;    ///< exponent of the friction in the depth
+    double target = 0.01;  ///< amplitude that the continuum sends back
+
+    friend bool operator==(const PlaneSideChoice&, const PlaneSideChoice&) = default;
+};
+
+enum class PlaneShape {
+    gaussian,  ///< exp(-(r/width)^2), r the distance from the centre
+    cosine,    ///< (1 + cos(pi r/width))/2 up to r = width, (86)
+    packet,    ///< a wave exp(-(r/width)^2) cos(k . (X - centre)) that goes in the direction of k
+};
+
+/// The state at t = 0.
+struct PlaneInitial {
+    PlaneShape shape = PlaneShape::gaussian;
+    bool of_velocity = false;  ///< v has the shape, and not u
+    std::size_t component = 0;
+    double amplitude = 0;  ///< [length], or [length/time] of a velocity
+    std::array<double, 2> centre{};
+    double width = 0;        ///< [length]
+    double wave_number = 0;  ///< of a packet: |k| [1/dX]
+    double angle = 0;        ///< of k, from the x axis [degrees]
+    bool is_P = true;
+};
+
+/// A body force in one direction of the nodes within a distance of its centre.
+struct PlaneForcing {
+    ForceHistory history;
+    std::size_t component = 0;
+    std::array<double, 2> centre{};
+    double half_width = 0;
+};
+
+/// (83): one component of the nodes in a rectangle follows u = amplitude/2 (1 - cos(2 pi
+/// t/duration)) for 0 <= t <= duration, and is let go.
+struct PlaneDrive {
+    double amplitude = 0;
+    double duration = 0;
+    std::size_t component = 0;
+    std::array<double, 2> centre{};
+    std::array<double, 2> half_width{};
+};
+
+struct PlaneScene {
+    std::string title;
+    std::string name;  ///< of the output files
+    unsigned radius_squared = 1;
+    nmbcgen::Rational nu;
+    nmbc::StressState state = nmbc::StressState::plane_stress;
+    double G = 0;
+    double density = 1;
+    double youngs_modulus = 1;
+    double spacing = 1;
+    std::array<std::size_t, 2> nodes{};
+    std::optional<PlaneInitial> initial{};
+    std::optional<PlaneForcing> force{};
+    std::optional<PlaneDrive> drive{};
+    std::array<PlaneSideChoice, 4> sides{};  ///< in the order of nmbc::plane_sides
+    bool allow_unstable = false;             ///< run sides that may feed energy in, too
+    double end = 0;
+    std::optional<double> step{};
+    std::optional<double> cfl{};
+    std::size_t every = 10;     ///< steps between two rows of energies
+    bool field = false;         ///< u and v at the end
+    std::size_t snapshots = 0;  ///< steps between two snapshots of all nodes; 0: none
+    std::vector<std::array<std::size_t, 2>> probes{};  ///< interior nodes, from 0
+    double checkpoint = 60;  ///< seconds of the clock between two checkpoints
+    std::map<std::string, std::string> given{};
+
+    bool has(SideKind kind) const;
+};
+
+/// Whether the side can feed energy in.
+bool may_grow(SideKind kind);
+
+/// Whether it stands for more of the same lattice: physical sides are fixed, free and periodic.
+bool is_artificial(SideKind kind);
+
+/// Whether a side has as many nodes as the run's end asks for.
+bool has_open_layer(const PlaneScene& scene);
+
+/// The side in words, such as "NMBC1 as printed, (81)" or "fixed".
+std::string heading_of(const PlaneSideChoice& side);
+
+/// Whether the text is of a plane scene: domain.nodes is a list there, or in an override.
+bool is_plane_scene(const std::string& text, const std::string& path, const Overrides& overrides);
+
+/// Throws SceneError naming the file and key, what is wrong and what is allowed.
+PlaneScene read_plane_scene(const std::string& text, const std::string& path,
+                            const Overrides& overrides);
+
+/// The position of an interior node [length]: nodes are at dX, 2 dX, .. along each axis.
+inline std::array<double, 2> position_of(const PlaneScene& scene, std::size_t x, std::size_t y) {
+    return {double(x + 1) * scene.spacing, double(y + 1) * scene.spacing};
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/plane/plane_simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nmbc/tables/tables.hpp>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "generator/names/projected_family.hpp"
+#include "generator/passive/plane_side.hpp"
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/sides/loss_layer.hpp"
+
+namespace nmbcrun {
+namespace {
+
+constexpr double of_stable_by_default = 0.9;
+
+nmbc::PassiveSide designed_side_of(const PlaneScene& scene) {
+    if (scene.radius_squared > nmbcgen::largest_side_radius_squared) {
+        throw SceneError(
+            fmt::format("passive sides are designed for model.radius2 up to {}, not {}",
+                        nmbcgen::largest_side_radius_squared, scene.radius_squared));
+    }
+    try {
+        nmbc::PassiveSide side = for_runtime(nmbcgen::passive_side(
+            {.family = "nopd2d",
+             .choice = {.radius_squared = scene.radius_squared,
+                        .poisson = scene.nu,
+                        .plane_strain = scene.state == nmbc::StressState::plane_strain},
+             .g = nmbcgen::Rational(scene.G / std::numbers::pi),
+             .time_step = 0,
+             .has_null_lagrangian = !scene.has(SideKind::free)}));
+        side.made_for = model_of(scene);
+        return side;
+    } catch (const std::domain_error& error) {
+        throw SceneError(fmt::format(
+            "no passive side was found for this lattice: {}. Try another G, or another kind",
+            error.what()));
+    }
+}
+
+/// (60) of this order for waves of each polarisation that meet the side head-on.
+nmbc::MatchingSide matching_side_of(const PlaneScene& scene, const PlaneSideChoice& choice) {
+    const nmbc::PlaneModel model = model_of(scene);
+    nmbc::MatchingSide side{
+        .coefficients = {},
+        .speeds = {model.speed_P(), choice.as_printed ? model.speed_P() : model.speed_S()}};
+    for (const bool is_P : {true, false}) {
+        nmbc::BoundaryCoefficients& coefficients = side.coefficients[is_P ? 0 : 1];
+        if (choice.order == 1) {  // of any lattice
+            coefficients = {.c = {1, 1}, .b = {-2, 2}, .stride = choice.stride};
+            for (double& b : coefficients.b) {
+                b /= choice.stride;
+            }
+            continue;
+        }
+        const nmbcgen::ProjectedFamily family{
+            .family = "nopd2d",
+            .model = {.radius_squared = scene.radius_squared,
+                      .poisson = scene.nu,
+                      .plane_strain = scene.state == nmbc::StressState::plane_strain},
+            .polarisation = is_P ? nmbcgen::Polarisation::P : nmbcgen::Polarisation::S};
+        const nmbc::MatchingTable* const table =
+            nmbc::find_table(nmbc::generated::tables, nmbcgen::name_of(family),
+                             int(model.horizon()), choice.order, choice.stride);
+        if (table == nullptr) {
+            throw SceneError(fmt::format(
+                "there is no committed table of {}, order {}, stride {}: there are orders 1 and 2, "
+                "the latter of stride n, at nu = 1/4 in plane stress and model.radius2 = 1, 4, 9",
+                nmbcgen::name_of(family), choice.order, choice.stride));
+        }
+        coefficients =
+            nmbc::boundary_coefficients(*table, scene.G / std::numbers::pi, nmbc::allow_unstable);
+    }
+    return side;
+}
+
+nmbc::SpongeSide sponge_side_of(const PlaneScene& scene, const PlaneSideChoice& choice) {
+    const double speed = model_of(scene).speed_P();
+    // Of steps of 2 dX sqrt(rho/E): gamma dt/2 is gamma then.
+    std::vector<double> friction =
+        half_step_losses({choice.layer, choice.profile, choice.target}, 1,
+                         {.youngs_modulus = speed * speed, .time_step = 2});
+    friction.pop_back();
+    std::ranges::reverse(friction);
+    return {friction};
+}
+
+nmbc::PlaneSides sides_of(const PlaneScene& scene) {
+    for (const PlaneSideChoice& side : scene.sides) {
+        if (may_grow(side.kind) && !scene.allow_unstable) {
+            throw Unstable(fmt::format(
+                "{}: such sides amplify oblique waves of most lattices, and none is certified with "
+                "corners (nmbcgen recommend says what is known of this one). Passive sides are "
+                "stable by construction. To run it all the same: boundary.allow_unstable = true",
+                heading_of(side)));
+        }
+    }
+    nmbc::PlaneSide passive;
+    if (scene.has(SideKind::passive)) {
+        passive = designed_side_of(scene);
+    }
+    const auto side = [&](std::size_t number) -> nmbc::PlaneSide {
+        switch (scene.sides[number].kind) {
+            case SideKind::passive:
+                return passive;
+            case SideKind::free:
+                return nmbc::FreeSide{};
+            case SideKind::periodic:
+                return nmbc::PeriodicSide{};
+            case SideKind::nmbc:
+                return matching_side_of(scene, scene.sides[number]);
+            case SideKind::higdon: {
+                const nmbc::PlaneModel model = model_of(scene);
+                // Without decay a field that is linear in time satisfies it, and roundings drift.
+                constexpr double decay = 0.002;
+                return nmbc::HigdonSide{{model.speed_P(), model.speed_S()}, decay};
+            }
+            case SideKind::sponge:
+                return sponge_side_of(scene, scene.sides[number]);
+            case SideKind::fixed:
+            case SideKind::extended:
+                break;
+        }
+        return nmbc::FixedSide{};
+    };
+    return {side(0), side(1), side(2), side(3)};
+}
+
+/// The largest group velocity of any wave [dX rate], on wave vectors in steps of pi/64.
+double fastest_group(const nmbc::PlaneModel& model) {
+    constexpr int steps = 64;
+    const double spacing = std::numbers::pi / steps;
+    double fastest = 0;
+    for (const bool is_P : {true, false}) {
+        const auto omega = [&](int x, int y) {
+            return std::sqrt(
+                nmbc::plane_wave(model, {spacing * x, spacing * y}, is_P).omega_squared);
+        };
+        for (int x = 0; x < steps; ++x) {
+            for (int y = 0; y < steps; ++y) {
+                const double here = omega(x, y);
+                fastest = std::max(
+                    fastest, std::hypot(omega(x + 1, y) - here, omega(x, y + 1) - here) / spacing);
+            }
+        }
+    }
+    return fastest;
+}
+
+/// So many that no wave has gone there and back again; what is faster than the fastest group is
+/// below 1e-12 some nodes off.
+std::size_t nodes_until_end(const PlaneScene& scene) {
+    const nmbc::PlaneModel model = model_of(scene);
+    const double far = fastest_group(model) * rate_of(scene) * scene.end / 2;
+    constexpr std::size_t ahead = 20;
+    return std::size_t(std::min(far, double(most_nodes))) + ahead * model.horizon();
+}
+
+std::array<std::size_t, 4> extension_of(const PlaneScene& scene) {
+    std::array<std::size_t, 4> layers{};
+    const std::size_t enough = has_open_layer(scene) ? nodes_until_end(scene) : 0;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        if (scene.sides[i].kind == SideKind::extended) {
+            layers[i] = scene.sides[i].layer > 0 ? scene.sides[i].layer : enough;
+        }
+    }
+    const auto along = [&](std::size_t axis) {
+        auto nodes = double(scene.nodes[axis]);
+        for (const std::size_t i : {2 * axis, 2 * axis + 1}) {
+            nodes += double(layers[i]) +
+                     (scene.sides[i].kind == SideKind::sponge ? double(scene.sides[i].layer) : 0);
+        }
+        return nodes;
+    };
+    const double nodes = along(0) * along(1);
+    if (nodes > double(most_nodes)) {
+        throw SceneError(fmt::format(
+            "with the layers of its sides the plane has {:.3g} nodes; at most {} are allowed. "
+            "Extended sides have as many as it takes until time.end = {:g}, unless boundary.layer "
+            "says how many",
+            nodes, most_nodes, scene.end));
+    }
+    return layers;
+}
+
+PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
+                  const std::array<std::size_t, 4>& extension) {
+    const nmbc::PlaneModel model = model_of(scene);
+    const double rate = rate_of(scene);
+    const double interior = 2 / std::sqrt(nmbc::highest_eigenvalue(model)) / rate;
+    const double highest =
+        nmbc::highest_eigenvalue(model, sides, scene.nodes[0] + extension[0] + extension[1],
+                                 scene.nodes[1] + extension[2] + extension[3]);
+    const double stable = 2 / std::sqrt(highest) / rate;
+    PlanePlan plan;
+    if (scene.step || scene.cfl) {
+        plan.time_step = scene.step ? *scene.step : *scene.cfl * interior;
+    } else {
+        plan.time_step = of_stable_by_default * stable;
+        plan.limit = fmt::format("{} of what is stable between these sides", of_stable_by_default);
+        constexpr double per_time = 20;
+        const auto limit = [&](double time, const char* key) {
+            if (time / per_time < plan.time_step) {
+                plan.time_step = time / per_time;
+                plan.limit = fmt::format("1/{} of {}", per_time, key);
+            }
+        };
+        if (scene.force && scene.force->history.duration > 0) {
+            limit(scene.force->history.duration, "force.duration");
+        }
+        if (scene.force && scene.force->history.frequency > 0) {
+            limit(1 / scene.force->history.frequency, "the period of force.frequency");
+        }
+        if (scene.drive) {
+            limit(scene.drive->duration, "drive.duration");
+        }
+    }
+    plan.cfl = plan.time_step / interior;
+    plan.of_stable = plan.time_step / stable;
+    if (!(plan.of_stable < 1)) {
+        throw Unstable(fmt::format(
+            "steps of {:.6g} (cfl = {:.3g}) are too long: between these sides steps below {:.6g} "
+            "(cfl = {:.3g}) are stable",
+            plan.time_step, plan.cfl, stable, stable / interior));
+    }
+    const double steps = std::ceil(scene.end / plan.time_step * (1 - 1e-12));
+    constexpr double most_steps = 1e12;
+    if (!(steps <= most_steps)) {
+        throw SceneError(fmt::format("time.end = {:g} needs {:.3g} steps, more than {:g}",
+                                     scene.end, steps, most_steps));
+    }
+    plan.steps = std::size_t(steps);
+    return plan;
+}
+
+nmbc::Plane plane_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
+                     const std::array<std::size_t, 4>& extension, double time_step) {
+    return {model_of(scene),
+            sides,
+            {.nx = scene.nodes[0] + extension[0] + extension[1],
+             .ny = scene.nodes[1] + extension[2] + extension[3],
+             .spacing = scene.spacing,
+             .youngs_modulus = scene.youngs_modulus,
+             .density = scene.density,
+             .time_step = time_step}};
+}
+
+}  // namespace
+
+PlaneSimulation::PlaneSimulation(const PlaneScene& scene)
+    : PlaneSimulation(scene, sides_of(scene), extension_of(scene)) {}
+
+PlaneSimulation::PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides,
+                                 const std::array<std::size_t, 4>& extension)
+    : scene_(std::move(scene)),
+      extension_(extension),
+      plan_(plan_of(scene_, sides, extension_)),
+      plane_(plane_of(scene_, sides, extension_, plan_.time_step)),
+      sources_(scene_, plane_, {extension_[0], extension_[2]}, plan_.time_step) {
+    if (scene_.initial) {
+        const PlaneInitialField initial(scene_);
+        const auto& layers = plane_.layers();
+        const auto count = [&](std::size_t nodes, std::size_t low, std::size_t high) {
+            return nodes + layers[low] + layers[high];
+        };
+        // The layers of passive sides begin as the field goes on.
+        for (std::size_t j = 0; j < count(plane_.parameters().ny, 2, 3); ++j) {
+            for (std::size_t i = 0; i < count(plane_.parameters().nx, 0, 1); ++i) {
+                const auto place = [&](std::size_t at, std::size_t low) {
+                    return (double(at + 1) - double(layers[low]) - double(extension_[low])) *
+                           scene_.spacing;
+                };
+                const PlaneStart start = initial.at({place(i, 0), place(j, 2)});
+                const std::size_t entry = plane_.entry(i - layers[0], j - layers[2]);
+                for (const std::size_t a : {0U, 1U}) {
+                    plane_.displacement(a)[entry] = start.u[a];
+                    plane_.velocity(a)[entry] = start.v[a];
+                }
+            }
+        }
+    }
+    plane_.start();
+    sources_.start(plane_);
+    at_start_ = plane_.energies().staggered;
+}
+
+nmbc::PlaneEnergies PlaneSimulation::energies() const {
+    return plane_.energies(extension_[0], extension_[0] + scene_.nodes[0], extension_[2],
+                           extension_[2] + scene_.nodes[1]);
+}
+
+double PlaneSimulation::times_supplied() const {
+    return plane_.energies().staggered / (at_start_ + std::max(0.0, sources_.work()));
+}
+
+PlaneBalance PlaneSimulation::balance() const {
+    PlaneBalance balance{.energy = plane_.energies().staggered,
+                         .work = sources_.work(),
+                         .left = plane_.left(),
+                         .drift = 0};
+    double left = 0;
+    for (std::size_t i = 0; i < balance.left.size(); ++i) {
+        if (may_grow(scene_.sides[i].kind)) {
+            balance.left[i] = std::numeric_limits<double>::quiet_NaN();
+        }
+        left += balance.left[i];
+    }
+    balance.drift = balance.energy - (at_start_ + balance.work - left);
+    return balance;
+}
+
+std::vector<std::vector<double>> PlaneSimulation::state() const {
+    nmbc::PlaneState<double> plane = plane_.state();
+    return {std::move(plane.displacement[0]), std::move(plane.displacement[1]),
+            std::move(plane.velocity[0]),     std::move(plane.velocity[1]),
+            std::move(plane.ghosts),          {plane.gone.begin(), plane.gone.end()},
+            {sources_.work(), at_start_}};
+}
+
+void PlaneSimulation::resume(std::size_t steps, const std::vector<std::vector<double>>& state) {
+    if (state.size() != 7 || state[5].size() != 4 || state[6].size() != 2) {
+        throw FileError("the checkpoint is none of a plane");
+    }
+    try {
+        plane_.resume({.steps = steps,
+                       .displacement = {state[0], state[1]},
+                       .velocity = {state[2], state[3]},
+                       .ghosts = state[4],
+                       .gone = {state[5][0], state[5][1], state[5][2], state[5][3]}});
+    } catch (const std::invalid_argument& error) {
+        throw FileError(fmt::format("the checkpoint is {}", error.what()));
+    }
+    at_start_ = state[6][1];
+    sources_.start(plane_, state[6][0]);
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/interrupt.hpp"
+#include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/plane/plane_report.hpp"
+#include "tools/nmbcrun/plane/plane_run.hpp"
+#include "tools/nmbcrun/plane/plane_simulation.hpp"
+
+namespace nmbcrun {
+namespace {
+
+/// The scene with sides in the place of its artificial ones that are so far off that nothing
+/// returns.
+PlaneScene without_artificial_sides(PlaneScene scene) {
+    for (PlaneSideChoice& side : scene.sides) {
+        if (is_artificial(side.kind)) {
+            side = {.kind = SideKind::extended, .layer = 0};
+        }
+    }
+    return scene;
+}
+
+}  // namespace
+
+bool verify_plane(const PlaneScene& scene, double tolerance, bool quiet) {
+    if (std::ranges::none_of(
+            scene.sides, [](const PlaneSideChoice& side) { return is_artificial(side.kind); })) {
+        throw SceneError(
+            "all sides are physical, fixed, free or periodic, and verify looks at what artificial "
+            "ones do: there is none");
+    }
+    PlaneSimulation simulation(scene);
+    PlaneScene endless = without_artificial_sides(scene);
+    endless.step = simulation.plan().time_step;
+    endless.cfl.reset();
+    PlaneSimulation reference(endless);
+    print_warning(simulation);
+    if (!quiet) {
+        fmt::print("{}time      {} steps of {}\nreference\n{}\n", heading_of(simulation),
+                   simulation.plan().steps, heading_of(simulation.plan()), heading_of(reference));
+    }
+    note_interrupts();
+    constexpr std::size_t peak_every = 10;  // steps
+    Progress progress(simulation.plan().steps, quiet);
+    double largest = 0;
+    double error = 0;
+    std::array<std::size_t, 2> where{};
+    double when = 0;
+    double peak = reference.energies().total();
+    while (!simulation.is_done()) {
+        simulation.advance(1);
+        reference.advance(1);
+        for (std::size_t y = 0; y < scene.nodes[1]; ++y) {
+            for (std::size_t x = 0; x < scene.nodes[0]; ++x) {
+                for (const std::size_t a : {0U, 1U}) {
+                    const double u = simulation.plane().displacement(a)[simulation.entry(x, y)];
+                    const double there = reference.plane().displacement(a)[reference.entry(x, y)];
+                    largest = std::max(largest, std::abs(there));
+                    if (!(std::abs(u - there) <= error)) {
+                        error = std::abs(u - there);
+                        where = {x + 1, y + 1};
+                        when = simulation.plane().time();
+                    }
+                }
+            }
+        }
+        if (simulation.plane().steps() % peak_every == 0) {
+            peak = std::max(peak, reference.energies().total());
+        }
+        progress.update(simulation.plane().steps());
+        if (interrupted()) {
+            throw Interrupted(fmt::format("stopped at step {} of {}", simulation.plane().steps(),
+                                          simulation.plan().steps));
+        }
+    }
+    if (!(largest > 0)) {
+        throw Unstable("nothing moved at any time, so there is nothing to compare with");
+    }
+    const bool holds = error / largest <= tolerance;
+    fmt::print(
+        "error        {:.3e} of max |u|, at node ({}, {}), t = {:.4g}; {} the tolerance {:g}\n",
+        error / largest, where[0], where[1], when, holds ? "within" : "above", tolerance);
+    if (peak > 0) {
+        fmt::print("energy left  {:.3e} of the peak; without artificial sides {:.3e}\n",
+                   simulation.energies().total() / peak, reference.energies().total() / peak);
+    }
+    return holds;
+}
+
+}  // namespace nmbcrun
