@@ -91,13 +91,16 @@ nmbcgen::ExitCode plane_command(const std::string& command, const nmbcrun::Plane
         return nmbcrun::verify_plane(scene, arguments.tolerance, arguments.quiet) ? done
                                                                                   : does_not_hold;
     }
-    if (command != "run" || arguments.plot || arguments.tolerance > 0) {
+    if (command != "run" || arguments.tolerance > 0) {
         throw nmbcrun::SceneError(arguments.scene +
-                                  " is a plane scene, which run (without --plot and --tolerance) "
-                                  "and verify take");
+                                  " is a plane scene, which run (without --tolerance) and verify "
+                                  "take");
     }
     nmbcrun::run_plane(
         scene, {arguments.folder, arguments.quiet, arguments.resume, arguments.keep_checkpoint});
+    if (arguments.plot) {
+        nmbcrun::draw_plane(scene, arguments.folder);
+    }
     return done;
 }
 
@@ -161,8 +164,7 @@ int main(int argc, char** argv) {
     auto* const resume = run->add_flag("--resume", arguments.resume,
                                        "go on from the checkpoint of a run that was stopped");
     run->add_flag("--plot", arguments.plot,
-                  "draw the energies, and the spectrum of the fields and the displacements over "
-                  "space and time where the scene writes them");
+                  "draw the energies, and what the scene writes of its fields");
     run->add_flag("--keep-checkpoint", arguments.keep_checkpoint,
                   "leave a checkpoint at the end: --resume goes on to a later time.end");
     run->add_option("--tolerance", arguments.tolerance,

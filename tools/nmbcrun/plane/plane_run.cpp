@@ -15,6 +15,7 @@
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/checkpoint.hpp"
+#include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
 #include "tools/nmbcrun/output/run_lock.hpp"
@@ -289,6 +290,16 @@ void run_plane(const PlaneScene& scene, const RunOptions& options) {
         throw FileError(fmt::format("{}. {}", error.what(), run.what_is_kept()));
     }
     run.print();
+}
+
+void draw_plane(const PlaneScene& scene, const std::filesystem::path& folder) {
+    const auto file = [&](const char* ending) { return (folder / (scene.name + ending)).string(); };
+    draw("energy.gp", {file("_energy"), file(".csv"), scene.title},
+         {file("_energy.svg"), file("_energy.png")});
+    if (scene.snapshots > 0) {
+        draw("fields.gp", {file("_fields"), file(".pvd"), scene.title},
+             {file("_fields.png"), file("_fields.gif")});
+    }
 }
 
 }  // namespace nmbcrun

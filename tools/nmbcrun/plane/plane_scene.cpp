@@ -302,7 +302,8 @@ bool PlaneScene::has(SideKind kind) const {
 }
 
 bool is_plane_scene(const std::string& text, const std::string& path, const Overrides& overrides) {
-    return SceneReader(text, path, overrides).is_list("domain.nodes");
+    SceneReader reader(text, path, overrides);
+    return reader.is_list("domain.nodes") || reader.has("model.radius2");
 }
 
 PlaneScene read_plane_scene(const std::string& text, const std::string& path,
