@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "generator/cli/command_line.hpp"
+#include "generator/commands/bonds.hpp"
 #include "generator/commands/check.hpp"
 #include "generator/commands/closed_forms.hpp"
 #include "generator/commands/dispersion.hpp"
@@ -203,6 +204,9 @@ int run(const Request& request) {
             return done;
         case Action::reflect:
             print(reflection_csv(derive(request.specification), request.samples));
+            return done;
+        case Action::bonds:
+            print(request.bonds_as_json ? bonds_json(request.bonds) : bonds_text(request.bonds));
             return done;
         case Action::closed_forms:
             print(request.closed_format->emit(closed_forms(

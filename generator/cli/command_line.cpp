@@ -5,6 +5,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "generator/cli/bonds_options.hpp"
 #include "generator/cli/option_values.hpp"
 #include "generator/cli/parsed_option.hpp"
 #include "generator/cli/settle.hpp"
@@ -20,7 +21,7 @@ CLI::Option* add_plane_model(CLI::App& app, PlaneOptions& plane) {
         add_parsed(app, "--radius2", plane.radius_squared, parse_radius_squared,
                    "of a plane family, in place of --horizon: square of a node's family radius "
                    "delta in units of dX^2, a sum of two squares such as 1, 2, 4, 5, 8, 9");
-    add_parsed(app, "--nu", plane.poisson, parse_poisson,
+    add_parsed(app, "--nu", plane.poisson, parse_signed_rational,
                "of nopd2d: Poisson's ratio, an exact number such as 1/4")
         ->needs(radius);
     add_parsed(app, "--state", plane.plane_strain, parse_plane_state,
@@ -300,6 +301,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     auto* const optimise = add_optimise(app, request, pending);
     auto* const dispersion = add_dispersion(app, request.curves, pending);
     auto* const closed_forms = add_closed_forms(app, request);
+    auto* const bonds = add_bonds(app, request);
     app.footer(
         "Exit codes: 0 done; 1 the committed set is stale; 2 wrong arguments; 3 there is no such "
         "boundary\ncondition; 4 it is not certified to be stable (--require-stable); 5 a file "
@@ -329,6 +331,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
             request.action = Action::dispersion;
         } else if (closed_forms->parsed()) {
             request.action = Action::closed_forms;
+        } else if (bonds->parsed()) {
+            request.action = Action::bonds;
         }
         settle(request, pending, app);
     } catch (const CLI::Success& help) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <variant>
 
+#include "generator/commands/bonds.hpp"
 #include "generator/commands/dispersion.hpp"
 #include "generator/commands/optimise.hpp"
 #include "generator/commands/passive.hpp"
@@ -25,7 +26,8 @@ enum class Action {
     passive,
     optimise,
     dispersion,
-    closed_forms
+    closed_forms,
+    bonds
 };
 
 struct Request {
@@ -45,6 +47,8 @@ struct Request {
     Curves curves;                  ///< of Action::dispersion
     std::optional<PlaneCurves> plane_curves;  ///< instead, of the plane family that `curves` names
     const ClosedFormat* closed_format = &closed_formats().front();  ///< of Action::closed_forms
+    BondsTask bonds;                                                ///< of Action::bonds
+    bool bonds_as_json = false;                                     ///< in place of text
     std::optional<std::filesystem::path> cache;                     ///< folder of kept certificates
     std::filesystem::path folder = "generated/nmbc/tables";
 };

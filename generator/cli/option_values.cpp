@@ -117,14 +117,14 @@ WeightChoice parse_weights(const std::string& text) {
     WeightChoice choice;
     for (const std::string& item : items_of(text)) {
         try {
-            choice.values.push_back(parse_rational(item));
+            choice.values.push_back(parse_signed_rational(item));
         } catch (const std::invalid_argument& error) {
             throw std::invalid_argument(std::string(error.what()) +
                                         "; allowed, too: " + influence_names());
         }
         if (choice.values.back() == 0) {
             throw std::invalid_argument("'" + text.substr(0, 60) +
-                                        "': every bond needs a positive weight");
+                                        "': every bond needs a weight other than 0");
         }
     }
     return choice;

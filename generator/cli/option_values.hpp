@@ -30,7 +30,6 @@ std::string influence_names();
 std::string parse_family(const std::string& text);
 std::string parse_chain_family(const std::string& text);  ///< no plane family
 unsigned parse_radius_squared(const std::string& text);   ///< 1 to 99
-Rational parse_poisson(const std::string& text);          ///< may be negative
 bool parse_plane_state(const std::string& text);          ///< "strain", or "stress": false
 Polarisation parse_polarisation(const std::string& text);
 std::vector<double> parse_angles(const std::string& text);  ///< -180 to 180 degrees
@@ -50,7 +49,7 @@ struct Matching {
 };
 Matching parse_matching(const std::string& text);
 
-/// An influence function by its name, or w_1,w_2,.. themselves.
+/// An influence function by its name, or w_1,w_2,.. themselves, none of them 0.
 struct WeightChoice {
     const Influence* named = nullptr;
     std::vector<Rational> values;

@@ -7,23 +7,11 @@
 #include "generator/cli/comma_list.hpp"
 #include "generator/cli/option_values.hpp"
 #include "generator/cli/whole_number.hpp"
-#include "generator/exact/rational.hpp"
 
 namespace nmbcgen {
 
 unsigned parse_radius_squared(const std::string& text) {
     return parse_whole_number(text, largest_radius_squared);
-}
-
-Rational parse_poisson(const std::string& text) {
-    const bool negative = text.starts_with('-');
-    try {
-        const Rational size = parse_rational(text.substr(negative ? 1 : 0));
-        return negative ? -size : size;
-    } catch (const std::invalid_argument&) {
-        throw std::invalid_argument("'" + text.substr(0, 60) +
-                                    "' is not an exact number such as 1/4 or -1/3");
-    }
 }
 
 bool parse_plane_state(const std::string& text) {

@@ -117,6 +117,11 @@ std::vector<Rational> settled_weights(const WeightChoice& choice, unsigned horiz
 }
 
 void settle_weights(Request& request, const WeightChoice& weights) {
+    const std::string& family = family_of(request);
+    if (!find_family(family).has_signed_weights &&
+        std::ranges::any_of(weights.values, [](const Rational& weight) { return weight < 0; })) {
+        throw CLI::ValidationError("--weights", family + " needs weights above 0");
+    }
     if (request.action == Action::dispersion) {
         for (const unsigned horizon : request.curves.horizons) {
             request.curves.weights.push_back(settled_weights(weights, horizon));
@@ -148,7 +153,7 @@ void settle(Request& request, Pending pending, const CLI::App& app) {
         request.specification.points = pending.matching->points;
     }
     if (request.action != Action::all_tables && request.action != Action::check &&
-        request.action != Action::closed_forms) {
+        request.action != Action::closed_forms && request.action != Action::bonds) {
         settle_plane(request, pending, used_app(app));
         settle_G(request, used_app(app));
     }

@@ -140,6 +140,12 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
                 projected_model({.family = family, .model = choice, .polarisation = polarisation});
             });
         }
+        if (std::ranges::any_of(choice.weights, [](const Rational& w) { return w < 0; })) {
+            throw CLI::ValidationError(
+                "--weights",
+                "sides that are stable by construction need weights above 0; of the waves of one "
+                "--polarisation there is a recommendation");
+        }
         if (request.as_header && !known->has_poisson) {
             throw CLI::ValidationError("--header", "the runtime has planes of nopd2d alone");
         }

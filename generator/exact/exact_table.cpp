@@ -56,7 +56,7 @@ std::vector<Rational> weights(std::string_view list) {
     std::istringstream stream{std::string(list)};
     std::vector<Rational> result;
     for (std::string weight; std::getline(stream, weight, ',');) {
-        result.push_back(parse_rational(weight));
+        result.push_back(parse_signed_rational(weight));
     }
     return result;
 }

@@ -56,6 +56,17 @@ Rational parse_rational(std::string_view text) {
     return Rational(parse_digits(left), denominator);
 }
 
+Rational parse_signed_rational(std::string_view text) {
+    const bool is_negative = text.starts_with('-');
+    try {
+        const Rational size = parse_rational(text.substr(is_negative ? 1 : 0));
+        return is_negative ? -size : size;
+    } catch (const std::invalid_argument&) {
+        throw std::invalid_argument("'" + std::string(text.substr(0, 60)) +
+                                    "' is not an exact number such as 1/4, -1/3 or 0.3");
+    }
+}
+
 std::string to_string(const Rational& value) {
     return value.str();
 }

@@ -13,6 +13,9 @@ namespace nmbcgen {
 /// message for people where the text is anything else or has more than 40 digits.
 Rational parse_rational(std::string_view text);
 
+/// Likewise, with or without a minus in front.
+Rational parse_signed_rational(std::string_view text);
+
 /// "p/q" in lowest terms; "p" where q = 1.
 std::string to_string(const Rational& value);
 

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/family.hpp"
 
@@ -16,6 +17,10 @@ Model bond1d(unsigned horizon, std::span<const Rational> weights) {
     Rational stiffness = 0;
     for (unsigned m = 1; m <= horizon; ++m) {
         stiffness += weights[m - 1] * m;
+    }
+    if (stiffness <= 0) {
+        throw NoSuchModel("with these weights long waves do not travel: sum of m w_m is " +
+                          to_string(stiffness));
     }
     std::vector<ExactSquare> energy;
     for (unsigned m = 1; m <= horizon; ++m) {

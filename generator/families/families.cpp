@@ -12,11 +12,10 @@
 #include "generator/lattice/symbol.hpp"
 
 namespace nmbcgen {
-
 std::span<const Family> families() {
     static constexpr std::array list{
         Family{"nopd1d", nopd1d, nopd1d_moments, nopd1d_limit},
-        Family{"bond1d", bond1d},
+        Family{.name = "bond1d", .describe = bond1d, .has_signed_weights = true},
         Family{"chain1d", chain1d},
     };
     return list;
@@ -68,13 +67,15 @@ Model make_model(std::string_view family, unsigned horizon, const Rational& damp
     if (weights.empty()) {
         weights = ones;
     }
-    if (weights.size() != horizon ||
-        std::ranges::any_of(weights, [](const Rational& weight) { return weight <= 0; })) {
-        throw NoSuchModel(fmt::format(
-            "horizon {} has bonds of {} lengths: as many weights are needed, all positive", horizon,
-            horizon));
-    }
     const auto projected = projected_family(family);
+    const bool may_be_negative = !projected && find_family(family).has_signed_weights;
+    if (weights.size() != horizon || std::ranges::any_of(weights, [&](const Rational& weight) {
+            return weight == 0 || (weight < 0 && !may_be_negative);
+        })) {
+        throw NoSuchModel(
+            fmt::format("horizon {} has bonds of {} lengths: as many weights are needed, {}",
+                        horizon, horizon, may_be_negative ? "none of them 0" : "all positive"));
+    }
     const bool constant_influence =
         std::ranges::count(weights, weights[0]) == std::ptrdiff_t(horizon);
     if (projected && (horizon != horizon_of(projected->model) || !constant_influence)) {
@@ -91,6 +92,11 @@ Model make_model(std::string_view family, unsigned horizon, const Rational& damp
         model.description += ", influence " + list;
     }
     model.symbol = symbol_of(model.energy);
+    if (may_be_negative && !is_positive(model.symbol)) {
+        throw NoSuchModel(
+            "with these weights the lattice has waves that grow: omega^2 is not "
+            "above 0 for all 0 < xi <= pi");
+    }
     damp(model, damping);
     return model;
 }

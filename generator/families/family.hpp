@@ -22,8 +22,8 @@ struct NoSuchModel : std::invalid_argument {
 struct Family {
     std::string_view name;
     /// The energy, description and source of the model with the given horizon n >= 1 and weights
-    /// w_1 .. w_n > 0 of its bonds, of which a common factor says nothing; symbol and damping are
-    /// filled in by make_model. The weight of stabilisation is proportional to G.
+    /// w_1 .. w_n of its bonds, none of them 0, of which a common factor says nothing; symbol and
+    /// damping are filled in by make_model. The weight of stabilisation is proportional to G.
     /// Throws NoSuchModel where the family has none of this horizon.
     Model (*describe)(unsigned horizon, std::span<const Rational> weights);
     /// At constant influence, the coefficients of x^2, x^4, .. x^(2 count), x = i xi, in -omega^2
@@ -36,6 +36,8 @@ struct Family {
     /// family states none: what the model with horizon kn and stabilisation kG on a lattice of
     /// spacing dX/k tends to as k -> infinity, for xi > 0 [1/dX].
     SquaredFrequency (*limit)(unsigned horizon, const Real& G, const Real& xi) = nullptr;
+    /// Its weights may be below 0, as long as omega^2 is above 0 for 0 < xi <= pi.
+    bool has_signed_weights = false;
 };
 
 /// The families there are, in the order they are listed to a user.
@@ -51,7 +53,7 @@ bool is_stabilised(std::string_view family);
 /// damping tau >= 0 [c/dX] and the influence w_1 .. w_n, constant where it is empty; symbol and
 /// damping are derived from its energy. Throws NoSuchModel where there is no such family or
 /// horizon, where tau < 0, for tau > 0 in a family without stabilisation, and where there are not n
-/// positive weights.
+/// weights that the family allows.
 Model make_model(std::string_view family, unsigned horizon, const Rational& damping = 0,
                  std::span<const Rational> weights = {});
 

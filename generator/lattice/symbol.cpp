@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "generator/exact/rational_function.hpp"
+#include "generator/exact/real_roots.hpp"
 
 namespace nmbcgen {
 
@@ -39,6 +40,22 @@ std::vector<Polynomial> symbol_of(std::span<const ExactSquare> energy) {
         }
     }
     return symbol;
+}
+
+bool is_positive(const std::vector<Polynomial>& symbol) {
+    // In x = cos(xi), on -1 <= x <= 1; 1 - x divides it.
+    const Polynomial x{0, 1};
+    Polynomial before = constant(1);  // cos((m - 1) xi), cos(m xi)
+    Polynomial cosine = x;
+    Polynomial omega_squared = symbol[0];
+    for (std::size_t m = 1; m < symbol.size(); ++m) {
+        omega_squared += symbol[m] * cosine * constant(2);
+        const Polynomial next = x * cosine * constant(2) - before;
+        before = cosine;
+        cosine = next;
+    }
+    const Polynomial over_long_waves = omega_squared / Polynomial{1, -1};
+    return evaluate(over_long_waves, 1) > 0 && count_real_roots(over_long_waves, -1, 1) == 0;
 }
 
 std::vector<Polynomial> symbol_of(const Table& table) {

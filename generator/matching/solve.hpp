@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// Linear equations over any field, and those of matching points, of which some are exact.
+/// The linear equations of matching points, of which some are exact.
 #pragma once
 
 #include <vector>
 
+#include "generator/exact/echelon.hpp"
 #include "generator/exact/real.hpp"
 #include "generator/table/exact.hpp"
 
 namespace nmbcgen {
-
-/// Each row: the coefficients of the unknowns, then the right-hand side.
-template <class T>
-using Rows = std::vector<std::vector<T>>;
 
 /// The unknowns to all digits, and rounded so that the exact rows hold exactly.
 struct Solution {

@@ -26,22 +26,19 @@ std::vector<std::string> parts_of(std::string_view name) {
 }
 
 std::optional<Rational> value_of(std::string text) {
-    const bool negative = text.starts_with('m');
-    text.erase(0, negative ? 1 : 0);
     const std::size_t mark = text.find('o');
     if (mark == std::string::npos) {
         return std::nullopt;
     }
     text[mark] = '/';
+    if (text.front() == 'm') {
+        text.front() = '-';
+    }
     try {
-        return negative ? -parse_rational(text) : parse_rational(text);
+        return parse_signed_rational(text);
     } catch (const std::invalid_argument&) {
         return std::nullopt;
     }
-}
-
-std::string signed_p_over_q(const Rational& value) {
-    return value < 0 ? "m" + p_over_q(-value) : p_over_q(value);
 }
 
 /// Takes what is between the radius and the polarisation. False where something else is there.
@@ -70,13 +67,14 @@ bool take(ProjectedFamily& projected, std::span<const std::string> parts) {
 }  // namespace
 
 std::string p_over_q(const Rational& value) {
-    return numerator(value).str() + "o" + denominator(value).str();
+    const Rational size = abs(value);
+    return (value < 0 ? "m" : "") + numerator(size).str() + "o" + denominator(size).str();
 }
 
 std::string name_of(const ProjectedFamily& projected) {
     std::string name = fmt::format("{}_r{}", projected.family, projected.model.radius_squared);
     if (projected.model.poisson) {
-        name += "_nu" + signed_p_over_q(*projected.model.poisson);
+        name += "_nu" + p_over_q(*projected.model.poisson);
     }
     name += projected.model.plane_strain ? "_strain" : "";
     for (std::size_t i = 0; i < projected.model.weights.size(); ++i) {

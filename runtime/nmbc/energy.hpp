@@ -104,6 +104,7 @@ Energies energies(const BasicChain<Real>& chain, std::size_t first, std::size_t 
     const std::size_t end = last + chain.first_interior();
 
     detail::EnergySums sums;
+    detail::EnergySums below_0;  // of bonds that are
     for (std::size_t node = begin; node < end; node += detail::EnergySums::nodes) {
         const std::size_t nodes = std::min(end - node, detail::EnergySums::nodes);
         for (std::size_t i = 0; i < nodes; ++i) {
@@ -112,17 +113,18 @@ Energies energies(const BasicChain<Real>& chain, std::size_t first, std::size_t 
         }
         for (const auto& [part, weight, stencil] : chain.lattice().energy) {
             const std::size_t start = node - stencil.size() / 2;  // at most ghosts() before it
-            detail::add_square(std::span(stencil), std::sqrt(weight), dt, &u[start], &v[start],
-                               nodes, part == EnergyPart::strain ? sums.strain : sums.stabilisation,
-                               sums.staggered);
+            detail::EnergySums& to = weight < 0 ? below_0 : sums;
+            detail::add_square(
+                std::span(stencil), std::sqrt(std::abs(weight)), dt, &u[start], &v[start], nodes,
+                part == EnergyPart::strain ? to.strain : to.stabilisation, to.staggered);
         }
     }
     Energies result;
     for (std::size_t i = 0; i < detail::EnergySums::nodes; ++i) {
         result.kinetic += sums.kinetic[i];
-        result.strain += sums.strain[i];
+        result.strain += sums.strain[i] - below_0.strain[i];
         result.stabilisation += sums.stabilisation[i];
-        result.staggered += sums.staggered[i];
+        result.staggered += sums.staggered[i] - below_0.staggered[i];
     }
     const double stiffness = p.youngs_modulus / p.spacing / 2;
     result.kinetic *= p.spacing * p.density / 2;

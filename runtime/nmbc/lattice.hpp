@@ -20,7 +20,7 @@ struct Lattice {
     /// One square of the energy, weight * (sum_i stencil[i] u_{I+i-r})^2 / 2, 2r+1 entries.
     struct Square {
         EnergyPart part;
-        double weight;  ///< not below 0
+        double weight;  ///< of strain it may be below 0, where bonds are
         std::vector<double> stencil;
     };
     std::vector<double> symbol;   ///< omega^2 = symbol[0] + 2 sum symbol[m] cos(m xi)
@@ -37,13 +37,14 @@ struct Lattice {
 };
 
 /// The lattice at G >= 0. The table lasts as long as it. Throws std::invalid_argument for a bad G,
-/// and where a square of the energy has a weight below 0 there.
+/// and where a square of stabilisation has a weight below 0 there.
 inline Lattice make_lattice(const LatticeTable& table, double G) {
     Lattice lattice{evaluate(table.symbol, G), {}, evaluate(table.damping, 0), &table, G};
     for (const EnergySquare& square : table.energy) {
         const double weight = evaluate(square.weight, G);
-        if (!(weight >= 0)) {
-            throw std::invalid_argument("the squares of a lattice's energy need weights >= 0");
+        if (square.part == EnergyPart::stabilisation && !(weight >= 0)) {
+            throw std::invalid_argument(
+                "the squares of a lattice's stabilisation need weights >= 0");
         }
         if (weight == 0) {
             continue;

@@ -53,7 +53,7 @@ TEST_CASE("a rigid motion, small rotations among them, has no energy") {
 
 TEST_CASE("models and projections that there are not") {
     CHECK_THROWS_WITH_AS(bond2d({.radius_squared = 2, .weights = {1}}),
-                         "2 weights are needed, all positive: of the bonds (1, 0), (1, 1)",
+                         "2 weights are needed, none of them 0: of the bonds (1, 0), (1, 1)",
                          NoSuchModel);
     CHECK_THROWS_AS(bond2d({.radius_squared = 2, .weights = {1, -1}}), NoSuchModel);
     const VectorModel axes = bond2d({.radius_squared = 1, .weights = {1}});

@@ -238,7 +238,7 @@ TEST_CASE("what is wrong is said, with its place and what is allowed") {
         [](Json& t) {
             t["lattice"]["weights"] = {"1", "0"};
         },
-        "mine.json: lattice.weights[1] must be positive, not \"0\"");
+        "mine.json: lattice.weights[1] must be another number than 0, not \"0\"");
     for (const Json& weights : {Json({"1"}), Json({"1", "1"}), Json({"2", "1"})}) {
         Json wrong = damped();
         wrong["lattice"]["weights"] = weights;

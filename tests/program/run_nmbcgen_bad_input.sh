@@ -81,11 +81,12 @@ refuses --match "excludes" -- --horizon 1 --G 1/2 --match 0:3,1:1 --order 2
 refuses --match --horizon -- --G 1/2 --match 0:3,1:1
 refuses --match --order -- reflect --horizon 1 --G 1/2
 
-for bad in cone 1,x nan,1 1,-1 "constant,1"; do
+for bad in cone 1,x nan,1 "constant,1"; do
     refuses --weights "constant, conical, inverse, cubic" -- --order 1 --horizon 2 --weights "$bad"
 done
 refuses --weights "3 weights, where horizon 2 needs 2" -- --order 1 --horizon 2 --weights 1,2,3
-refuses --weights "positive" -- --order 1 --horizon 2 --weights 1,0
+refuses --weights "other than 0" -- --order 1 --horizon 2 --weights 1,0
+refuses --weights "nopd1d needs weights above 0" -- --order 1 --horizon 2 --weights 1,-1
 refuses --weights "empty item" -- --order 1 --horizon 2 --weights 1,,2
 refuses --weights "excludes" -- --all --weights conical
 refuses --weights "3 weights, where horizon 2" -- dispersion --horizon 3,2 --G 1 --weights 1,2,3

@@ -130,8 +130,8 @@ refuses 2 'model.influence must be "constant", "conical", "inverse", "cubic", or
     --set model.influence=cone
 refuses 2 "model.influence must be a list, not 3" --set model.influence=3
 refuses 2 "model.influence has 3 weights, where horizon 2 needs 2" --set 'model.influence=[1,1,1]'
-refuses 2 "model.influence has a 0: every bond needs a positive weight" --set 'model.influence=[1,0]'
-refuses 2 "model.influence must be a list of exact numbers: '-1' is not" --set 'model.influence=[1,-1]'
+refuses 2 "model.influence has a 0: every bond needs a weight other than 0" --set 'model.influence=[1,0]'
+refuses 2 "model.influence has a weight below 0, which nopd1d does not take" --set 'model.influence=[1,-1]'
 refuses 2 "one of them is true" --set 'model.influence=[1,true]'
 refuses 2 'model.tables must be a list of strings in quotes, ["a", "b"], not 3' --set model.tables=3
 refuses 2 'model.tables must be a list of strings in quotes, ["a", "b"], not [1]' --set 'model.tables=[1]'

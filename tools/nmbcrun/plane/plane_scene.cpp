@@ -46,10 +46,8 @@ std::optional<nmbcgen::Rational> read_signed(SceneReader& reader, const std::str
     if (!given) {
         return std::nullopt;
     }
-    const bool is_negative = given->starts_with('-');
     try {
-        const nmbcgen::Rational value = nmbcgen::parse_rational(given->substr(is_negative ? 1 : 0));
-        return is_negative ? -value : value;
+        return nmbcgen::parse_signed_rational(*given);
     } catch (const std::invalid_argument&) {
         reader.fail(
             key, fmt::format(R"(must be an exact number, such as 0.25 or "-1/4", not {})", *given));

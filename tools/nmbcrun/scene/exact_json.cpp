@@ -38,6 +38,20 @@ std::string integers_of(const JsonValue& json) {
     return list;
 }
 
+/// In lowest terms.
+nmbcgen::Rational number_by(nmbcgen::Rational (*parse)(std::string_view), const JsonValue& json,
+                            const char* allowed) {
+    const std::string text = json.text();
+    try {
+        nmbcgen::Rational value = parse(text);
+        if (nmbcgen::to_string(value) == text) {
+            return value;
+        }
+    } catch (const std::invalid_argument&) {  // said below
+    }
+    json.must_be(allowed);
+}
+
 }  // namespace
 
 nmbcgen::Rational Fraction::value() const {
@@ -66,16 +80,14 @@ Fraction rational_function_of(const JsonValue& json) {
     return function;
 }
 
+nmbcgen::Rational number_of(const JsonValue& json) {
+    return number_by(nmbcgen::parse_signed_rational, json,
+                     "an exact number \"p/q\" in lowest terms");
+}
+
 nmbcgen::Rational parameter_of(const JsonValue& json) {
-    const std::string text = json.text();
-    try {
-        nmbcgen::Rational value = nmbcgen::parse_rational(text);
-        if (nmbcgen::to_string(value) == text) {
-            return value;
-        }
-    } catch (const std::invalid_argument&) {  // said below
-    }
-    json.must_be("an exact number \"p/q\" in lowest terms, not below 0");
+    return number_by(nmbcgen::parse_rational, json,
+                     "an exact number \"p/q\" in lowest terms, not below 0");
 }
 
 }  // namespace nmbcrun

@@ -25,7 +25,8 @@ Fraction fraction_of(const JsonValue& json);
 /// {"num": [..], "den": [..]}; each list as one text, a space between two integers.
 Fraction rational_function_of(const JsonValue& json);
 
-/// A number not below 0 in lowest terms.
+/// A number in lowest terms; parameters are not below 0.
+nmbcgen::Rational number_of(const JsonValue& json);
 nmbcgen::Rational parameter_of(const JsonValue& json);
 
 }  // namespace nmbcrun

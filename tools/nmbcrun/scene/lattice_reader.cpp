@@ -21,9 +21,9 @@ constexpr std::size_t longest_symbol = 2 * highest_count + 1;  // that of nopd1d
 std::vector<nmbcgen::Rational> weights_of(const JsonValue& json, unsigned horizon) {
     std::vector<nmbcgen::Rational> weights;
     for (const JsonValue& element : json.elements()) {
-        weights.push_back(parameter_of(element));
+        weights.push_back(number_of(element));
         if (weights.back() == 0) {
-            element.must_be("positive");
+            element.must_be("another number than 0");
         }
     }
     const auto is_one = [](const nmbcgen::Rational& weight) { return weight == 1; };
@@ -79,7 +79,7 @@ std::vector<nmbcgen::Polynomial> polynomials_of(const JsonValue& json, std::size
     return polynomials;
 }
 
-nmbcgen::ExactSquare square_of(const JsonValue& json, std::size_t reach) {
+nmbcgen::ExactSquare square_of(const JsonValue& json, std::size_t reach, bool may_be_negative) {
     const std::string part = json.at("part").text();
     const bool is_strain = part == name_of(nmbc::EnergyPart::strain);
     if (!is_strain && part != name_of(nmbc::EnergyPart::stabilisation)) {
@@ -90,7 +90,8 @@ nmbcgen::ExactSquare square_of(const JsonValue& json, std::size_t reach) {
         is_strain ? nmbc::EnergyPart::strain : nmbc::EnergyPart::stabilisation,
         polynomial_of(weight),
         {}};
-    if (std::ranges::any_of(square.weight.data(), [](const auto& entry) { return entry < 0; })) {
+    if (!may_be_negative &&
+        std::ranges::any_of(square.weight.data(), [](const auto& entry) { return entry < 0; })) {
         weight.must_be("not below 0");
     }
     const std::vector<JsonValue> stencil = json.at("stencil").elements();
@@ -140,9 +141,22 @@ void require_of_energy(const JsonValue& json, const nmbcgen::Model& model,
     }
 }
 
-nmbcgen::Model model_of(const JsonValue& json, const nmbcgen::Rational& tau) {
+/// Bonds below 0 make energies below 0, of which those of waves in the whole lattice are none.
+void require_positive(const JsonValue& json, const std::vector<nmbcgen::Polynomial>& symbol) {
+    const bool has_G = std::ranges::any_of(
+        symbol, [](const nmbcgen::Polynomial& entry) { return entry.size() > 1; });
+    if (has_G || !nmbcgen::is_positive(symbol)) {
+        json.at("symbol").must_be(
+            "above 0 for all 0 < xi <= pi, and without G, where a weight is below 0");
+    }
+}
+
+nmbcgen::Model model_of(const JsonValue& json, const nmbcgen::Specification& what) {
     nmbcgen::Model model;
     model.symbol = polynomials_of(json.at("symbol"), 2, longest_symbol);
+    const nmbcgen::Rational& tau = what.damping;
+    const bool may_be_negative = std::ranges::any_of(
+        what.weights, [](const nmbcgen::Rational& weight) { return weight < 0; });
     const std::size_t size = tau > 0 ? model.symbol.size() : 0;
     for (const nmbcgen::Polynomial& number : polynomials_of(json.at("damping"), size, size)) {
         if (number.size() > 1) {
@@ -151,9 +165,12 @@ nmbcgen::Model model_of(const JsonValue& json, const nmbcgen::Rational& tau) {
         model.damping.push_back(nmbcgen::evaluate(number, 0));
     }
     for (const JsonValue& square : json.at("energy").elements()) {
-        model.energy.push_back(square_of(square, model.symbol.size() - 1));
+        model.energy.push_back(square_of(square, model.symbol.size() - 1, may_be_negative));
     }
     require_of_energy(json, model, tau);
+    if (may_be_negative) {
+        require_positive(json, model.symbol);
+    }
     return model;
 }
 
@@ -175,7 +192,7 @@ nmbc::EnergySquare view(const JsonValue& json, const nmbcgen::ExactSquare& squar
 
 OwnLattice read_lattice(const JsonValue& json, TableStorage& storage) {
     const nmbcgen::Specification what = specification_of(json);
-    const nmbcgen::Model model = model_of(json, what.damping);
+    const nmbcgen::Model model = model_of(json, what);
     const auto functions = [&](const char* key) {
         auto& list = storage.functions.emplace_back();
         for (const JsonValue& element : json.at(key).elements()) {

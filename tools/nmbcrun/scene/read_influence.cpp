@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
+#include "generator/families/family.hpp"
 #include "generator/families/influence.hpp"
 
 namespace nmbcrun {
@@ -30,17 +31,28 @@ std::vector<nmbcgen::Rational> named(SceneReader& reader, unsigned horizon) {
     return weights_of(*found, horizon);
 }
 
-std::vector<nmbcgen::Rational> listed(SceneReader& reader, unsigned horizon) {
+bool may_be_negative(std::string_view family) {
+    const auto known = nmbcgen::families();
+    const auto found = std::ranges::find(known, family, &nmbcgen::Family::name);
+    return found != known.end() && found->has_signed_weights;
+}
+
+std::vector<nmbcgen::Rational> listed(SceneReader& reader, std::string_view family,
+                                      unsigned horizon) {
     std::vector<nmbcgen::Rational> weights;
     for (const std::string& text : reader.numbers_or_texts(influence_key)) {
         try {
-            weights.push_back(nmbcgen::parse_rational(text));
+            weights.push_back(nmbcgen::parse_signed_rational(text));
         } catch (const std::invalid_argument& error) {
             reader.fail(influence_key,
                         fmt::format("must be a list of exact numbers: {}", error.what()));
         }
         if (weights.back() == 0) {
-            reader.fail(influence_key, "has a 0: every bond needs a positive weight");
+            reader.fail(influence_key, "has a 0: every bond needs a weight other than 0");
+        }
+        if (weights.back() < 0 && !may_be_negative(family)) {
+            reader.fail(influence_key,
+                        fmt::format("has a weight below 0, which {} does not take", family));
         }
     }
     if (weights.size() != horizon) {
@@ -52,13 +64,13 @@ std::vector<nmbcgen::Rational> listed(SceneReader& reader, unsigned horizon) {
 
 }  // namespace
 
-std::vector<std::string> read_influence(SceneReader& reader, int horizon) {
+std::vector<std::string> read_influence(SceneReader& reader, std::string_view family, int horizon) {
     if (!reader.has(influence_key)) {
         return {};
     }
-    const auto weights =
-        nmbcgen::normalised(reader.is_text(influence_key) ? named(reader, unsigned(horizon))
-                                                          : listed(reader, unsigned(horizon)));
+    const auto weights = nmbcgen::normalised(reader.is_text(influence_key)
+                                                 ? named(reader, unsigned(horizon))
+                                                 : listed(reader, family, unsigned(horizon)));
     std::vector<std::string> texts;
     texts.reserve(weights.size());
     for (const nmbcgen::Rational& weight : weights) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/nmbcrun/scene/scene_reader.hpp"
@@ -11,6 +12,6 @@ namespace nmbcrun {
 
 /// w_1 .. w_n as tables have them, "p/q" in lowest terms with w_1 = "1"; none where all are equal,
 /// or the key is not there.
-std::vector<std::string> read_influence(SceneReader& reader, int horizon);
+std::vector<std::string> read_influence(SceneReader& reader, std::string_view family, int horizon);
 
 }  // namespace nmbcrun

@@ -314,7 +314,7 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     if (scene.auto_horizon && reader.has("model.influence")) {
         reader.fail("model.influence", "needs a model.horizon that is a number");
     }
-    scene.weights = read_influence(reader, scene.horizon);
+    scene.weights = read_influence(reader, scene.family, scene.horizon);
     for (const std::string& file : reader.texts("model.tables")) {
         scene.table_files.push_back(std::filesystem::path(path).parent_path() / file);
     }

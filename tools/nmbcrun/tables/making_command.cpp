@@ -51,7 +51,7 @@ std::string how_to_make(const Scene& scene, const Boundary& boundary) {
         .damping = nmbcgen::parse_rational(scene.tau),
         .time_step = nmbcgen::parse_rational(matching ? boundary.matched_step : "0")};
     for (const std::string& weight : scene.weights) {
-        what.weights.push_back(nmbcgen::parse_rational(weight));
+        what.weights.push_back(nmbcgen::parse_signed_rational(weight));
     }
     if (!is_known_lattice(what)) {
         return "";

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: MIT
+#include "generator/bonds/square_bonds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "generator/exact/echelon.hpp"
+#include "generator/exact/rational.hpp"
+#include "generator/families/vector_family.hpp"
+
+namespace nmbcgen {
+namespace {
+
+using Class = std::array<int, 2>;
+
+const Rational speed_P_squared(6, 5);
+const Rational speed_S_squared(2, 5);
+
+std::vector<Class> members_of(const Class& bonds) {
+    std::vector<Class> members;
+    const auto [i, j] = bonds;
+    for (const auto& [x, y] : {Class{i, j}, Class{j, i}}) {
+        for (const int right : {1, -1}) {
+            for (const int up : {1, -1}) {
+                members.push_back({right * x, up * y});
+            }
+        }
+    }
+    std::ranges::sort(members);
+    const auto repeated = std::ranges::unique(members);
+    members.erase(repeated.begin(), repeated.end());
+    return members;
+}
+
+int sign_of_power(int k) {
+    return k % 2 == 0 ? 1 : -1;
+}
+
+/// Means over -pi .. pi, over the Brillouin zone in two dimensions.
+/// k^2 cos(i k), as the factors of 1 and pi^2.
+std::array<Rational, 2> mean_of_square_times_cosine(int i) {
+    return i == 0 ? std::array<Rational, 2>{0, Rational(1, 3)}
+                  : std::array<Rational, 2>{Rational(2 * sign_of_power(i), i * i), 0};
+}
+
+/// k sin(i k)
+Rational mean_of_sine(int i) {
+    return i == 0 ? Rational(0) : Rational(-sign_of_power(i)) / i;
+}
+
+/// (1 - cos k.b) b.T b over the zone, T = V_S^2 k^2 I + (V_P^2 - V_S^2) k k^T: factors of 1, pi^2.
+std::array<Rational, 2> wanted_along(const Class& bond) {
+    const auto [i, j] = bond;
+    const Rational extra = speed_P_squared - speed_S_squared;
+    const Rational length = i * i + j * j;
+    // b.T b = f_x k_x^2 + f_y k_y^2 + f_xy k_x k_y
+    const Rational f_x = speed_S_squared * length + extra * (i * i);
+    const Rational f_y = speed_S_squared * length + extra * (j * j);
+    const Rational f_xy = 2 * extra * (i * j);
+    std::array<Rational, 2> mean{0, (f_x + f_y) / 3};
+    // cos k.b = cos i k_x cos j k_y - sin i k_x sin j k_y
+    for (const std::size_t power : {0U, 1U}) {
+        mean[power] -= j == 0 ? f_x * mean_of_square_times_cosine(i)[power] : Rational(0);
+        mean[power] -= i == 0 ? f_y * mean_of_square_times_cosine(j)[power] : Rational(0);
+    }
+    mean[0] += f_xy * mean_of_sine(i) * mean_of_sine(j);
+    return mean;
+}
+
+/// The least squares of weights w, D = sum over bonds of w b b^T (1 - cos k.b): gram w = wanted but
+/// for multipliers of the two speeds.
+struct Quadrature {
+    Rows<Rational> gram;
+    std::vector<std::array<Rational, 2>> wanted;  ///< factors of 1 and pi^2
+    std::array<std::vector<Rational>, 2> speeds;  ///< sum speeds[.] w = V_P^2, V_S^2
+};
+
+Quadrature quadrature_of(const std::vector<Class>& classes) {
+    const std::size_t count = classes.size();
+    Quadrature all;
+    all.gram.assign(count, std::vector<Rational>(count));
+    all.wanted.resize(count);
+    for (std::vector<Rational>& speed : all.speeds) {
+        speed.resize(count);
+    }
+    for (std::size_t a = 0; a < count; ++a) {
+        for (const Class& bond : members_of(classes[a])) {
+            const auto [i, j] = bond;
+            const std::array<Rational, 2> wanted = wanted_along(bond);
+            all.wanted[a][0] += wanted[0];
+            all.wanted[a][1] += wanted[1];
+            all.speeds[0][a] += Rational(i * i * i * i, 2);
+            all.speeds[1][a] += Rational(i * i * j * j, 2);
+            for (std::size_t b = 0; b < count; ++b) {
+                for (const auto& [x, y] : members_of(classes[b])) {
+                    const bool is_same = (x == i && y == j) || (x == -i && y == -j);
+                    const int inner = i * x + j * y;
+                    all.gram[a][b] += inner * inner * (is_same ? Rational(3, 2) : Rational(1));
+                }
+            }
+        }
+    }
+    return all;
+}
+
+/// 48/(5 pi N^3 r^3) times alpha is the weight; without the pi, and with r^3 = r^2 sqrt(r^2) apart.
+Quadratic alpha_over_weight(unsigned horizon, const Class& bond) {
+    const int square = bond[0] * bond[0] + bond[1] * bond[1];
+    Quadratic factor = square_root(unsigned(square));
+    factor *= Rational(5 * square * int(horizon * horizon * horizon), 48);
+    return factor;
+}
+
+Real alpha_of_unit_weight(unsigned horizon, const Class& bond) {
+    return value_of({Quadratic(0), alpha_over_weight(horizon, bond)});
+}
+
+/// The optimum without a bound, in closed form.
+SquareBonds unbounded(unsigned horizon, const std::vector<Class>& classes) {
+    const Quadrature all = quadrature_of(classes);
+    const std::size_t count = classes.size();
+    Rows<Rational> rows;
+    for (std::size_t a = 0; a < count; ++a) {
+        std::vector<Rational> row = all.gram[a];
+        row.insert(row.end(),
+                   {all.speeds[0][a], all.speeds[1][a], all.wanted[a][0], all.wanted[a][1]});
+        rows.push_back(row);
+    }
+    for (const std::size_t speed : {0U, 1U}) {
+        std::vector<Rational> row = all.speeds[speed];
+        row.insert(row.end(), {0, 0, speed == 0 ? speed_P_squared : speed_S_squared, 0});
+        rows.push_back(row);
+    }
+    if (reduce(rows, count + 2, nonzero).size() < count + 2) {
+        throw std::logic_error("singular equations of bonds");
+    }
+    SquareBonds bonds{classes, {}, {}};
+    for (std::size_t a = 0; a < count; ++a) {
+        const Rational& constant = rows[a][count + 2];
+        const Rational& of_pi_squared = rows[a][count + 3];
+        const Quadratic factor = alpha_over_weight(horizon, classes[a]);
+        const PiPolynomial alpha{Quadratic(0), factor * Quadratic(constant), Quadratic(0),
+                                 factor * Quadratic(of_pi_squared)};
+        bonds.alpha.push_back({double(value_of(alpha)), alpha});
+        bonds.weights.push_back(double(Real(constant) + Real(of_pi_squared) * pi() * pi()));
+    }
+    return bonds;
+}
+
+/// The least squares in numbers, where some of the weights are at their bounds.
+template <class T>
+class BoundedSquares {
+  public:
+    BoundedSquares(const Quadrature& all, std::vector<T> bounds) : bounds_(std::move(bounds)) {
+        const T square_of_pi(pi() * pi());
+        for (std::size_t a = 0; a < count(); ++a) {
+            std::vector<T> row;
+            for (const Rational& entry : all.gram[a]) {
+                row.push_back(T(entry));
+            }
+            gram_.push_back(row);
+            wanted_.push_back(T(all.wanted[a][0]) + T(all.wanted[a][1]) * square_of_pi);
+            speeds_.push_back({T(all.speeds[0][a]), T(all.speeds[1][a])});
+        }
+    }
+
+    std::size_t count() const { return bounds_.size(); }
+
+    /// The optimum with these bonds (bits) at their bounds, where it keeps all bounds and no
+    /// multiplier of one is negative, up to roundings; empty where it does not.
+    std::vector<T> optimum(std::size_t at_bound, const T& roundings) const {
+        Rows<T> rows = equations(at_bound);
+        const auto larger = [&roundings](const T& candidate, const T& best) {
+            using std::abs;
+            return abs(candidate) > abs(best) && abs(candidate) > roundings;
+        };
+        if (reduce(rows, count() + 2, larger).size() < count() + 2) {
+            return {};
+        }
+        std::vector<T> weights;
+        for (std::size_t a = 0; a < count(); ++a) {
+            weights.push_back(rows[a].back());
+        }
+        for (std::size_t a = 0; a < count(); ++a) {
+            T multiplier = -wanted_[a];
+            for (std::size_t b = 0; b < count(); ++b) {
+                multiplier += gram_[a][b] * weights[b];
+            }
+            for (const std::size_t speed : {0U, 1U}) {
+                multiplier += speeds_[a][speed] * rows[count() + speed].back();
+            }
+            if (weights[a] < bounds_[a] - roundings || multiplier < -roundings) {
+                return {};
+            }
+        }
+        return weights;
+    }
+
+  private:
+    Rows<T> equations(std::size_t at_bound) const {
+        Rows<T> rows;
+        for (std::size_t a = 0; a < count(); ++a) {
+            std::vector<T> row(count() + 3);
+            if ((at_bound >> a & 1U) != 0) {
+                row[a] = 1;
+                row.back() = bounds_[a];
+            } else {
+                std::ranges::copy(gram_[a], row.begin());
+                row[count()] = speeds_[a][0];
+                row[count() + 1] = speeds_[a][1];
+                row.back() = wanted_[a];
+            }
+            rows.push_back(row);
+        }
+        for (const std::size_t speed : {0U, 1U}) {
+            std::vector<T> row(count() + 3);
+            for (std::size_t a = 0; a < count(); ++a) {
+                row[a] = speeds_[a][speed];
+            }
+            row.back() = T(speed == 0 ? speed_P_squared : speed_S_squared);
+            rows.push_back(row);
+        }
+        return rows;
+    }
+
+    std::vector<T> bounds_;
+    Rows<T> gram_{};
+    std::vector<T> wanted_{};
+    std::vector<std::array<T, 2>> speeds_{};
+};
+
+/// Every set of bonds at the bound is tried, in doubles first: the optimum is one of them.
+SquareBonds bounded(unsigned horizon, const std::vector<Class>& classes, const Rational& bound) {
+    const Quadrature all = quadrature_of(classes);
+    std::vector<Real> bounds;
+    std::vector<double> rounded;
+    for (const Class& bond : classes) {
+        bounds.push_back(Real(bound) / alpha_of_unit_weight(horizon, bond));
+        rounded.push_back(double(bounds.back()));
+    }
+    const BoundedSquares<double> doubles(all, rounded);
+    const BoundedSquares<Real> digits(all, bounds);
+    for (std::size_t at_bound = 0; at_bound >> classes.size() == 0; ++at_bound) {
+        if (doubles.optimum(at_bound, 1e-9).empty()) {
+            continue;
+        }
+        const std::vector<Real> weights = digits.optimum(at_bound, Real("1e-100"));
+        if (weights.empty()) {
+            continue;
+        }
+        SquareBonds bonds{classes, {}, {}};
+        for (std::size_t a = 0; a < classes.size(); ++a) {
+            const bool is_at_bound = (at_bound >> a & 1U) != 0;
+            bonds.alpha.push_back(
+                is_at_bound
+                    ? BondCoefficient{nearest_double(bound), PiPolynomial{Quadratic(bound)}}
+                    : BondCoefficient{
+                          double(weights[a] * alpha_of_unit_weight(horizon, classes[a])), {}});
+            bonds.weights.push_back(double(weights[a]));
+        }
+        return bonds;
+    }
+    throw BoundsNotMet(
+        fmt::format("no coefficients of {} or more have the speeds of long waves of the solid",
+                    to_string(bound)));
+}
+
+struct Symmetric {
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+
+    /// The larger eigenvalue, and the other one.
+    std::array<double, 2> eigenvalues() const {
+        const double middle = (xx + yy) / 2;
+        const double half = std::hypot((xx - yy) / 2, xy);
+        return {middle + half, middle - half};
+    }
+};
+
+/// D from weights, and what of it long waves see.
+class Lattice {
+  public:
+    explicit Lattice(const SquareBonds& bonds) {
+        for (std::size_t a = 0; a < bonds.classes.size(); ++a) {
+            for (const auto& [i, j] : members_of(bonds.classes[a])) {
+                all_.push_back({bonds.weights[a], double(i), double(j)});
+            }
+        }
+    }
+
+    Symmetric at(double k_x, double k_y) const {
+        Symmetric sum;
+        for (const auto& [weight, i, j] : all_) {
+            add(sum, weight * (1 - std::cos(k_x * i + k_y * j)), i, j);
+        }
+        return sum;
+    }
+
+    /// D/k^2 in the limit.
+    Symmetric of_long_waves(double degrees) const {
+        const double angle = degrees * std::numbers::pi / 180;
+        Symmetric sum;
+        for (const auto& [weight, i, j] : all_) {
+            const double along = i * std::cos(angle) + j * std::sin(angle);
+            add(sum, weight * along * along / 2, i, j);
+        }
+        return sum;
+    }
+
+  private:
+    static void add(Symmetric& sum, double factor, double i, double j) {
+        sum.xx += factor * i * i;
+        sum.xy += factor * i * j;
+        sum.yy += factor * j * j;
+    }
+
+    std::vector<std::array<double, 3>> all_{};
+};
+
+}  // namespace
+
+std::vector<Class> square_bond_classes(unsigned horizon) {
+    if (horizon < 2 || horizon > most_square_bonds) {
+        throw std::invalid_argument("no such number of bonds");
+    }
+    std::vector<Class> classes;
+    for (const Offset& bond : bond_classes_in_plane(horizon * horizon)) {
+        classes.push_back({bond[0], bond[1]});
+    }
+    return classes;
+}
+
+SquareBonds square_bonds(unsigned horizon, const std::optional<Rational>& bound) {
+    const std::vector<Class> classes = square_bond_classes(horizon);
+    return bound ? bounded(horizon, classes, *bound) : unbounded(horizon, classes);
+}
+
+SquareBonds given_square_bonds(unsigned horizon, const std::vector<Rational>& alpha) {
+    SquareBonds bonds{square_bond_classes(horizon), {}, {}};
+    if (alpha.size() != bonds.classes.size()) {
+        throw std::invalid_argument(fmt::format("{} coefficients, where horizon {} has {} classes",
+                                                alpha.size(), horizon, bonds.classes.size()));
+    }
+    for (std::size_t a = 0; a < alpha.size(); ++a) {
+        bonds.alpha.push_back({nearest_double(alpha[a]), PiPolynomial{Quadratic(alpha[a])}});
+        bonds.weights.push_back(
+            double(Real(alpha[a]) / alpha_of_unit_weight(horizon, bonds.classes[a])));
+    }
+    return bonds;
+}
+
+SquareFigures figures_of(const SquareBonds& bonds) {
+    const Lattice lattice(bonds);
+    const double P = nearest_double(speed_P_squared);
+    const double S = nearest_double(speed_S_squared);
+    SquareFigures figures;
+    for (const std::size_t i : {0U, 1U}) {
+        const auto [fast, slow] = lattice.of_long_waves(i == 0 ? 0 : 45).eigenvalues();
+        figures.speed_P[i] = std::sqrt(fast / P);
+        figures.speed_S[i] = std::sqrt(slow / S);
+    }
+    // O to M, M to Y, Y to O.
+    constexpr int steps = 4000;
+    constexpr double edge = std::numbers::pi;
+    for (int i = 0; i < steps; ++i) {
+        const double k = (i + 0.5) * edge / steps;
+        const auto add = [&](double k_x, double k_y, double length) {
+            const auto [fast, slow] = lattice.at(k_x, k_y).eigenvalues();
+            const double square = k_x * k_x + k_y * k_y;
+            figures.residual +=
+                (std::abs(fast - P * square) + std::abs(slow - S * square)) * length * edge / steps;
+        };
+        add(k, 0, 1);
+        add(edge, k, 1);
+        add(k, k, std::numbers::sqrt2);
+    }
+    constexpr int along = 200;
+    double largest = 0;
+    figures.least_squared_speed = HUGE_VAL;
+    for (int x = 0; x <= along; ++x) {
+        for (int y = 0; y <= x; ++y) {
+            const double k_x = x * edge / along;
+            const double k_y = y * edge / along;
+            const auto [fast, slow] = lattice.at(k_x, k_y).eigenvalues();
+            largest = std::max(largest, fast);
+            if (x > 0) {
+                figures.least_squared_speed =
+                    std::min(figures.least_squared_speed, slow / (k_x * k_x + k_y * k_y));
+            }
+        }
+    }
+    figures.largest_frequency = std::sqrt(largest);
+    return figures;
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/cli/bonds_options.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "generator/bonds/square_bonds.hpp"
+#include "generator/cli/comma_list.hpp"
+#include "generator/cli/option_values.hpp"
+#include "generator/cli/parsed_option.hpp"
+#include "generator/cli/whole_number.hpp"
+#include "generator/exact/rational.hpp"
+
+namespace nmbcgen {
+namespace {
+
+constexpr std::string_view of_the_square_lattice = "bz-ls";
+
+/// Nothing for bz-ls.
+std::optional<ChainMethod> parse_bonds_method(const std::string& text) {
+    const auto method = chain_method(text);
+    if (!method && text != of_the_square_lattice) {
+        throw std::invalid_argument(fmt::format("'{}' is not a method; allowed: {}, {}",
+                                                text.substr(0, 60), chain_method_names(),
+                                                of_the_square_lattice));
+    }
+    return method;
+}
+
+std::vector<Rational> parse_alpha(const std::string& text) {
+    std::vector<Rational> alpha;
+    for (const std::string& item : items_of(text)) {
+        alpha.push_back(parse_signed_rational(item));
+    }
+    return alpha;
+}
+
+bool parse_is_json(const std::string& text) {
+    if (text != "text" && text != "json") {
+        throw std::invalid_argument(
+            fmt::format("'{}' is not a format; allowed: text, json", text.substr(0, 60)));
+    }
+    return text == "json";
+}
+
+void require_fit(const BondsTask& task) {
+    const bool is_chain = task.dimension == 1;
+    const unsigned least = is_chain ? 1 : 2;
+    const unsigned most = is_chain ? most_chain_bonds : most_square_bonds;
+    if (task.horizon < least || task.horizon > most) {
+        throw CLI::ValidationError("--horizon",
+                                   fmt::format("in {} dimension{} it is {} to {}", task.dimension,
+                                               is_chain ? "" : "s", least, most));
+    }
+    if (!task.alpha.empty()) {
+        const std::size_t needed =
+            is_chain ? task.horizon : square_bond_classes(task.horizon).size();
+        if (task.alpha.size() != needed) {
+            throw CLI::ValidationError("--alpha",
+                                       fmt::format("{} coefficients, where horizon {} needs {}",
+                                                   task.alpha.size(), task.horizon, needed));
+        }
+        return;
+    }
+    if (is_chain && !task.method) {
+        throw CLI::ValidationError("--method",
+                                   fmt::format("{} is of the square lattice; of a chain: {}",
+                                               of_the_square_lattice, chain_method_names()));
+    }
+    if (!is_chain && task.method) {
+        throw CLI::ValidationError(
+            "--method",
+            fmt::format("of the square lattice it is {}: the published equations of the others do "
+                        "not have the published coefficients (docs/how-to/optimised-bonds.md)",
+                        of_the_square_lattice));
+    }
+    if (is_chain && task.bound) {
+        throw CLI::ValidationError("--positive",
+                                   fmt::format("is of --method {}", of_the_square_lattice));
+    }
+}
+
+}  // namespace
+
+CLI::App* add_bonds(CLI::App& app, Request& request) {
+    auto* const bonds = app.add_subcommand("bonds",
+                                           "coefficients of bonds that make waves travel as in the "
+                                           "solid (docs/how-to/optimised-bonds.md)");
+    const auto parse_dimension = [](const std::string& text) {
+        return parse_whole_number(text, 2);
+    };
+    add_parsed(*bonds, "--dimension", request.bonds.dimension, parse_dimension,
+               "1, a chain, or 2, a square lattice")
+        ->required();
+    add_parsed(*bonds, "--horizon", request.bonds.horizon, parse_count,
+               fmt::format("N, the longest bond in units of dX: 1 to {}, in two dimensions 2 to {}",
+                           most_chain_bonds, most_square_bonds))
+        ->required();
+    CLI::Option* const method =
+        add_parsed(*bonds, "--method", request.bonds.method, parse_bonds_method,
+                   fmt::format("of a chain: {}; of a square lattice: {}", chain_method_names(),
+                               of_the_square_lattice));
+    CLI::Option* const alpha =
+        add_parsed(*bonds, "--alpha", request.bonds.alpha, parse_alpha,
+                   "in place of a method: coefficients of your own, exact numbers with commas "
+                   "between, shortest "
+                   "bond first, of the square lattice those of (1, 0), (1, 1), (2, 0), (2, 1), ..");
+    method->excludes(alpha);
+    add_parsed(*bonds, "--positive", request.bonds.bound, parse_rational,
+               fmt::format("with {}: no coefficient below this, an exact number such as 1/2 or 0.3",
+                           of_the_square_lattice))
+        ->excludes(alpha);
+    add_parsed(*bonds, "--format", request.bonds_as_json, parse_is_json,
+               "text or json (default text)");
+    bonds->add_flag("--stdout", request.to_stdout, "print it, as is done in any case");
+    bonds->parse_complete_callback([&request, method, alpha] {
+        if (method->count() + alpha->count() == 0) {
+            throw CLI::RequiredError("--method (or --alpha)");
+        }
+        require_fit(request.bonds);
+    });
+    return bonds;
+}
+
+}  // namespace nmbcgen
