@@ -156,7 +156,10 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
         return;
     }
     if (!plane.polarisation) {
-        throw CLI::RequiredError("--polarisation");
+        throw CLI::ValidationError("--polarisation",
+                                   "is required: a table is of the P or the S waves. Sides for all "
+                                   "waves: nmbcgen recommend, and nmbcgen passive, whose sides are "
+                                   "stable by construction");
     }
     const ProjectedFamily projected{
         .family = family, .model = choice, .polarisation = *plane.polarisation};

@@ -65,7 +65,7 @@ class DashpotGroups {
             dragged_.push_back(static_cast<Real>(time_step * drag[i]));
         }
         before_.resize(size_ * groups_.size());
-        change_.resize(size_);
+        kick_.resize(size_);
         mean_.resize(size_);
     }
 
@@ -81,28 +81,15 @@ class DashpotGroups {
     /// Makes v+ of v*, and adds to `gone` what each side has taken out: dt vbar.C vbar, vbar the
     /// mean of v- and v+, times 1/dt.
     void close(PlaneField<Real> v, std::array<double, 4>& gone) {
-        for (std::size_t g = 0; g < groups_.size(); ++g) {
-            const Real* const before = &before_[g * size_];
-            Real* const at = v[component_] + groups_[g];
-            for (std::size_t i = 0; i < size_; ++i) {
-                Real sum = 0;
-                for (std::size_t k = 0; k < size_; ++k) {
-                    sum += kicked_[i * size_ + k] * (at[offsets_[k]] - before[k]) -
-                           dragged_[i * size_ + k] * before[k];
-                }
-                change_[i] = sum;
-            }
-            for (std::size_t i = 0; i < size_; ++i) {
-                at[offsets_[i]] = before[i] + change_[i];
-                mean_[i] = static_cast<double>(before[i]) + static_cast<double>(change_[i]) / 2;
-            }
-            for (const OfSide& side : sides_) {
-                double power = 0;
-                for (std::size_t i = 0; i < size_ * size_; ++i) {
-                    power += mean_[i / size_] * side.dashpots[i] * mean_[i % size_];
-                }
-                gone[side.side] += power;
-            }
+        switch (size_) {  // lines of the smaller horizons, in loops of known length
+            case 2:
+                return close_groups<2>(v[component_], gone);
+            case 4:
+                return close_groups<4>(v[component_], gone);
+            case 6:
+                return close_groups<6>(v[component_], gone);
+            default:
+                return close_groups<0>(v[component_], gone);
         }
     }
 
@@ -122,6 +109,38 @@ class DashpotGroups {
     }
 
   private:
+    /// Size: the nodes of a group; 0: as many as there are.
+    template <std::size_t Size>
+    void close_groups(Real* v, std::array<double, 4>& gone) {
+        const std::size_t size = Size == 0 ? size_ : Size;
+        for (std::size_t g = 0; g < groups_.size(); ++g) {
+            const Real* const before = &before_[g * size];
+            Real* const at = v + groups_[g];
+            for (std::size_t k = 0; k < size; ++k) {
+                kick_[k] = at[offsets_[k]] - before[k];
+            }
+            for (std::size_t i = 0; i < size; ++i) {
+                Real sum = 0;
+                for (std::size_t k = 0; k < size; ++k) {
+                    sum += kicked_[i * size + k] * kick_[k] - dragged_[i * size + k] * before[k];
+                }
+                at[offsets_[i]] = before[i] + sum;
+                mean_[i] = static_cast<double>(before[i]) + static_cast<double>(sum) / 2;
+            }
+            for (const OfSide& side : sides_) {
+                double power = 0;
+                for (std::size_t i = 0; i < size; ++i) {
+                    double drag = 0;
+                    for (std::size_t k = 0; k < size; ++k) {
+                        drag += side.dashpots[i * size + k] * mean_[k];
+                    }
+                    power += mean_[i] * drag;
+                }
+                gone[side.side] += power;
+            }
+        }
+    }
+
     std::size_t component_;
     std::size_t size_;
     std::vector<std::ptrdiff_t> offsets_;
@@ -132,7 +151,7 @@ class DashpotGroups {
     std::vector<Real> kicked_;      // S M
     std::vector<Real> dragged_;     // dt S C
     std::vector<Real> before_;      // v-, group by group
-    std::vector<Real> change_;      // of one group, while it closes
+    std::vector<Real> kick_;        // v* - v- of one group, while it closes
     std::vector<double> mean_;      // likewise
 };
 

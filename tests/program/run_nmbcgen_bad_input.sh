@@ -148,7 +148,7 @@ refuses --G "requires --G" -- --order 1 --horizon 1 --require-stable
 plane="--order 1 --family nopd2d"
 refuses --radius2 "--radius2 is required" -- $plane --horizon 1
 refuses --nu "--nu is required" -- $plane --radius2 1 --polarisation P
-refuses --polarisation "--polarisation is required" -- $plane --radius2 1 --nu 0
+refuses --polarisation "is required: a table is of the P or the S waves" -- $plane --radius2 1 --nu 0
 refuses --radius2 "no node of the square lattice is at a distance of 3 squared" "below is 2" -- \
     $plane --radius2 3 --nu 1/4 --polarisation P
 refuses --radius2 "'0'" -- $plane --radius2 0 --nu 1/4 --polarisation P
