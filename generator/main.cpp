@@ -12,6 +12,7 @@
 #include "generator/commands/bonds.hpp"
 #include "generator/commands/check.hpp"
 #include "generator/commands/closed_forms.hpp"
+#include "generator/commands/closure.hpp"
 #include "generator/commands/dispersion.hpp"
 #include "generator/commands/plane_sides.hpp"
 #include "generator/commands/reflect.hpp"
@@ -206,7 +207,11 @@ int run(const Request& request) {
             print(reflection_csv(derive(request.specification), request.samples));
             return done;
         case Action::bonds:
-            print(request.bonds_as_json ? bonds_json(request.bonds) : bonds_text(request.bonds));
+            print(request.as_json ? bonds_json(request.bonds) : bonds_text(request.bonds));
+            return done;
+        case Action::closure:
+            print(request.as_json ? surface_node_json(request.closure)
+                                  : surface_node_text(request.closure));
             return done;
         case Action::closed_forms:
             print(request.closed_format->emit(closed_forms(

@@ -5,9 +5,9 @@
 #include <iostream>
 #include <sstream>
 
-#include "generator/cli/bonds_options.hpp"
 #include "generator/cli/option_values.hpp"
 #include "generator/cli/parsed_option.hpp"
+#include "generator/cli/print_options.hpp"
 #include "generator/cli/settle.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/support/files.hpp"
@@ -302,6 +302,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     auto* const dispersion = add_dispersion(app, request.curves, pending);
     auto* const closed_forms = add_closed_forms(app, request);
     auto* const bonds = add_bonds(app, request);
+    auto* const closure = add_closure(app, request);
     app.footer(
         "Exit codes: 0 done; 1 the committed set is stale; 2 wrong arguments; 3 there is no such "
         "boundary\ncondition; 4 it is not certified to be stable (--require-stable); 5 a file "
@@ -333,6 +334,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
             request.action = Action::closed_forms;
         } else if (bonds->parsed()) {
             request.action = Action::bonds;
+        } else if (closure->parsed()) {
+            request.action = Action::closure;
         }
         settle(request, pending, app);
     } catch (const CLI::Success& help) {

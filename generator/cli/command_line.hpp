@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "generator/commands/bonds.hpp"
+#include "generator/commands/closure.hpp"
 #include "generator/commands/dispersion.hpp"
 #include "generator/commands/optimise.hpp"
 #include "generator/commands/passive.hpp"
@@ -27,7 +28,8 @@ enum class Action {
     optimise,
     dispersion,
     closed_forms,
-    bonds
+    bonds,
+    closure
 };
 
 struct Request {
@@ -48,8 +50,9 @@ struct Request {
     std::optional<PlaneCurves> plane_curves;  ///< instead, of the plane family that `curves` names
     const ClosedFormat* closed_format = &closed_formats().front();  ///< of Action::closed_forms
     BondsTask bonds;                                                ///< of Action::bonds
-    bool bonds_as_json = false;                                     ///< in place of text
-    std::optional<std::filesystem::path> cache;                     ///< folder of kept certificates
+    ClosureTask closure;                                            ///< of Action::closure
+    bool as_json = false;                        ///< what these print, in place of text
+    std::optional<std::filesystem::path> cache;  ///< folder of kept certificates
     std::filesystem::path folder = "generated/nmbc/tables";
 };
 

@@ -153,7 +153,8 @@ void settle(Request& request, Pending pending, const CLI::App& app) {
         request.specification.points = pending.matching->points;
     }
     if (request.action != Action::all_tables && request.action != Action::check &&
-        request.action != Action::closed_forms && request.action != Action::bonds) {
+        request.action != Action::closed_forms && request.action != Action::bonds &&
+        request.action != Action::closure) {
         settle_plane(request, pending, used_app(app));
         settle_G(request, used_app(app));
     }

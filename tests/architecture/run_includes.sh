@@ -26,6 +26,7 @@ allow generator/lattice 'generator/(table|exact|lattice)/|boost/'
 allow generator/families "generator/(table|exact|lattice|names|families)/|$text"
 allow generator/names "generator/(table|exact|names)/|$text"
 allow generator/bonds "generator/(table|exact|families|bonds)/|$text"
+allow generator/closures 'generator/(table|closures)/'
 allow generator/dense 'generator/dense/|(unsupported/)?Eigen/'
 allow generator/stability 'generator/(table|exact|dense|lattice|stability)/|boost/|Eigen/Core'
 allow generator/plane 'generator/(table|exact|dense|lattice|plane)/|Eigen/Core'
@@ -33,8 +34,8 @@ allow generator/passive 'generator/(table|exact|dense|families|plane|passive)/|n
 allow generator/matching "generator/(table|exact|lattice|matching)/|ginac/|$text"
 allow generator/emit "generator/(table|exact|lattice|names|emit)/|nlohmann/|$text"
 allow generator/support "generator/(table|emit|names|support)/|nlohmann/|CLI/|fcntl.h|unistd.h|sys/(file|stat).h|$text"
-allow generator/commands "generator/(table|exact|dense|lattice|bonds|families|names|stability|plane|passive|matching|emit|support|commands)/|generator/pipeline.hpp|Eigen/Core|nlohmann/|$text"
-allow generator/cli "generator/(table|exact|bonds|families|names|emit|commands|support|cli)/|generator/matching/real.hpp|CLI/|$text"
+allow generator/commands "generator/(table|exact|dense|lattice|bonds|closures|families|names|stability|plane|passive|matching|emit|support|commands)/|generator/pipeline.hpp|Eigen/Core|nlohmann/|$text"
+allow generator/cli "generator/(table|exact|bonds|closures|families|names|emit|commands|support|cli)/|generator/matching/real.hpp|CLI/|$text"
 allow generator "generator/|unistd.h|$text"
 allow generated/nmbc/tables 'nmbc/table.hpp|nmbc/tables/'
 allow runtime/nmbc 'nmbc/[a-z_]+\.hpp'

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/cli/bonds_options.hpp"
+#include "generator/cli/print_options.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +11,7 @@
 #include "generator/cli/option_values.hpp"
 #include "generator/cli/parsed_option.hpp"
 #include "generator/cli/whole_number.hpp"
+#include "generator/closures/surface_node.hpp"
 #include "generator/exact/rational.hpp"
 
 namespace nmbcgen {
@@ -82,6 +83,11 @@ void require_fit(const BondsTask& task) {
     }
 }
 
+void add_format(CLI::App& command, Request& request) {
+    add_parsed(command, "--format", request.as_json, parse_is_json, "text or json (default text)");
+    command.add_flag("--stdout", request.to_stdout, "print it, as is done in any case");
+}
+
 }  // namespace
 
 CLI::App* add_bonds(CLI::App& app, Request& request) {
@@ -112,9 +118,7 @@ CLI::App* add_bonds(CLI::App& app, Request& request) {
                fmt::format("with {}: no coefficient below this, an exact number such as 1/2 or 0.3",
                            of_the_square_lattice))
         ->excludes(alpha);
-    add_parsed(*bonds, "--format", request.bonds_as_json, parse_is_json,
-               "text or json (default text)");
-    bonds->add_flag("--stdout", request.to_stdout, "print it, as is done in any case");
+    add_format(*bonds, request);
     bonds->parse_complete_callback([&request, method, alpha] {
         if (method->count() + alpha->count() == 0) {
             throw CLI::RequiredError("--method (or --alpha)");
@@ -122,6 +126,24 @@ CLI::App* add_bonds(CLI::App& app, Request& request) {
         require_fit(request.bonds);
     });
     return bonds;
+}
+
+CLI::App* add_closure(CLI::App& app, Request& request) {
+    auto* const closure = app.add_subcommand(
+        "closure", "a true end of a bond-based chain (docs/how-to/end-a-body.md)");
+    closure->require_subcommand(1);
+    auto* const surface = closure->add_subcommand("snm", "the surface node method");
+    const auto parse_horizon = [](const std::string& text) {
+        return parse_whole_number(text, largest_closure_horizon);
+    };
+    add_parsed(*surface, "--horizon", request.closure.horizon, parse_horizon,
+               fmt::format("m in units of dX, 1 to {}", largest_closure_horizon))
+        ->required();
+    surface->add_flag("--corrected", request.closure.corrected,
+                      "weight 3/2 for the nearest bond in place of the printed 1, which makes the "
+                      "chain of second order");
+    add_format(*surface, request);
+    return closure;
 }
 
 }  // namespace nmbcgen

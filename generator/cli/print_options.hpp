@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// The options of nmbcgen bonds.
+/// The options of commands that print coefficients as text or JSON: nmbcgen bonds and closure.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,5 +9,6 @@
 namespace nmbcgen {
 
 CLI::App* add_bonds(CLI::App& app, Request& request);
+CLI::App* add_closure(CLI::App& app, Request& request);
 
 }  // namespace nmbcgen
