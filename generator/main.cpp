@@ -8,6 +8,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "generator/bonds/square_bonds.hpp"
 #include "generator/cli/command_line.hpp"
 #include "generator/commands/bonds.hpp"
 #include "generator/commands/check.hpp"
@@ -232,6 +233,9 @@ int main(int argc, char** argv) {
         }
         return nmbcgen::run(nmbcgen::settled(std::get<nmbcgen::Request>(parsed)));
     } catch (const nmbcgen::NoSuchBoundary& reason) {
+        std::cerr << "nmbcgen: " << reason.what() << "\n";
+        return nmbcgen::no_such_boundary;
+    } catch (const nmbcgen::BoundsNotMet& reason) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::no_such_boundary;
     } catch (const nmbcgen::NoSuchModel& reason) {

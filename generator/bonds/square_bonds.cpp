@@ -232,6 +232,23 @@ class BoundedSquares {
     std::vector<std::array<T, 2>> speeds_{};
 };
 
+/// What the bounds leave of the squared speeds has to be made of bonds with weights >= 0: each
+/// makes at most as much of V_S^2 as of V_P^2, (1, 0) none of it and (1, 1) as much.
+void require_speeds_within(const Quadrature& all, const std::vector<Real>& bounds,
+                           const Rational& bound) {
+    std::array<Real, 2> left{Real(speed_P_squared), Real(speed_S_squared)};
+    for (const std::size_t speed : {0U, 1U}) {
+        for (std::size_t a = 0; a < bounds.size(); ++a) {
+            left[speed] -= Real(all.speeds[speed][a]) * bounds[a];
+        }
+    }
+    if (left[1] < 0 || left[0] < left[1]) {
+        throw BoundsNotMet(
+            fmt::format("no coefficients of {} or more have the speeds of long waves of the solid",
+                        to_string(bound)));
+    }
+}
+
 /// Every set of bonds at the bound is tried, in doubles first: the optimum is one of them.
 SquareBonds bounded(unsigned horizon, const std::vector<Class>& classes, const Rational& bound) {
     const Quadrature all = quadrature_of(classes);
@@ -241,6 +258,7 @@ SquareBonds bounded(unsigned horizon, const std::vector<Class>& classes, const R
         bounds.push_back(Real(bound) / alpha_of_unit_weight(horizon, bond));
         rounded.push_back(double(bounds.back()));
     }
+    require_speeds_within(all, bounds, bound);
     const BoundedSquares<double> doubles(all, rounded);
     const BoundedSquares<Real> digits(all, bounds);
     for (std::size_t at_bound = 0; at_bound >> classes.size() == 0; ++at_bound) {
@@ -259,13 +277,11 @@ SquareBonds bounded(unsigned horizon, const std::vector<Class>& classes, const R
                     ? BondCoefficient{nearest_double(bound), PiPolynomial{Quadratic(bound)}}
                     : BondCoefficient{
                           double(weights[a] * alpha_of_unit_weight(horizon, classes[a])), {}});
-            bonds.weights.push_back(double(weights[a]));
+            bonds.weights.push_back(double(is_at_bound ? bounds[a] : weights[a]));
         }
         return bonds;
     }
-    throw BoundsNotMet(
-        fmt::format("no coefficients of {} or more have the speeds of long waves of the solid",
-                    to_string(bound)));
+    throw std::logic_error("no optimum of bounded bonds was found");
 }
 
 struct Symmetric {
@@ -380,17 +396,10 @@ SquareFigures figures_of(const SquareBonds& bonds) {
     }
     constexpr int along = 200;
     double largest = 0;
-    figures.least_squared_speed = HUGE_VAL;
     for (int x = 0; x <= along; ++x) {
         for (int y = 0; y <= x; ++y) {
-            const double k_x = x * edge / along;
-            const double k_y = y * edge / along;
-            const auto [fast, slow] = lattice.at(k_x, k_y).eigenvalues();
-            largest = std::max(largest, fast);
-            if (x > 0) {
-                figures.least_squared_speed =
-                    std::min(figures.least_squared_speed, slow / (k_x * k_x + k_y * k_y));
-            }
+            largest =
+                std::max(largest, lattice.at(x * edge / along, y * edge / along).eigenvalues()[0]);
         }
     }
     figures.largest_frequency = std::sqrt(largest);

@@ -31,9 +31,9 @@ inline constexpr unsigned most_square_bonds = 5;
 /// Those whose dynamical matrix D is nearest to the solid's: the least mean over the Brillouin zone
 /// of the squared Frobenius norm of D - (V_S^2 k^2 I + (V_P^2 - V_S^2) k k^T), with the exact
 /// speeds of long waves, V_P^2 = 6/5 and V_S^2 = 2/5, which has one solution. Family radius N dX, 2
-/// <= N <= most_square_bonds; with one bond fewer the speeds cannot be met. With a bound, the least
-/// mean of those alpha >= bound; that no other is better is proved by its conditions of Karush,
-/// Kuhn and Tucker, to 100 digits. Throws BoundsNotMet.
+/// <= N <= most_square_bonds. With a bound, the least mean of those alpha >= bound; that no other
+/// is better is proved by its conditions of Karush, Kuhn and Tucker, to 100 digits. Throws
+/// BoundsNotMet.
 SquareBonds square_bonds(unsigned horizon, const std::optional<Rational>& bound);
 
 /// A set of one's own, in the order of `classes`. Throws std::invalid_argument unless there is one
@@ -43,13 +43,12 @@ SquareBonds given_square_bonds(unsigned horizon, const std::vector<Rational>& al
 /// The classes of bonds up to N dX, shortest first, and of equal ones that of larger i first.
 std::vector<std::array<int, 2>> square_bond_classes(unsigned horizon);
 
-/// What Alebrahim 2022 lists for its sets.
+/// What Alebrahim 2022 lists for its sets, of lattices whose waves do not grow.
 struct SquareFigures {
     double residual = 0;              ///< (51)
     std::array<double, 2> speed_P{};  ///< of long waves at 0 and 45 degrees, over the solid's
     std::array<double, 2> speed_S{};
-    double largest_frequency = 0;    ///< over the Brillouin zone
-    double least_squared_speed = 0;  ///< omega^2/k^2 over the zone; below 0: waves grow
+    double largest_frequency = 0;  ///< over the Brillouin zone
 };
 
 SquareFigures figures_of(const SquareBonds& bonds);

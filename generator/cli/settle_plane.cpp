@@ -82,11 +82,11 @@ void require_fit(const VectorFamily& family, const PlaneOptions& plane,
     }
 }
 
-/// Over the first one: a factor of all says nothing.
+/// Over the size of the first one: a factor > 0 of all says nothing.
 std::vector<Rational> relative(const std::optional<WeightChoice>& choice) {
     std::vector<Rational> weights = choice ? choice->values : std::vector<Rational>{};
     std::ranges::transform(weights, weights.begin(),
-                           [first = weights.empty() ? Rational(1) : weights.front()](
+                           [first = weights.empty() ? Rational(1) : Rational(abs(weights.front()))](
                                const Rational& weight) { return weight / first; });
     return weights;
 }

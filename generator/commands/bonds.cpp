@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "generator/bonds/square_bonds.hpp"
 #include "generator/exact/rational.hpp"
-#include "generator/pipeline.hpp"
+#include "generator/families/family.hpp"
+#include "generator/families/influence.hpp"
+#include "generator/families/vector_family.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -35,27 +38,6 @@ const NamedMethod& named(ChainMethod method) {
     return *std::ranges::find(methods, method, &NamedMethod::method);
 }
 
-/// What both outputs say, in one order.
-struct Report {
-    std::string lattice;
-    std::string method;
-    std::string method_name;
-    std::string model;  ///< what alpha scales
-    std::vector<std::string> names;
-    std::vector<nlohmann::ordered_json> bonds;
-    std::vector<BondCoefficient> alpha;
-    double residual_over_original = 0;
-    double largest_frequency = 0;
-    bool is_stable = false;  ///< on the wave numbers looked at
-    std::optional<SquareFigures> square{};
-    std::string family;   ///< the options of nmbcgen for this lattice, but for --weights
-    std::string weights;  ///< its argument, to 16 digits
-};
-
-void append_weight(std::string& list, double weight) {
-    list += fmt::format("{}{:.15f}", list.empty() ? "" : ",", weight);
-}
-
 /// Coefficients that were given.
 std::vector<BondCoefficient> as_given(const std::vector<Rational>& alpha) {
     std::vector<BondCoefficient> coefficients;
@@ -65,71 +47,134 @@ std::vector<BondCoefficient> as_given(const std::vector<Rational>& alpha) {
     return coefficients;
 }
 
+using Json = nlohmann::ordered_json;
+
+struct Bond {
+    std::string name;
+    Json key;  ///< the name in JSON
+    BondCoefficient alpha;
+    std::string weight;  ///< of bond1d or bond2d
+};
+
+/// What both outputs say.
+struct Report {
+    std::string lattice;
+    std::string_view method_name;
+    std::string method;
+    std::string_view model;  ///< what alpha scales
+    std::vector<Bond> bonds{};
+    std::string family{};   ///< the options of nmbcgen for this lattice, but for --weights
+    std::string refusal{};  ///< why other commands refuse it; empty: they do not
+    bool is_stable = false;
+    double residual_over_original = 0;
+    double largest_frequency = 0;
+    std::optional<SquareFigures> square{};
+};
+
+/// The shortest decimals, without an exponent, that this double is nearest to; 0 where nmbcgen
+/// would not read as many.
+std::string decimals_of(double value) {
+    constexpr int most = 38;
+    for (int places = 1; places <= most; ++places) {
+        std::string text = fmt::format("{:.{}f}", value, places);
+        if (std::stod(text) == value) {
+            return text;
+        }
+    }
+    return "0";
+}
+
+std::vector<Rational> weights_of(const Report& report) {
+    std::vector<Rational> weights;
+    for (const Bond& bond : report.bonds) {
+        weights.push_back(parse_signed_rational(bond.weight));
+    }
+    return weights;
+}
+
+std::string weights_list(const Report& report) {
+    std::string list;
+    for (const Bond& bond : report.bonds) {
+        list += (list.empty() ? "" : ",") + bond.weight;
+    }
+    return list;
+}
+
+/// describe: of the family with these weights; it decides whether waves grow. A bond that is left
+/// out is no weight of a family's, and harms no wave.
+template <class Describe>
+void settle_stability(Report& report, double least_squared_speed, const Describe& describe) {
+    const std::vector<Rational> weights = weights_of(report);
+    if (std::ranges::count(weights, Rational(0)) > 0) {
+        report.refusal = "a bond has the weight 0";
+        report.is_stable = least_squared_speed > 0;
+        return;
+    }
+    try {
+        describe(weights);
+        report.is_stable = true;
+    } catch (const NoSuchModel& reason) {
+        report.refusal = reason.what();
+    }
+}
+
 Report chain_report(const BondsTask& task) {
-    const NamedMethod method =
-        task.alpha.empty() ? named(*task.method) : NamedMethod{given, {}, "as given"};
+    const bool is_given = !task.alpha.empty();
+    const auto alpha = is_given ? as_given(task.alpha) : chain_bonds(*task.method, task.horizon);
     Report report{.lattice = fmt::format("chain, horizon {} dX", task.horizon),
-                  .method = std::string(method.equation),
-                  .method_name = std::string(method.name),
+                  .method_name = is_given ? given : named(*task.method).name,
+                  .method = is_given ? "as given" : std::string(named(*task.method).equation),
                   .model = "omega^2 = sum_j 4 alpha_j/(N^2 j) (1 - cos(j xi)), (10)",
-                  .names = {},
-                  .bonds = {},
-                  .alpha = task.alpha.empty() ? chain_bonds(*task.method, task.horizon)
-                                              : as_given(task.alpha),
-                  .family = fmt::format("--family bond1d --horizon {}", task.horizon),
-                  .weights = {}};
+                  .family = fmt::format("--family bond1d --horizon {}", task.horizon)};
     std::vector<double> values;
     for (std::size_t j = 1; j <= task.horizon; ++j) {
-        report.names.push_back(std::to_string(j));
-        report.bonds.push_back({{"length", j}});
-        values.push_back(report.alpha[j - 1].value);
-        append_weight(report.weights, values.back());
+        values.push_back(alpha[j - 1].value);
+        report.bonds.push_back(
+            {std::to_string(j), {{"length", j}}, alpha[j - 1], decimals_of(values.back())});
     }
+    const ChainBand band = band_of_chain(values);
+    settle_stability(report, band.least_squared_speed, [&](const std::vector<Rational>& weights) {
+        make_model("bond1d", task.horizon, 0, normalised(weights));
+    });
     report.residual_over_original =
         residual_of_chain(values) / residual_of_chain(std::vector<double>(task.horizon, 1.0));
-    const ChainBand band = band_of_chain(values);
     report.largest_frequency = band.largest_frequency;
-    report.is_stable = band.least_squared_speed > 0;
     return report;
 }
 
 Report square_report(const BondsTask& task) {
-    const SquareBonds bonds = [&] {
-        if (!task.alpha.empty()) {
-            return given_square_bonds(task.horizon, task.alpha);
-        }
-        try {
-            return square_bonds(task.horizon, task.bound);
-        } catch (const BoundsNotMet& reason) {
-            throw NoSuchBoundary(reason.what());
-        }
-    }();
+    const bool is_given = !task.alpha.empty();
+    const SquareBonds bonds = is_given ? given_square_bonds(task.horizon, task.alpha)
+                                       : square_bonds(task.horizon, task.bound);
+    const unsigned radius_squared = task.horizon * task.horizon;
     Report report{
         .lattice =
             fmt::format("square lattice, horizon {} dX, nu = 1/4 in plane strain", task.horizon),
+        .method_name = is_given ? given : std::string_view("bz-ls"),
         .method =
-            !task.alpha.empty()
+            is_given
                 ? "as given"
                 : "least squares of the dynamical matrix over the Brillouin zone" +
                       (task.bound ? fmt::format(", all alpha >= {}", to_string(*task.bound)) : ""),
-        .method_name = task.alpha.empty() ? "bz-ls" : given,
         .model = "D = sum over bonds b of 48 alpha/(5 pi N^3 |b|^3) b b^T (1 - cos k.b), (13)",
-        .names = {},
-        .bonds = {},
-        .alpha = bonds.alpha,
-        .square = figures_of(bonds),
-        .family = fmt::format("--family bond2d --radius2 {}", task.horizon * task.horizon),
-        .weights = {}};
-    for (const auto& [i, j] : bonds.classes) {
-        report.names.push_back(fmt::format("({}, {})", i, j));
-        report.bonds.push_back({{"bond", {i, j}}});
-        append_weight(report.weights, bonds.weights[report.bonds.size() - 1]);
+        .family = fmt::format("--family bond2d --radius2 {}", radius_squared)};
+    for (std::size_t a = 0; a < bonds.classes.size(); ++a) {
+        const auto [i, j] = bonds.classes[a];
+        report.bonds.push_back({fmt::format("({}, {})", i, j),
+                                {{"bond", {i, j}}},
+                                bonds.alpha[a],
+                                decimals_of(bonds.weights[a])});
     }
+    settle_stability(report,
+                     least_squared_speed(bond_classes_in_plane(radius_squared), bonds.weights),
+                     [&](const std::vector<Rational>& weights) {
+                         bond2d({.radius_squared = radius_squared, .weights = weights});
+                     });
+    report.square = figures_of(bonds);
     const std::vector<Rational> ones(bonds.classes.size(), Rational(1));
     report.residual_over_original =
         report.square->residual / figures_of(given_square_bonds(task.horizon, ones)).residual;
     report.largest_frequency = report.square->largest_frequency;
-    report.is_stable = report.square->least_squared_speed > 0;
     return report;
 }
 
@@ -138,13 +183,14 @@ Report report_of(const BondsTask& task) {
 }
 
 bool has_mixed_sign(const Report& report) {
-    return std::ranges::any_of(report.alpha,
-                               [](const BondCoefficient& alpha) { return alpha.value < 0; });
+    return std::ranges::any_of(report.bonds, [](const Bond& bond) { return bond.alpha.value < 0; });
 }
 
-constexpr const char* mixed_sign =
-    "has bonds below 0: break one of the others, and the energy has no lower bound; for cracks "
-    "take a positive set";
+/// So that a step below it is below the limit.
+double rounded_down(double value) {
+    constexpr double places = 1e4;
+    return std::floor(value * places) / places;
+}
 
 }  // namespace
 
@@ -166,16 +212,17 @@ std::string bonds_text(const BondsTask& task) {
     std::string text =
         fmt::format("lattice   {}\nmethod    {}\nmodel     {}\n\n{:<8}  {:>12}  {}\n",
                     report.lattice, report.method, report.model, "bond", "alpha", "closed form");
-    for (std::size_t i = 0; i < report.alpha.size(); ++i) {
-        const auto& [value, closed_form] = report.alpha[i];
-        text += fmt::format("{:<8}  {:>12.6f}  {}\n", report.names[i], value,
-                            closed_form ? to_text(*closed_form) : "-");
+    for (const auto& [name, key, alpha, weight] : report.bonds) {
+        text += fmt::format("{:<8}  {:>12.6f}  {}\n", name, alpha.value,
+                            alpha.closed_form ? to_text(*alpha.closed_form) : "-");
     }
-    text += fmt::format(
-        "\nresidual  {:.4f} of that of alpha = 1, ({})\nsteps     stable below dt = {:.4f} dX "
-        "sqrt(rho/E): omega_max = {:.4f}\n",
-        report.residual_over_original, task.dimension == 1 ? 49 : 51, 2 / report.largest_frequency,
-        report.largest_frequency);
+    text += fmt::format("\nresidual  {:.4f} of that of alpha = 1, ({})\n",
+                        report.residual_over_original, task.dimension == 1 ? 49 : 51);
+    if (!report.is_stable) {
+        return text + "warning   this lattice has waves that grow: omega^2 is not above 0\n";
+    }
+    text += fmt::format("steps     stable below dt = {:.4f} dX sqrt(rho/E): omega_max = {:.4f}\n",
+                        rounded_down(2 / report.largest_frequency), report.largest_frequency);
     if (report.square) {
         const auto& P = report.square->speed_P;
         const auto& S = report.square->speed_S;
@@ -184,25 +231,27 @@ std::string bonds_text(const BondsTask& task) {
             "S {:.3f} {:.3f}\n",
             P[0], P[1], S[0], S[1]);
     }
-    text += fmt::format("options   {} --weights {}\n", report.family, report.weights);
-    if (!report.is_stable) {
-        text += "warning   this lattice has waves that grow: omega^2 < 0\n";
-    } else if (has_mixed_sign(report)) {
-        text += fmt::format("warning   this set {}\n", mixed_sign);
+    text += report.refusal.empty()
+                ? fmt::format("options   {} --weights {}\n", report.family, weights_list(report))
+                : fmt::format("options   none: {}\n", report.refusal);
+    if (has_mixed_sign(report)) {
+        text +=
+            "warning   this set has bonds below 0: where others break, the energy may lose its "
+            "lower "
+            "bound. For cracks take a positive set\n";
     }
     return text;
 }
 
 std::string bonds_json(const BondsTask& task) {
-    using Json = nlohmann::ordered_json;
     const Report report = report_of(task);
-    Json alpha = Json::array();
-    for (std::size_t i = 0; i < report.alpha.size(); ++i) {
-        const auto& [value, closed_form] = report.alpha[i];
-        Json entry = report.bonds[i];
-        entry["value"] = value;
-        entry["closed_form"] = closed_form ? Json(to_text(*closed_form)) : Json(nullptr);
-        alpha.push_back(entry);
+    Json bonds = Json::array();
+    for (const auto& [name, key, alpha, weight] : report.bonds) {
+        Json entry = key;
+        entry["value"] = alpha.value;
+        entry["closed_form"] =
+            alpha.closed_form ? Json(to_text(*alpha.closed_form)) : Json(nullptr);
+        bonds.push_back(entry);
     }
     Json all{{"bonds", report.method_name},
              {"dimension", task.dimension},
@@ -211,15 +260,19 @@ std::string bonds_json(const BondsTask& task) {
              {"model", report.model},
              {"source", "Alebrahim, Packo, Zaccariotto, Galvanetto 2022; " + report.method},
              {"units", "E, density and dX are 1"},
-             {"alpha", alpha},
+             {"alpha", bonds},
              {"residual_over_original", report.residual_over_original},
-             {"omega_max", report.largest_frequency},
              {"stable", report.is_stable},
-             {"positive", !has_mixed_sign(report)}};
+             {"positive", !has_mixed_sign(report)},
+             {"omega_max", report.is_stable ? Json(report.largest_frequency) : Json(nullptr)}};
     if (report.square) {
-        all["speed_ratios"] = {{"P", report.square->speed_P}, {"S", report.square->speed_S}};
+        all["speed_ratios"] =
+            report.is_stable ? Json{{"P", report.square->speed_P}, {"S", report.square->speed_S}}
+                             : Json(nullptr);
     }
-    all["options"] = fmt::format("{} --weights {}", report.family, report.weights);
+    all["options"] = report.refusal.empty()
+                         ? Json(fmt::format("{} --weights {}", report.family, weights_list(report)))
+                         : Json(nullptr);
     return all.dump(2) + "\n";
 }
 

@@ -27,8 +27,8 @@ std::optional<ChainMethod> chain_method(std::string_view name);
 /// "point, subdomain, .."
 std::string chain_method_names();
 
-/// A table for people, or JSON (docs/reference/json.md). Throws NoSuchBoundary where the bound
-/// cannot be kept.
+/// A table for people, or JSON (docs/reference/json.md). Throws BoundsNotMet (bonds/
+/// square_bonds.hpp).
 std::string bonds_text(const BondsTask& task);
 std::string bonds_json(const BondsTask& task);
 

@@ -23,40 +23,48 @@ Offset class_of(const Offset& bond) {
     return {std::max(one, other), std::min(one, other), 0};
 }
 
-/// Whether every wave has omega^2 > 0: with weights below 0 on wave vectors in steps of pi/64.
-bool is_stable(const std::vector<Offset>& classes, const std::vector<Rational>& weights) {
-    if (std::ranges::all_of(weights, [](const Rational& weight) { return weight > 0; })) {
-        return true;
-    }
-    constexpr int steps = 64;
-    for (int x = 0; x <= steps; ++x) {
-        for (int y = x == 0 ? 1 : 0; y <= x; ++y) {
-            double xx = 0;
-            double xy = 0;
-            double yy = 0;
-            for (std::size_t a = 0; a < classes.size(); ++a) {
-                const double weight = nearest_double(weights[a]);
-                for (const auto& [i, j] : {std::array{classes[a][0], classes[a][1]},
-                                           std::array{classes[a][1], classes[a][0]}}) {
-                    // Half of the bonds of the class; those with i, j and with i, -j are two.
-                    for (const int sign : {1, -1}) {
-                        const double phase = std::numbers::pi / steps * (i * x + sign * j * y);
-                        const double stiffness = weight * (1 - std::cos(phase));
-                        xx += stiffness * i * i;
-                        xy += stiffness * sign * i * j;
-                        yy += stiffness * j * j;
-                    }
+}  // namespace
+
+double least_squared_speed(std::span<const Offset> classes, std::span<const double> weights) {
+    double least = HUGE_VAL;
+    // share is 1 - cos(k.b) over k^2, or its limit (k.b)^2/2.
+    const auto look = [&](const auto& share) {
+        double xx = 0;
+        double xy = 0;
+        double yy = 0;
+        for (std::size_t a = 0; a < classes.size(); ++a) {
+            const auto [p, q, none] = classes[a];
+            const std::array orders{std::array{p, q}, std::array{q, p}};
+            // (i, j) and (i, -j) stand for (-i, -j) and (-i, j), too.
+            const double count = (p == q ? 0.5 : 1) * (q == 0 ? 1 : 2);
+            for (const auto& [i, j] : orders) {
+                for (const int sign : {1, -1}) {
+                    const double stiffness = count * weights[a] * share(i, sign * j);
+                    xx += stiffness * i * i;
+                    xy += stiffness * sign * i * j;
+                    yy += stiffness * j * j;
                 }
             }
-            if (!(xx + yy > 0 && xx * yy > xy * xy)) {
-                return false;
-            }
+        }
+        least = std::min(least, (xx + yy) / 2 - std::hypot((xx - yy) / 2, xy));
+    };
+    constexpr int steps = 128;
+    for (int y = 0; y <= steps; ++y) {
+        const double slope = double(y) / steps;  // 0 to 45 degrees
+        look([&](int i, int j) {
+            const double along = (i + slope * j) / std::hypot(1, slope);
+            return along * along / 2;
+        });
+        for (int x = std::max(y, 1); x <= steps; ++x) {
+            const double k_x = std::numbers::pi * x / steps;
+            const double k_y = std::numbers::pi * y / steps;
+            look([&](int i, int j) {
+                return (1 - std::cos(k_x * i + k_y * j)) / (k_x * k_x + k_y * k_y);
+            });
         }
     }
-    return true;
+    return least;
 }
-
-}  // namespace
 
 VectorModel bond2d(const VectorChoice& choice) {
     const std::vector<Offset> classes = bond_classes_in_plane(choice.radius_squared);
@@ -69,8 +77,15 @@ VectorModel bond2d(const VectorChoice& choice) {
         throw NoSuchModel(fmt::format("{} weights are needed, none of them 0: of the bonds {}",
                                       classes.size(), list));
     }
-    if (!is_stable(classes, choice.weights)) {
-        throw NoSuchModel("with these weights the lattice has waves that grow");
+    if (std::ranges::any_of(choice.weights, [](const Rational& weight) { return weight < 0; })) {
+        std::vector<double> weights;
+        for (const Rational& weight : choice.weights) {
+            weights.push_back(nearest_double(weight));
+        }
+        if (!(least_squared_speed(classes, weights) > 0)) {
+            throw NoSuchModel(
+                "with these weights the lattice has waves that grow: omega^2 is not above 0");
+        }
     }
     VectorModel model{.description = fmt::format("2D bond-based peridynamics, family radius {} "
                                                  "(squared, in dX^2), weights",

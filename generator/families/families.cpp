@@ -12,6 +12,7 @@
 #include "generator/lattice/symbol.hpp"
 
 namespace nmbcgen {
+
 std::span<const Family> families() {
     static constexpr std::array list{
         Family{"nopd1d", nopd1d, nopd1d_moments, nopd1d_limit},
@@ -92,7 +93,11 @@ Model make_model(std::string_view family, unsigned horizon, const Rational& damp
         model.description += ", influence " + list;
     }
     model.symbol = symbol_of(model.energy);
-    if (may_be_negative && !is_positive(model.symbol)) {
+    const bool has_bonds_below_0 =
+        std::ranges::any_of(weights, [](const Rational& weight) { return weight < 0; }) ||
+        (projected && std::ranges::any_of(projected->model.weights,
+                                          [](const Rational& weight) { return weight < 0; }));
+    if (has_bonds_below_0 && !is_positive(model.symbol)) {
         throw NoSuchModel(
             "with these weights the lattice has waves that grow: omega^2 is not "
             "above 0 for all 0 < xi <= pi");

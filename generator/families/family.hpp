@@ -22,8 +22,8 @@ struct NoSuchModel : std::invalid_argument {
 struct Family {
     std::string_view name;
     /// The energy, description and source of the model with the given horizon n >= 1 and weights
-    /// w_1 .. w_n of its bonds, none of them 0, of which a common factor says nothing; symbol and
-    /// damping are filled in by make_model. The weight of stabilisation is proportional to G.
+    /// w_1 .. w_n of its bonds, none of them 0, of which a common factor > 0 says nothing; symbol
+    /// and damping are filled in by make_model. The weight of stabilisation is proportional to G.
     /// Throws NoSuchModel where the family has none of this horizon.
     Model (*describe)(unsigned horizon, std::span<const Rational> weights);
     /// At constant influence, the coefficients of x^2, x^4, .. x^(2 count), x = i xi, in -omega^2

@@ -47,7 +47,7 @@ std::vector<Rational> weights_of(const Influence& influence, unsigned horizon) {
 }
 
 std::vector<Rational> normalised(std::vector<Rational> weights) {
-    const Rational first = weights.front();
+    const Rational first = abs(weights.front());
     for (Rational& weight : weights) {
         weight /= first;
     }

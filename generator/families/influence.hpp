@@ -21,8 +21,8 @@ std::span<const Influence> influences();
 /// w_1 .. w_n of an influence function.
 std::vector<Rational> weights_of(const Influence& influence, unsigned horizon);
 
-/// The same influence, of which a factor says nothing, with w_1 = 1; empty where all are equal, as
-/// Specification has it. The weights are positive.
+/// The same influence, of which a factor > 0 says nothing, with |w_1| = 1; empty where all are 1,
+/// as Specification has it. No weight is 0.
 std::vector<Rational> normalised(std::vector<Rational> weights);
 
 }  // namespace nmbcgen

@@ -42,7 +42,10 @@ inline Lattice make_lattice(const LatticeTable& table, double G) {
     Lattice lattice{evaluate(table.symbol, G), {}, evaluate(table.damping, 0), &table, G};
     for (const EnergySquare& square : table.energy) {
         const double weight = evaluate(square.weight, G);
-        if (square.part == EnergyPart::stabilisation && !(weight >= 0)) {
+        if (!std::isfinite(weight)) {
+            throw std::invalid_argument("the squares of a lattice's energy need finite weights");
+        }
+        if (square.part == EnergyPart::stabilisation && weight < 0) {
             throw std::invalid_argument(
                 "the squares of a lattice's stabilisation need weights >= 0");
         }

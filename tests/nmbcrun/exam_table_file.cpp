@@ -244,8 +244,8 @@ TEST_CASE("what is wrong is said, with its place and what is allowed") {
         wrong["lattice"]["weights"] = weights;
         CHECK(refusal(wrong.dump())
                   .starts_with("mine.json: lattice.weights must be a list of 2, the first "
-                               "of them \"1\", and left out where all of them "
-                               "are, not a list of "));
+                               "of them \"1\" or \"-1\", and left out where all of them "
+                               "are \"1\", not a list of "));
     }
     Json two = committed();
     CHECK(refusal(two.dump()) == "");

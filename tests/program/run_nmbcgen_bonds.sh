@@ -71,9 +71,38 @@ try --family nopd1d --horizon 2 --weights 1,-0.4 --order 1 --stdout
 expect_exit 2
 expect_stderr "nopd1d needs weights above 0"
 
-try "${chain[@]}" --alpha 1,-3,0
+# Sets that grow say so, and give no steps; one with a zero is no lattice of other commands.
+for grows in "1 3 1,-3,0" "1 3 0,0,0" "1 3 1.44,-1.6,0.75" "2 2 -1,-1,-1" "2 3 100,2,1,-0.98825,1/1000000,1/1000000"; do
+    read -r dimension horizon alpha <<<"$grows"
+    try bonds --dimension "$dimension" --horizon "$horizon" --alpha="$alpha"
+    expect_exit 0
+    expect "a set that grows says so" grep -q '^warning   this lattice has waves that grow' "$scratch/stdout"
+    expect "no steps, no options" bash -c '! grep -qE "^(steps|options)" "$0"' "$scratch/stdout"
+done
+try "${square[@]}" --positive 0
 expect_exit 0
-expect "a set that grows says so" grep -q '^warning   this lattice has waves that grow' "$scratch/stdout"
+expect "no options" grep -q '^options   none: a bond has the weight 0' "$scratch/stdout"
+
+# The sign of the first weight is not lost.
+try --family bond1d --horizon 3 --weights -1,-1,-1 --order 1 --stdout
+expect_exit 2
+expect_stderr "long waves do not travel"
+try dispersion --family bond1d --horizon 3 --weights -0.1,2,3 --samples 2
+expect_exit 0
+for polarisation in P S; do
+    try --family bond2d --radius2 5 --weights 100,7.9999,1,-1 --polarisation $polarisation --order 1 --stdout
+    expect_exit 2
+    expect_stderr "with these weights the lattice has waves that grow"
+done
+
+# What the page says of matching boundaries.
+for horizon in 2 3 5; do
+    for method in point subdomain galerkin least-squares taylor; do
+        read -ra lattice <<<"$(options bonds --dimension 1 --horizon $horizon --method $method)"
+        try recommend "${lattice[@]}"
+        expect "NMBC1 of $method, N = $horizon, is certified" grep -qE '^ +1 +1 +0 +- +0.99' "$scratch/stdout"
+    done
+done
 
 # refuses EXIT WHAT ARGUMENT..
 refuses() {

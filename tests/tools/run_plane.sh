@@ -44,6 +44,7 @@ done
 try run "$scene" --quiet --set time.end=60 --set output.every=5 --set 'output.probes=[[75, 137], [1, 275]]' \
     --set output.field=true --set output.snapshots=200 --out out --plot
 expect_exit 0
+expect_no_stderr
 for picture in energy.svg energy.png fields.png fields.gif; do
     expect_stdout_with "picture      out/plane_pulse_$picture"
     expect "$picture" test -s out/plane_pulse_$picture

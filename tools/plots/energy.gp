@@ -14,6 +14,10 @@ files = (ARGC - 1) / 2
 array peak[files]
 do for [i = 1:files] {
     file = ARGV[2 * i]
+    if (strstrt(file, "'") > 0) {
+        printerr sprintf("energy.gp: no name with an apostrophe: %s", file)
+        exit status 2
+    }
     if (system(sprintf("test -r '%s' && echo yes || true", file)) ne "yes") {
         printerr sprintf("energy.gp: cannot read %s", file)
         exit status 2

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
@@ -55,7 +56,8 @@ std::string as_command(const std::vector<std::string>& words) {
     return command;
 }
 
-/// Whether it has done its work; a complaint on stderr where it is installed, and has not.
+/// Whether it has done its work; a complaint on stderr, with its own, where it is installed, and
+/// has not. gnuplot counts the frames of a film there, too.
 bool run_program(std::vector<std::string> words) {
     std::vector<char*> arguments;
     arguments.reserve(words.size() + 1);
@@ -63,9 +65,16 @@ bool run_program(std::vector<std::string> words) {
         arguments.push_back(word.data());
     }
     arguments.push_back(nullptr);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> complaints(std::tmpfile(), std::fclose);
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    if (complaints) {
+        ::posix_spawn_file_actions_adddup2(&actions, ::fileno(complaints.get()), STDERR_FILENO);
+    }
     pid_t process = 0;
     const int error =
-        ::posix_spawnp(&process, arguments.front(), nullptr, nullptr, arguments.data(), environ);
+        ::posix_spawnp(&process, arguments.front(), &actions, nullptr, arguments.data(), environ);
+    ::posix_spawn_file_actions_destroy(&actions);
     if (error == ENOENT) {
         return false;
     }
@@ -78,6 +87,12 @@ bool run_program(std::vector<std::string> words) {
         throw Interrupted("stopped while it was drawn; the numbers are written");
     }
     if (!is_done) {
+        if (complaints) {
+            std::rewind(complaints.get());
+            for (int c = 0; (c = std::fgetc(complaints.get())) != EOF;) {
+                std::fputc(c, stderr);
+            }
+        }
         fmt::print(stderr, "nmbcrun: warning: gnuplot failed\n");
     }
     return is_done;

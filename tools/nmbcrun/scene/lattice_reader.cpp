@@ -27,11 +27,11 @@ std::vector<nmbcgen::Rational> weights_of(const JsonValue& json, unsigned horizo
         }
     }
     const auto is_one = [](const nmbcgen::Rational& weight) { return weight == 1; };
-    if (weights.size() != horizon || !is_one(weights.front()) ||
+    if (weights.size() != horizon || !is_one(abs(weights.front())) ||
         std::ranges::all_of(weights, is_one)) {
         json.must_be(
-            fmt::format("a list of {}, the first of them \"1\", and left "
-                        "out where all of them are",
+            fmt::format("a list of {}, the first of them \"1\" or \"-1\", and left "
+                        "out where all of them are \"1\"",
                         horizon));
     }
     return weights;
