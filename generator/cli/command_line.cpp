@@ -273,7 +273,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     bool uncertified_given = false;
     auto* const uncertified = app.add_flag(
         "--uncertified", uncertified_given,
-        "leave out the certificate of stability, which takes minutes at orders above 5");
+        "leave out the certificate of stability, which takes minutes at orders above 8");
     auto* const folder = add_parsed(app, "--out", request.folder, parse_folder,
                                     "folder to write to (default generated/nmbc/tables)");
     add_parsed(app, "--cache", request.cache, parse_folder,

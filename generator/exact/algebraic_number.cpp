@@ -2,18 +2,16 @@
 #include "generator/exact/algebraic_number.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/polynomial_gcd.hpp>
 #include <optional>
 #include <stdexcept>
 
+#include "generator/exact/polynomial_gcd.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/exact/sturm.hpp"
 
 namespace nmbcgen {
 namespace {
-
-using boost::math::tools::subresultant_gcd;
 
 /// Where the secant through the interval's ends vanishes, in units of 2^-bits of the interval from
 /// its low end, to the nearest unit.
@@ -164,7 +162,7 @@ std::strong_ordering compare(const AlgebraicNumber& left, const AlgebraicNumber&
         return a.low <= b.high && b.low <= a.high;
     };
     if (overlap(left, right)) {
-        const IntegerPolynomial common = subresultant_gcd(left.polynomial, right.polynomial);
+        const IntegerPolynomial common = primitive_gcd(left.polynomial, right.polynomial);
         const SturmChain chain(common);
         if (chain.roots_in_closed(std::max(left.low, right.low), std::min(left.high, right.high)) >
             0) {
@@ -187,7 +185,7 @@ int sign_at(const Polynomial& polynomial, const AlgebraicNumber& number) {
     const IntegerPolynomial f = primitive_square_free(polynomial);
     AlgebraicNumber narrow = number;
     if (!is_rational(number)) {
-        if (changes_sign(subresultant_gcd(f, number.polynomial), number)) {
+        if (changes_sign(primitive_gcd(f, number.polynomial), number)) {
             return 0;
         }
         const SturmChain chain(f);

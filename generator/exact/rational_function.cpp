@@ -4,6 +4,8 @@
 #include <boost/math/tools/polynomial_gcd.hpp>
 #include <stdexcept>
 
+#include "generator/exact/polynomial_gcd.hpp"
+
 namespace nmbcgen {
 namespace {
 
@@ -34,9 +36,9 @@ ExactFunction reduce(const Polynomial& numerator, const Polynomial& denominator)
     }
     // Boost divides integer polynomials by pseudo-division, which scales the quotient; over the
     // rationals the quotient is exact.
-    const Polynomial divisor = over_rationals(boost::math::tools::subresultant_gcd(
-        times(numerator, common_denominator_of_coefficients(numerator)),
-        times(denominator, common_denominator_of_coefficients(denominator))));
+    const Polynomial divisor = over_rationals(
+        primitive_gcd(times(numerator, common_denominator_of_coefficients(numerator)),
+                      times(denominator, common_denominator_of_coefficients(denominator))));
     const Polynomial reduced_numerator = numerator / divisor;
     const Polynomial reduced_denominator = denominator / divisor;
     const Integer scale = lcm(common_denominator_of_coefficients(reduced_numerator),

@@ -4,12 +4,12 @@
 #include <boost/math/tools/polynomial_gcd.hpp>
 #include <stdexcept>
 
+#include "generator/exact/polynomial_gcd.hpp"
 #include "generator/exact/rational_function.hpp"
 
 namespace nmbcgen {
 
 using boost::math::tools::leading_coefficient;
-using boost::math::tools::subresultant_gcd;
 
 IntegerPolynomial primitive(const Polynomial& polynomial) {
     IntegerPolynomial result = to_rational_function(polynomial).numerator;
@@ -28,7 +28,8 @@ IntegerPolynomial primitive_square_free(const Polynomial& polynomial) {
         throw std::domain_error("every number is a root of the polynomial 0");
     }
     const IntegerPolynomial f = primitive(polynomial);
-    return quotient(f, subresultant_gcd(f, f.prime()));
+    const IntegerPolynomial repeated = primitive_gcd(f, f.prime());
+    return repeated.degree() == 0 ? f : quotient(f, repeated);
 }
 
 Integer scaled_value(const IntegerPolynomial& polynomial, const Rational& x) {

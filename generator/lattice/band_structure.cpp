@@ -2,10 +2,10 @@
 #include "generator/lattice/band_structure.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/polynomial_gcd.hpp>
 #include <stdexcept>
 
 #include "generator/exact/algebraic_number.hpp"
+#include "generator/exact/polynomial_gcd.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/exact/real_roots.hpp"
 #include "generator/exact/resultant.hpp"
@@ -14,8 +14,6 @@
 
 namespace nmbcgen {
 namespace {
-
-using boost::math::tools::subresultant_gcd;
 
 /// The parameter itself, G or W.
 Polynomial parameter() {
@@ -90,7 +88,7 @@ std::vector<Polynomial> primitive_part(const std::vector<Polynomial>& polynomial
     IntegerPolynomial common;
     for (const Polynomial& coefficient : polynomial) {
         if (!coefficient.is_zero()) {
-            common = subresultant_gcd(common, primitive(coefficient));
+            common = primitive_gcd(common, primitive(coefficient));
         }
     }
     std::vector<Polynomial> result;
@@ -136,7 +134,7 @@ BandStructure band_structure(const Model& model, unsigned horizon) {
                 std::ranges::all_of(slope, [](const Polynomial& p) { return p.size() <= 2; }),
             "omega^2 is not linear in G with both parts");
     const Polynomial F =
-        over_rationals(subresultant_gcd(primitive(part(slope, 0)), primitive(part(slope, 1))));
+        over_rationals(primitive_gcd(primitive(part(slope, 0)), primitive(part(slope, 1))));
     const Polynomial still = F * Polynomial(std::vector<Rational>{1, 1});  // and xi = pi
     require(zeros_in_band(F) + 1 == F.size(), "an extremum that does not move is no wave");
     require((part(omega_squared, 0) % still).is_zero(),

@@ -29,11 +29,11 @@ Polynomial power_of_one_minus_w(std::size_t power) {
 /// sigma^2 C^2 - B^2 of an undamped lattice, up to a factor, in w. Matching puts zeros at w = 0
 /// (k = 1).
 Polynomial boundary_mode_polynomial(const HalfSpace& h) {
-    const Polynomial w(std::vector<Rational>{0, 1});
+    if (h.time_step == 0) {
+        return h.modes;
+    }
     const Rational half_step = Rational(h.time_step) / 2;
-    const Polynomial slowed =
-        power_of_one_minus_w(h.reach()) + constant(half_step * half_step) * h.L;
-    return h.L * h.E * h.E - w * h.O * h.O * slowed;
+    return h.modes - constant(half_step * half_step) * h.modes_in_steps;
 }
 
 bool on_unit_circle(Complex w) {

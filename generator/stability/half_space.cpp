@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "generator/exact/rational.hpp"
@@ -118,17 +119,26 @@ HalfSpace make_half_space(const Table& table, const Rational& G) {
     const auto stride = table.specification.stride;
     const Polynomial C = in_y(c, stride);
     const Polynomial B = in_y(b, stride);
-    return {.L = -in_w(symbol),
-            .E = every_second(C, 0),
-            .O = every_second(B, 1),
-            .D = damping.empty() ? Polynomial() : in_w(damping),
-            .F = every_second(C, 1),
-            .H = every_second(B, 0),
-            .symbol = rounded(symbol),
-            .damping = rounded(damping),
-            .c = rounded(c),
-            .b = rounded(b),
-            .stride = int(stride)};
+    HalfSpace half_space{.L = -in_w(symbol),
+                         .E = every_second(C, 0),
+                         .O = every_second(B, 1),
+                         .D = damping.empty() ? Polynomial() : in_w(damping),
+                         .F = every_second(C, 1),
+                         .H = every_second(B, 0),
+                         .modes = {},
+                         .modes_in_steps = {},
+                         .symbol = rounded(symbol),
+                         .damping = rounded(damping),
+                         .c = rounded(c),
+                         .b = rounded(b),
+                         .stride = int(stride)};
+    if (!half_space.is_damped()) {
+        const auto& [L, E, O] = std::tie(half_space.L, half_space.E, half_space.O);
+        const Polynomial of_B = Polynomial(std::vector<Rational>{0, 1}) * O * O;
+        half_space.modes = L * E * E - of_B * binomial(-1, half_space.reach());
+        half_space.modes_in_steps = of_B * L;
+    }
+    return half_space;
 }
 
 EvenAndOddParts even_and_odd_parts(const Table& table) {

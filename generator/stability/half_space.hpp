@@ -35,6 +35,9 @@ struct HalfSpace {
     Polynomial D;  ///< 0 where nothing is damped, as are F and H
     Polynomial F;
     Polynomial H;
+    /// Of an undamped lattice, sigma^2 C^2 - B^2 up to a factor is modes - (dt/2)^2 modes_in_steps.
+    Polynomial modes;
+    Polynomial modes_in_steps;
     std::vector<double> symbol;   ///< symbol[m], m = 0 .. r, rounded
     std::vector<double> damping;  ///< damping[m], m = 0 .. r, rounded
     std::vector<double> c;        ///< c_0 .. c_N, rounded
