@@ -178,7 +178,7 @@ int run(const Request& request) {
             return done;
         case Action::recommend:
             print(with_progress([&request](const Progress& progress) {
-                return request.side ? side_recommendation(*request.side, progress)
+                return request.side ? side_recommendation(*request.side, request.absorbed, progress)
                                     : recommendation(request.question, progress);
             }));
             return done;

@@ -186,7 +186,8 @@ CLI::App* add_passive(CLI::App& app, Request& request, Pending& pending) {
 }
 
 /// nmbcgen recommend.
-CLI::App* add_recommend(CLI::App& app, Question& question, Pending& pending) {
+CLI::App* add_recommend(CLI::App& app, Request& request, Pending& pending) {
+    Question& question = request.question;
     auto* const recommend = app.add_subcommand(
         "recommend", "say which boundary to use at a horizon and a G, and why not another one");
     add_parsed(*recommend, "--family", question.family, parse_family,
@@ -196,6 +197,10 @@ CLI::App* add_recommend(CLI::App& app, Question& question, Pending& pending) {
     CLI::Option* const radius = add_plane(*recommend, pending.plane);
     require_one_of(*recommend, horizon, radius);
     add_weights(*recommend, pending.weights);
+    add_parsed(*recommend, "--absorb", request.absorbed, parse_absorbed,
+               "of the side of a plane lattice: a row more for NMBC1 matched at an angle, such as "
+               "P:45, or for the product of two, such as P:0,S:45")
+        ->needs(radius);
     add_parsed(
         *recommend, "--G", question.G, parse_rational,
         "stabilisation G of the model (of nopd2d: g = G/pi), an exact number such as 1/2 or 0.3");
@@ -296,7 +301,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     to_stdout->excludes(folder);
     require_stable->excludes(uncertified);
     auto* const reflect = add_reflect(app, request, pending);
-    auto* const recommend = add_recommend(app, request.question, pending);
+    auto* const recommend = add_recommend(app, request, pending);
     auto* const passive = add_passive(app, request, pending);
     auto* const optimise = add_optimise(app, request, pending);
     auto* const dispersion = add_dispersion(app, request.curves, pending);

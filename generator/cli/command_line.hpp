@@ -11,6 +11,7 @@
 #include "generator/commands/optimise.hpp"
 #include "generator/commands/passive.hpp"
 #include "generator/commands/plane_dispersion.hpp"
+#include "generator/commands/plane_sides.hpp"
 #include "generator/commands/recommend.hpp"
 #include "generator/emit/closed_forms.hpp"
 #include "generator/emit/emit.hpp"
@@ -45,8 +46,9 @@ struct Request {
     std::optional<ChainModel> end;  ///< of Action::passive
     bool as_header = false;         ///< the end, in place of JSON
     std::optional<SideTask> side;   ///< of Action::passive; instead of the question of a chain
-    Aim aim;                        ///< of Action::optimise, its condition but for the stride apart
-    Curves curves;                  ///< of Action::dispersion
+    std::vector<AbsorbedWave> absorbed{};  ///< of Action::recommend, with a side
+    Aim aim;        ///< of Action::optimise, its condition but for the stride apart
+    Curves curves;  ///< of Action::dispersion
     std::optional<PlaneCurves> plane_curves;  ///< instead, of the plane family that `curves` names
     const ClosedFormat* closed_format = &closed_formats().front();  ///< of Action::closed_forms
     BondsTask bonds;                                                ///< of Action::bonds

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/commands/plane_sides.hpp"
 #include "generator/commands/recommend.hpp"
 #include "generator/emit/closed_forms.hpp"
 #include "generator/emit/emit.hpp"
@@ -33,6 +34,8 @@ unsigned parse_radius_squared(const std::string& text);   ///< 1 to 99
 bool parse_plane_state(const std::string& text);          ///< "strain", or "stress": false
 Polarisation parse_polarisation(const std::string& text);
 std::vector<double> parse_angles(const std::string& text);  ///< -180 to 180 degrees
+/// P:DEGREES or S:DEGREES, one or two of them with a comma between.
+std::vector<AbsorbedWave> parse_absorbed(const std::string& text);
 const Format* parse_format(const std::string& text);
 std::string closed_format_names();
 const ClosedFormat* parse_closed_format(const std::string& text);

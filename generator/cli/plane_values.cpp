@@ -2,6 +2,7 @@
 /// The values of options of plane families.
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "generator/cli/comma_list.hpp"
@@ -13,6 +14,17 @@ namespace nmbcgen {
 unsigned parse_radius_squared(const std::string& text) {
     return parse_whole_number(text, largest_radius_squared);
 }
+
+namespace {
+
+std::optional<double> number_of(const std::string& text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool is_number = error == std::errc() && end == text.data() + text.size();
+    return is_number ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
 
 bool parse_plane_state(const std::string& text) {
     if (text != "stress" && text != "strain") {
@@ -31,15 +43,33 @@ Polarisation parse_polarisation(const std::string& text) {
 std::vector<double> parse_angles(const std::string& text) {
     return parse_list<double>(text, [](const std::string& item) {
         constexpr double half_turn = 180;
-        double angle = 0;
-        const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), angle);
-        if (error != std::errc() || end != item.data() + item.size() ||
-            !(std::abs(angle) <= half_turn)) {
+        const std::optional<double> angle = number_of(item);
+        if (!angle || !(std::abs(*angle) <= half_turn)) {
             throw std::invalid_argument("'" + item.substr(0, 60) +
                                         "' is not an angle from -180 to 180 degrees");
         }
-        return angle;
+        return *angle;
     });
+}
+
+std::vector<AbsorbedWave> parse_absorbed(const std::string& text) {
+    std::vector<AbsorbedWave> waves;
+    for (const std::string& item : items_of(text)) {
+        constexpr double grazing = 90;
+        const bool has_angle =
+            item.size() > 2 && item[1] == ':' && (item.front() == 'P' || item.front() == 'S');
+        const std::optional<double> angle = has_angle ? number_of(item.substr(2)) : std::nullopt;
+        if (!angle || !(*angle >= 0 && *angle < grazing)) {
+            throw std::invalid_argument(
+                "'" + item.substr(0, 60) +
+                "' is no wave such as P:0 or S:45, degrees from the normal below 90");
+        }
+        waves.push_back({parse_polarisation(item.substr(0, 1)), *angle});
+    }
+    if (waves.size() > 2) {
+        throw std::invalid_argument("one or two waves are allowed");
+    }
+    return waves;
 }
 
 }  // namespace nmbcgen

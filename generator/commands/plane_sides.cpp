@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "generator/exact/rational.hpp"
@@ -75,6 +76,25 @@ std::optional<SideCondition> second_order_condition(const SideTask& model,
     return condition;
 }
 
+constexpr double drift_shift = 0.002;  // [c/dX] 1e-3 of the factors' other entries
+
+/// The product of a factor for each wave, on both components.
+GhostSide side_absorbing(const std::vector<AbsorbedWave>& waves, const PlaneLattice& lattice) {
+    std::string name;
+    ShiftPolynomial factors;
+    for (const auto& [polarisation, degrees] : waves) {
+        const bool is_P = polarisation == Polarisation::P;
+        const double apparent =
+            (is_P ? lattice.speed_P : lattice.speed_S) / std::cos(degrees * std::numbers::pi / 180);
+        // One factor does not drift.
+        const ShiftPolynomial factor = absorbs(apparent, waves.size() == 1 ? 0 : drift_shift);
+        factors = factors.empty() ? factor : product(factors, factor);
+        name += fmt::format("{}{} {:g}", name.empty() ? "matched at " : ", ", is_P ? 'P' : 'S',
+                            degrees);
+    }
+    return {.name = name, .condition = {{factors, factors}}};
+}
+
 std::vector<GhostSide> ghost_sides(const SideTask& model, const PlaneLattice& lattice) {
     std::vector<GhostSide> sides{
         {.name = "NMBC1 as printed, (81)", .condition = published_condition(lattice)},
@@ -87,8 +107,8 @@ std::vector<GhostSide> ghost_sides(const SideTask& model, const PlaneLattice& la
                                      : fmt::format(", s = {}", horizon_of(model.choice))),
              .condition = std::move(*second)});
     }
-    constexpr double shift = 0.002;  // [c/dX] against drift, 1e-3 of the factors' other entries
-    sides.push_back({.name = "Higdon, P and S", .condition = higdon_condition(lattice, shift)});
+    sides.push_back(
+        {.name = "Higdon, P and S", .condition = higdon_condition(lattice, drift_shift)});
     return sides;
 }
 
@@ -184,10 +204,14 @@ std::string heading() {
 
 }  // namespace
 
-std::string side_recommendation(const SideTask& model, const Progress& progress) {
+std::string side_recommendation(const SideTask& model, const std::vector<AbsorbedWave>& absorbed,
+                                const Progress& progress) {
     const VectorModel described = find_vector_family(model.family).describe(model.choice);
     const PlaneLattice lattice = plane_lattice(described, model.g, 0);
     std::vector<GhostSide> sides = ghost_sides(model, lattice);
+    if (!absorbed.empty()) {
+        sides.push_back(side_absorbing(absorbed, lattice));
+    }
     std::optional<DesignedSide> passive;
     std::atomic<std::size_t> done = 0;
     const std::size_t all = sides.size() + 1;

@@ -28,6 +28,23 @@ try recommend --family bond2d --radius2 2 --weights 1,1/2
 expect_exit 0
 grade passive passive
 
+# Conditions of one's own: Higdon's product is one of them.
+try recommend "${smallest[@]}" --G 1/4 --absorb P:0,S:0
+expect_exit 0
+expect "the product is Higdon's" test 1 -eq \
+    "$(sed -nE 's/^(Higdon, P and S|matched at P 0, S 0) +//p' "$scratch/stdout" | sort -u | wc -l)"
+try recommend "${smallest[@]}" --G 1/4 --absorb P:30,S:60
+grade contractive 'matched at P 30, S 60'
+expect "little at 60 degrees" grep -qE '^matched at .* 0\.00[01]/0\.00[01] +[0-9./]+$' "$scratch/stdout"
+for bad in P:90 X:3 P P:0,S:0,P:1 S:-3 ""; do
+    try recommend "${smallest[@]}" --G 1/4 --absorb "$bad"
+    expect_exit 2
+    expect_stderr "--absorb: "
+done
+try recommend "${smallest[@]}" --G 1/4 --polarisation P --absorb P:0
+expect_exit 2
+expect_stderr "--absorb: is of all waves"
+
 try passive "${smallest[@]}" --G 1/5
 expect_exit 0
 expect_no_stderr
