@@ -87,9 +87,11 @@ Quadratic square_root(unsigned n) {
 
 Real value_of(const PiPolynomial& number) {
     Real value = 0;
-    for (auto term = number.rbegin(); term != number.rend(); ++term) {
-        value *= pi();
-        value += Real(term->rational()) + Real(term->irrational()) * sqrt(Real(term->radicand()));
+    Real power = 1;
+    for (const Quadratic& term : number) {
+        value +=
+            power * (Real(term.rational()) + Real(term.irrational()) * sqrt(Real(term.radicand())));
+        power *= pi();
     }
     return value;
 }

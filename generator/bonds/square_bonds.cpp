@@ -30,8 +30,7 @@ std::vector<Class> members_of(const Class& bonds) {
         }
     }
     std::ranges::sort(members);
-    const auto repeated = std::ranges::unique(members);
-    members.erase(repeated.begin(), repeated.end());
+    members.erase(std::unique(members.begin(), members.end()), members.end());
     return members;
 }
 

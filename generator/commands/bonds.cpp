@@ -41,6 +41,7 @@ const NamedMethod& named(ChainMethod method) {
 /// Coefficients that were given.
 std::vector<BondCoefficient> as_given(const std::vector<Rational>& alpha) {
     std::vector<BondCoefficient> coefficients;
+    coefficients.reserve(alpha.size());
     for (const Rational& value : alpha) {
         coefficients.push_back({nearest_double(value), PiPolynomial{Quadratic(value)}});
     }
@@ -195,7 +196,7 @@ double rounded_down(double value) {
 }  // namespace
 
 std::optional<ChainMethod> chain_method(std::string_view name) {
-    const auto found = std::ranges::find(methods, name, &NamedMethod::name);
+    const auto* const found = std::ranges::find(methods, name, &NamedMethod::name);
     return found == methods.end() ? std::nullopt : std::optional(found->method);
 }
 

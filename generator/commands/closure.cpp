@@ -18,6 +18,7 @@ constexpr const char* units =
 
 std::vector<std::string> texts_of(const std::vector<Rational>& numbers) {
     std::vector<std::string> texts;
+    texts.reserve(numbers.size());
     for (const Rational& number : numbers) {
         texts.push_back(to_string(number));
     }

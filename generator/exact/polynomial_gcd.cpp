@@ -174,7 +174,7 @@ IntegerPolynomial primitive_gcd(const IntegerPolynomial& one, const IntegerPolyn
         lifted.add(image, prime);
         std::vector<Integer> now = lifted.symmetric();
         if (now == before) {
-            const IntegerPolynomial candidate = primitive_part(IntegerPolynomial(now));
+            IntegerPolynomial candidate = primitive_part(IntegerPolynomial(now));
             if (divides(candidate, a) && divides(candidate, b)) {
                 return candidate;
             }

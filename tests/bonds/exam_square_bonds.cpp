@@ -25,6 +25,7 @@ std::map<std::array<int, 2>, double> by_class(const SquareBonds& bonds) {
 
 std::vector<Rational> in_thousandths(const std::vector<int>& alpha) {
     std::vector<Rational> exact;
+    exact.reserve(alpha.size());
     for (const int value : alpha) {
         exact.emplace_back(value, 1000);
     }
@@ -36,36 +37,40 @@ double error_over_original(unsigned horizon, const SquareBonds& bonds) {
     return figures_of(bonds).residual / figures_of(given_square_bonds(horizon, ones)).residual;
 }
 
-/// The mean over the zone of the squared difference of dynamical matrices, by a rule that is exact
-/// for its trigonometric part up to N = 5 and off by the same for all sets otherwise.
+/// The squared difference of the dynamical matrices of the bonds and of the solid.
+double difference(const SquareBonds& bonds, double k_x, double k_y) {
+    double xx = -(0.4 * (k_x * k_x + k_y * k_y) + 0.8 * k_x * k_x);
+    double yy = -(0.4 * (k_x * k_x + k_y * k_y) + 0.8 * k_y * k_y);
+    double xy = -0.8 * k_x * k_y;
+    for (std::size_t a = 0; a < bonds.classes.size(); ++a) {
+        const auto [p, q] = bonds.classes[a];
+        // (i, j), (-i, -j), (i, -j), (-i, j), each once; both orders of p = q are one.
+        const double share = (p == q ? 0.5 : 1) * (q == 0 ? 0.5 : 1);
+        for (const auto& [i, j] : {std::array{p, q}, std::array{q, p}}) {
+            for (const int sign : {1, -1}) {
+                const double stiffness =
+                    2 * share * bonds.weights[a] * (1 - std::cos(k_x * i + sign * k_y * j));
+                xx += stiffness * i * i;
+                xy += stiffness * sign * i * j;
+                yy += stiffness * j * j;
+            }
+        }
+    }
+    return xx * xx + 2 * xy * xy + yy * yy;
+}
+
+/// The mean over the zone, by a rule that is exact for its trigonometric part up to N = 5 and off
+/// by the same for all sets otherwise.
 double distance(const SquareBonds& bonds) {
     constexpr int steps = 64;
     double sum = 0;
     for (int x = 0; x < steps; ++x) {
         for (int y = 0; y < steps; ++y) {
-            const double k_x = (x + 0.5) * std::numbers::pi / steps;
-            const double k_y = (y + 0.5) * std::numbers::pi / steps;
-            double xx = -(0.4 * (k_x * k_x + k_y * k_y) + 0.8 * k_x * k_x);
-            double yy = -(0.4 * (k_x * k_x + k_y * k_y) + 0.8 * k_y * k_y);
-            double xy = -0.8 * k_x * k_y;
-            for (std::size_t a = 0; a < bonds.classes.size(); ++a) {
-                const auto [p, q] = bonds.classes[a];
-                for (const auto& [i, j] : {std::array{p, q}, std::array{q, p}}) {
-                    // (i, j), (-i, -j), (i, -j), (-i, j), each once; both orders of p = q are one.
-                    const double share = (p == q ? 0.5 : 1) * (j == 0 || i == 0 ? 0.5 : 1);
-                    for (const int sign : {1, -1}) {
-                        const double stiffness =
-                            2 * share * bonds.weights[a] * (1 - std::cos(k_x * i + sign * k_y * j));
-                        xx += stiffness * i * i;
-                        xy += stiffness * sign * i * j;
-                        yy += stiffness * j * j;
-                    }
-                }
-            }
-            sum += (xx * xx + 2 * xy * xy + yy * yy) / (steps * steps);
+            sum += difference(bonds, (x + 0.5) * std::numbers::pi / steps,
+                              (y + 0.5) * std::numbers::pi / steps);
         }
     }
-    return sum;
+    return sum / (steps * steps);
 }
 
 }  // namespace
@@ -134,7 +139,7 @@ TEST_CASE("no other set with these speeds is nearer") {
 
 TEST_CASE("positive sets: at a vertex in closed form") {
     for (const Rational& bound : {Rational(0), Rational(1, 2)}) {
-        const double l = double(bound);
+        const auto l = double(bound);
         const SquareBonds bonds = square_bonds(3, bound);
         const auto alpha = by_class(bonds);
         constexpr double pi = std::numbers::pi;

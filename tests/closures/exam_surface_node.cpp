@@ -26,6 +26,7 @@ std::string row_text(unsigned horizon, bool corrected) {
 
 std::vector<double> doubles(const std::vector<Rational>& numbers) {
     std::vector<double> values;
+    values.reserve(numbers.size());
     for (const Rational& number : numbers) {
         values.push_back(nearest_double(number));
     }
@@ -118,7 +119,7 @@ class Bar {
             if (i >= 0 && i < count) {
                 return u_[std::size_t(i)];
             }
-            const double f = double(i < 0 ? -i : i - count + 1);
+            const auto f = double(i < 0 ? -i : i - count + 1);
             return i < 0 ? -(2 * f - 1) * u_.front() : 2 * f * surface - (2 * f - 1) * u_.back();
         };
         const double spacing = 1 / double(count);

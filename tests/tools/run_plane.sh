@@ -185,7 +185,7 @@ setting 2 "domain.nodes must be" domain.nodes=10
 # A run that grows says so, and what was computed up to there is there.
 try run "$scene" "${printed[@]}" --set time.end=400 --set model.radius2=2 --out grown
 expect_exit 4
-expect_stderr "the energy has grown to"
+expect_stderr "times what it was at the start, at step"
 expect "energies up to there" test -s grown/plane_pulse.csv
 
 finish

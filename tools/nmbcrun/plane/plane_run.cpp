@@ -157,9 +157,10 @@ void PlaneRun::look(bool is_row) {
     if (plane.steps() == 0 || simulation_.is_driven(std::max(0.0, plane.time() - between))) {
         driven_peak = std::max(driven_peak, total);
     } else if (driven_peak > 0 && total > 10 * driven_peak && simulation_.times_supplied() > 10) {
-        throw unstable(
-            fmt::format("the energy has grown to {:.3g} times its peak before its sources ended,",
-                        total / driven_peak));
+        const PlaneScene& scene = simulation_.scene();
+        throw unstable(fmt::format("the energy has grown to {:.3g} times {},", total / driven_peak,
+                                   scene.force || scene.drive ? "its peak before its sources ended"
+                                                              : "what it was at the start"));
     }
     if (is_row) {
         const PlaneBalance balance = simulation_.balance();
