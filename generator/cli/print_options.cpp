@@ -100,7 +100,10 @@ CLI::App* add_bonds(CLI::App& app, Request& request) {
     add_parsed(*bonds, "--dimension", request.bonds.dimension, parse_dimension,
                "1, a chain, or 2, a square lattice")
         ->required();
-    add_parsed(*bonds, "--horizon", request.bonds.horizon, parse_count,
+    const auto parse_bonds = [](const std::string& text) {
+        return parse_whole_number(text, most_chain_bonds);
+    };
+    add_parsed(*bonds, "--horizon", request.bonds.horizon, parse_bonds,
                fmt::format("N, the longest bond in units of dX: 1 to {}, in two dimensions 2 to {}",
                            most_chain_bonds, most_square_bonds))
         ->required();
@@ -131,18 +134,26 @@ CLI::App* add_bonds(CLI::App& app, Request& request) {
 CLI::App* add_closure(CLI::App& app, Request& request) {
     auto* const closure = app.add_subcommand(
         "closure", "a true end of a bond-based chain (docs/how-to/end-a-body.md)");
-    closure->require_subcommand(1);
-    auto* const surface = closure->add_subcommand("snm", "the surface node method");
+    const auto require_known = [](const std::string& text) {
+        if (text != "snm") {
+            throw std::invalid_argument(
+                fmt::format("'{}' is not a closure; allowed: snm", text.substr(0, 60)));
+        }
+        return text;
+    };
+    add_parsed(*closure, "METHOD", request.closure.method, require_known,
+               "snm, the surface node method")
+        ->required();
     const auto parse_horizon = [](const std::string& text) {
         return parse_whole_number(text, largest_closure_horizon);
     };
-    add_parsed(*surface, "--horizon", request.closure.horizon, parse_horizon,
+    add_parsed(*closure, "--horizon", request.closure.horizon, parse_horizon,
                fmt::format("m in units of dX, 1 to {}", largest_closure_horizon))
         ->required();
-    surface->add_flag("--corrected", request.closure.corrected,
+    closure->add_flag("--corrected", request.closure.corrected,
                       "weight 3/2 for the nearest bond in place of the printed 1, which makes the "
                       "chain of second order");
-    add_format(*surface, request);
+    add_format(*closure, request);
     return closure;
 }
 

@@ -82,9 +82,9 @@ void require_fit(const VectorFamily& family, const PlaneOptions& plane,
     }
 }
 
-/// Over the size of the first one: a factor > 0 of all says nothing.
-std::vector<Rational> relative(const std::optional<WeightChoice>& choice) {
-    std::vector<Rational> weights = choice ? choice->values : std::vector<Rational>{};
+/// Over the size of the first one: in units of a polarisation's own speed a factor > 0 of all says
+/// nothing.
+std::vector<Rational> relative(std::vector<Rational> weights) {
     std::ranges::transform(weights, weights.begin(),
                            [first = weights.empty() ? Rational(1) : Rational(abs(weights.front()))](
                                const Rational& weight) { return weight / first; });
@@ -110,10 +110,11 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
     }
     const PlaneOptions& plane = pending.plane;
     require_fit(*known, plane, pending.weights);
-    const VectorChoice choice{.radius_squared = *plane.radius_squared,
-                              .poisson = plane.poisson,
-                              .plane_strain = plane.plane_strain.value_or(false),
-                              .weights = relative(pending.weights)};
+    VectorChoice choice{
+        .radius_squared = *plane.radius_squared,
+        .poisson = plane.poisson,
+        .plane_strain = plane.plane_strain.value_or(false),
+        .weights = pending.weights ? pending.weights->values : std::vector<Rational>{}};
     pending.weights.reset();
     const char* const blamed = known->has_poisson ? "--nu" : "--weights";
     require_model("--radius2", [&] { neighbours_in_plane(choice.radius_squared); });
@@ -164,6 +165,7 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
                                    "waves: nmbcgen recommend, and nmbcgen passive, whose sides are "
                                    "stable by construction");
     }
+    choice.weights = relative(choice.weights);
     const ProjectedFamily projected{
         .family = family, .model = choice, .polarisation = *plane.polarisation};
     require_model("--polarisation", [&] { projected_model(projected); });

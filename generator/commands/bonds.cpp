@@ -69,6 +69,7 @@ struct Report {
     bool is_stable = false;
     double residual_over_original = 0;
     double largest_frequency = 0;
+    double chain_speed = 0;  ///< of long waves, of a chain
     std::optional<SquareFigures> square{};
 };
 
@@ -140,6 +141,11 @@ Report chain_report(const BondsTask& task) {
     report.residual_over_original =
         residual_of_chain(values) / residual_of_chain(std::vector<double>(task.horizon, 1.0));
     report.largest_frequency = band.largest_frequency;
+    double speed_squared = 0;  // (33)
+    for (std::size_t j = 1; j <= values.size(); ++j) {
+        speed_squared += 2 * double(j) * values[j - 1] / double(values.size() * values.size());
+    }
+    report.chain_speed = std::sqrt(speed_squared);
     return report;
 }
 
@@ -224,7 +230,9 @@ std::string bonds_text(const BondsTask& task) {
     }
     text += fmt::format("steps     stable below dt = {:.4f} dX sqrt(rho/E): omega_max = {:.4f}\n",
                         rounded_down(2 / report.largest_frequency), report.largest_frequency);
-    if (report.square) {
+    if (!report.square) {
+        text += fmt::format("speed     long waves, over the solid's: {:.4f}\n", report.chain_speed);
+    } else {
         const auto& P = report.square->speed_P;
         const auto& S = report.square->speed_S;
         text += fmt::format(
@@ -266,7 +274,9 @@ std::string bonds_json(const BondsTask& task) {
              {"stable", report.is_stable},
              {"positive", !has_mixed_sign(report)},
              {"omega_max", report.is_stable ? Json(report.largest_frequency) : Json(nullptr)}};
-    if (report.square) {
+    if (!report.square) {
+        all["speed_ratio"] = report.is_stable ? Json(report.chain_speed) : Json(nullptr);
+    } else {
         all["speed_ratios"] =
             report.is_stable ? Json{{"P", report.square->speed_P}, {"S", report.square->speed_S}}
                              : Json(nullptr);

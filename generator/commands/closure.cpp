@@ -69,7 +69,7 @@ std::string surface_node_json(const ClosureTask& task) {
     for (const std::vector<Rational>& ghost : node.ghosts) {
         ghosts.push_back(texts_of(ghost));
     }
-    const Json all{{"closure", "snm"},
+    const Json all{{"closure", task.method},
                    {"horizon", task.horizon},
                    {"corrected", task.corrected},
                    {"source", method},

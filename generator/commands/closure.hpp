@@ -7,6 +7,7 @@
 namespace nmbcgen {
 
 struct ClosureTask {
+    std::string method;
     unsigned horizon = 0;
     bool corrected = false;  ///< beta_1 = 3/2
 };

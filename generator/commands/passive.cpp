@@ -115,9 +115,10 @@ std::string passive_json(const SideTask& model) {
         {"source", described.source},
         {"g", to_string(model.g)},
         {"time_step", to_string(model.time_step)},
-        {"units",
-         "dX, density and Young's modulus are 1; side x = const, layers from the edge "
-         "inwards, components x and y"},
+        {"units", std::string(find_vector_family(model.family).has_weights
+                                  ? "dX and density are 1, the modulus is what the weights make"
+                                  : "dX, density and Young's modulus are 1") +
+                      "; side x = const, layers from the edge inwards, components x and y"},
     };
     all.update(numbers_of(side.design));
     all.update(

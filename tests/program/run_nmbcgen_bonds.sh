@@ -116,7 +116,7 @@ refuses() {
 refuses 2 "--dimension is required"
 refuses 2 "--method (or --alpha) is required" --dimension 1 --horizon 3
 refuses 2 "'3' is not a whole number from 1 to 2" --dimension 3 --horizon 3 --method galerkin
-refuses 2 "in 1 dimension it is 1 to 20" --dimension 1 --horizon 21 --method galerkin
+refuses 2 "is not a whole number from 1 to 20" --dimension 1 --horizon 21 --method galerkin
 refuses 2 "in 2 dimensions it is 2 to 5" --dimension 2 --horizon 1 --method bz-ls
 refuses 2 "allowed: point, subdomain, galerkin, least-squares, taylor, bz-ls" --dimension 1 --horizon 3 --method best
 refuses 2 "bz-ls is of the square lattice" --dimension 1 --horizon 3 --method bz-ls

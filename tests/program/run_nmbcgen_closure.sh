@@ -34,8 +34,8 @@ refuses() {
     expect_stderr "$what"
     expect "nothing on stdout" test ! -s "$scratch/stdout"
 }
-refuses "A subcommand is required"
-refuses "A subcommand is required" mirror --horizon 2
+refuses "METHOD is required"
+refuses "'mirror' is not a closure; allowed: snm" mirror --horizon 2
 refuses "--horizon is required" snm
 refuses "'0' is not a whole number from 1 to 100" snm --horizon 0
 refuses "'101' is not a whole number from 1 to 100" snm --horizon 101

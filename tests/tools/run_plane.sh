@@ -181,6 +181,14 @@ try run "$scene" --tolerance 0.1
 expect_exit 2
 expect_stderr "is a plane scene, which run"
 setting 2 "domain.nodes must be" domain.nodes=10
+setting 2 "output.name must be without" "output.name='a&b'"
+
+# Times and spacings with an exponent are drawn, too.
+try run "$scene" --quiet --plot --out tiny --set domain.spacing=1e-5 --set initial.centre='[75e-5, 137.5e-5]' \
+    --set initial.width=60e-5 --set time.end=2e-5 --set output.snapshots=10
+expect_exit 0
+expect_no_stderr
+expect "a film" test -s tiny/plane_pulse_fields.gif
 
 # A run that grows says so, and what was computed up to there is there.
 try run "$scene" "${printed[@]}" --set time.end=400 --set model.radius2=2 --out grown

@@ -19,7 +19,8 @@ if (count < 1) {
     exit status 2
 }
 file_of(i) = folder . "/" . system(sprintf(list, "\\2") . sprintf(" | sed -n %dp", i))
-time_of(i) = system(sprintf(list, "\\1") . sprintf(" | sed -n %dp", i))
+# With a point: gnuplot takes 8e-05 for no number.
+time_of(i) = real(system(sprintf(list, "\\1") . sprintf(" | awk 'NR == %d { printf \"%%.12e\", $1 }'", i)))
 
 # The header is text; what follows it are the bytes' count, 8 bytes, and displacements of three doubles.
 marker = "<AppendedData encoding=\"raw\">"
@@ -29,7 +30,7 @@ first = file_of(1)
 extent = head(first, "WholeExtent")
 nx = int(word(extent, 2)) + 1
 ny = int(word(extent, 4)) + 1
-spacing = real(word(head(first, "Spacing"), 1))
+spacing = real(system(sprintf("echo '%s' | awk '{ printf \"%%.12e\", $1 }'", head(first, "Spacing"))))
 image(file) = sprintf("'%s' binary skip=%d array=(%d,%d) format='%%3float64' dx=%.9g dy=%.9g " . \
                       "origin=(%.9g,%.9g) using (shown(sqrt($1**2 + $2**2))) with image", \
                       file, skip(file), nx, ny, spacing, spacing, spacing, spacing)
@@ -77,7 +78,7 @@ set multiplot layout rows, columns margins 60.0 / width, 1 - 130.0 / width, 40.0
     1 - 70.0 / height spacing 50.0 / width, 70.0 / height title ARG3 noenhanced
 set colorbox user origin 1 - 115.0 / width, 40.0 / height size 16.0 / width, 1 - 110.0 / height
 do for [p = 1:panels] {
-    set title sprintf("t = %.4g", real(time_of(chosen(p))))
+    set title sprintf("t = %.4g", time_of(chosen(p)))
     eval "plot " . image(file_of(chosen(p)))
     unset colorbox
 }
@@ -92,7 +93,7 @@ set rmargin at screen 1 - 140.0 / (panel_x + 200)
 set output ARG1 . ".gif"
 do for [f = 1:frames] {
     i = frames == 1 ? 1 : 1 + int((f - 1) * (count - 1.0) / (frames - 1) + 0.5)
-    set title sprintf("%s, t = %.4g", ARG3, real(time_of(i))) noenhanced
+    set title sprintf("%s, t = %.4g", ARG3, time_of(i)) noenhanced
     eval "plot " . image(file_of(i))
 }
 set output

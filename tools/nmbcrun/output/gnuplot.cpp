@@ -105,11 +105,19 @@ void draw(const std::string& script, const std::vector<std::string>& arguments,
     std::vector<std::string> words{"gnuplot", "-c", script_path(script).string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::fflush(stdout);
+    const auto remove_made = [&made] {  // what an earlier run has left, and what is half drawn
+        for (const fs::path& picture : made) {
+            std::error_code ignored;
+            fs::remove(picture, ignored);
+        }
+    };
+    remove_made();
     if (run_program(words)) {
         for (const fs::path& picture : made) {
             fmt::print("picture      {}\n", picture.string());
         }
     } else {
+        remove_made();
         fmt::print("to draw it   {}\n", as_command(words));
     }
 }

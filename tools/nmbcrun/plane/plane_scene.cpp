@@ -312,6 +312,9 @@ PlaneScene read_plane_scene(const std::string& text, const std::string& path,
                                 "output", "initial", "force", "drive"});
     PlaneScene scene;
     scene.name = read_name(reader, path);
+    if (scene.name.find_first_of("\"'&<>") != std::string::npos) {  // it stands in XML
+        reader.fail("output.name", "must be without \" ' & < >");
+    }
     scene.title = printable(reader.text("title").value_or(scene.name));
     read_model(reader, scene);
     scene.density = reader.number("material.density", positive).value_or(scene.density);
