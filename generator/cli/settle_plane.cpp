@@ -91,6 +91,38 @@ std::vector<Rational> relative(std::vector<Rational> weights) {
     return weights;
 }
 
+/// recommend and passive of a side of the plane.
+void settle_side(Request& request, const VectorFamily& family, const VectorChoice& choice,
+                 const Pending& pending, const CLI::App& used, const char* blamed) {
+    refuse_options_of_chains(used);
+    if (choice.radius_squared > largest_side_radius_squared) {
+        throw CLI::ValidationError("--radius2",
+                                   fmt::format("sides of families above {} take too long: give a "
+                                               "--polarisation, or a smaller family",
+                                               largest_side_radius_squared));
+    }
+    for (const Polarisation polarisation : {Polarisation::P, Polarisation::S}) {
+        require_model(blamed, [&] {
+            projected_model({.family = std::string(family.name),
+                             .model = choice,
+                             .polarisation = polarisation});
+        });
+    }
+    if (std::ranges::any_of(choice.weights, [](const Rational& w) { return w < 0; })) {
+        throw CLI::ValidationError(
+            "--weights",
+            "sides that are stable by construction need weights above 0; of the waves of one "
+            "--polarisation there is a recommendation");
+    }
+    if (request.as_header && !family.has_poisson) {
+        throw CLI::ValidationError("--header", "the runtime has planes of nopd2d alone");
+    }
+    request.side = {.family = std::string(family.name),
+                    .choice = choice,
+                    .g = request.question.G,
+                    .time_step = pending.passive_step};
+}
+
 }  // namespace
 
 void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
@@ -129,31 +161,7 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
         return;
     }
     if (recommends && !plane.polarisation) {
-        refuse_options_of_chains(used);
-        if (choice.radius_squared > largest_side_radius_squared) {
-            throw CLI::ValidationError(
-                "--radius2", fmt::format("sides of families above {} take too long: give a "
-                                         "--polarisation, or a smaller family",
-                                         largest_side_radius_squared));
-        }
-        for (const Polarisation polarisation : {Polarisation::P, Polarisation::S}) {
-            require_model(blamed, [&] {
-                projected_model({.family = family, .model = choice, .polarisation = polarisation});
-            });
-        }
-        if (std::ranges::any_of(choice.weights, [](const Rational& w) { return w < 0; })) {
-            throw CLI::ValidationError(
-                "--weights",
-                "sides that are stable by construction need weights above 0; of the waves of one "
-                "--polarisation there is a recommendation");
-        }
-        if (request.as_header && !known->has_poisson) {
-            throw CLI::ValidationError("--header", "the runtime has planes of nopd2d alone");
-        }
-        request.side = {.family = family,
-                        .choice = choice,
-                        .g = request.question.G,
-                        .time_step = pending.passive_step};
+        settle_side(request, *known, choice, pending, used, blamed);
         return;
     }
     if (!request.absorbed.empty()) {
