@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "generator/exact/echelon.hpp"
+#include "generator/exact/rational.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -213,6 +214,10 @@ double omega_squared(std::span<const double> alpha, double xi) {
 }
 
 }  // namespace
+
+BondCoefficient rational_coefficient(const Rational& alpha) {
+    return {nearest_double(alpha), PiPolynomial{Quadratic(alpha)}};
+}
 
 std::vector<BondCoefficient> chain_bonds(ChainMethod method, unsigned horizon) {
     if (horizon < 1 || horizon > most_chain_bonds) {

@@ -18,6 +18,9 @@ struct BondCoefficient {
     std::optional<PiPolynomial> closed_form{};
 };
 
+/// One that is given.
+BondCoefficient rational_coefficient(const Rational& alpha);
+
 /// How the coefficients of the chain are chosen. Each keeps (34), sum j alpha_j = N^2/2: long waves
 /// have the speed 1. The residual is R = omega^2 - xi^2.
 enum class ChainMethod {

@@ -9,6 +9,7 @@
 
 #include "generator/exact/echelon.hpp"
 #include "generator/exact/rational.hpp"
+#include "generator/families/bond_lattice.hpp"
 #include "generator/families/vector_family.hpp"
 
 namespace nmbcgen {
@@ -19,19 +20,8 @@ using Class = std::array<int, 2>;
 const Rational speed_P_squared(6, 5);
 const Rational speed_S_squared(2, 5);
 
-std::vector<Class> members_of(const Class& bonds) {
-    std::vector<Class> members;
-    const auto [i, j] = bonds;
-    for (const auto& [x, y] : {Class{i, j}, Class{j, i}}) {
-        for (const int right : {1, -1}) {
-            for (const int up : {1, -1}) {
-                members.push_back({right * x, up * y});
-            }
-        }
-    }
-    std::ranges::sort(members);
-    members.erase(std::unique(members.begin(), members.end()), members.end());
-    return members;
+std::vector<Offset> members(const Class& bonds) {
+    return members_of_class({bonds[0], bonds[1], 0});
 }
 
 int sign_of_power(int k) {
@@ -86,15 +76,14 @@ Quadrature quadrature_of(const std::vector<Class>& classes) {
         speed.resize(count);
     }
     for (std::size_t a = 0; a < count; ++a) {
-        for (const Class& bond : members_of(classes[a])) {
-            const auto [i, j] = bond;
-            const std::array<Rational, 2> wanted = wanted_along(bond);
+        for (const auto& [i, j, none] : members(classes[a])) {
+            const std::array<Rational, 2> wanted = wanted_along({i, j});
             all.wanted[a][0] += wanted[0];
             all.wanted[a][1] += wanted[1];
             all.speeds[0][a] += Rational(i * i * i * i, 2);
             all.speeds[1][a] += Rational(i * i * j * j, 2);
             for (std::size_t b = 0; b < count; ++b) {
-                for (const auto& [x, y] : members_of(classes[b])) {
+                for (const auto& [x, y, flat] : members(classes[b])) {
                     const bool is_same = (x == i && y == j) || (x == -i && y == -j);
                     const int inner = i * x + j * y;
                     all.gram[a][b] += inner * inner * (is_same ? Rational(3, 2) : Rational(1));
@@ -273,7 +262,7 @@ SquareBonds bounded(unsigned horizon, const std::vector<Class>& classes, const R
             const bool is_at_bound = (at_bound >> a & 1U) != 0;
             bonds.alpha.push_back(
                 is_at_bound
-                    ? BondCoefficient{nearest_double(bound), PiPolynomial{Quadratic(bound)}}
+                    ? rational_coefficient(bound)
                     : BondCoefficient{
                           double(weights[a] * alpha_of_unit_weight(horizon, classes[a])), {}});
             bonds.weights.push_back(double(is_at_bound ? bounds[a] : weights[a]));
@@ -282,59 +271,6 @@ SquareBonds bounded(unsigned horizon, const std::vector<Class>& classes, const R
     }
     throw std::logic_error("no optimum of bounded bonds was found");
 }
-
-struct Symmetric {
-    double xx = 0;
-    double xy = 0;
-    double yy = 0;
-
-    /// The larger eigenvalue, and the other one.
-    std::array<double, 2> eigenvalues() const {
-        const double middle = (xx + yy) / 2;
-        const double half = std::hypot((xx - yy) / 2, xy);
-        return {middle + half, middle - half};
-    }
-};
-
-/// D from weights, and what of it long waves see.
-class Lattice {
-  public:
-    explicit Lattice(const SquareBonds& bonds) {
-        for (std::size_t a = 0; a < bonds.classes.size(); ++a) {
-            for (const auto& [i, j] : members_of(bonds.classes[a])) {
-                all_.push_back({bonds.weights[a], double(i), double(j)});
-            }
-        }
-    }
-
-    Symmetric at(double k_x, double k_y) const {
-        Symmetric sum;
-        for (const auto& [weight, i, j] : all_) {
-            add(sum, weight * (1 - std::cos(k_x * i + k_y * j)), i, j);
-        }
-        return sum;
-    }
-
-    /// D/k^2 in the limit.
-    Symmetric of_long_waves(double degrees) const {
-        const double angle = degrees * std::numbers::pi / 180;
-        Symmetric sum;
-        for (const auto& [weight, i, j] : all_) {
-            const double along = i * std::cos(angle) + j * std::sin(angle);
-            add(sum, weight * along * along / 2, i, j);
-        }
-        return sum;
-    }
-
-  private:
-    static void add(Symmetric& sum, double factor, double i, double j) {
-        sum.xx += factor * i * i;
-        sum.xy += factor * i * j;
-        sum.yy += factor * j * j;
-    }
-
-    std::vector<std::array<double, 3>> all_{};
-};
 
 }  // namespace
 
@@ -361,7 +297,7 @@ SquareBonds given_square_bonds(unsigned horizon, const std::vector<Rational>& al
                                                 alpha.size(), horizon, bonds.classes.size()));
     }
     for (std::size_t a = 0; a < alpha.size(); ++a) {
-        bonds.alpha.push_back({nearest_double(alpha[a]), PiPolynomial{Quadratic(alpha[a])}});
+        bonds.alpha.push_back(rational_coefficient(alpha[a]));
         bonds.weights.push_back(
             double(Real(alpha[a]) / alpha_of_unit_weight(horizon, bonds.classes[a])));
     }
@@ -369,12 +305,17 @@ SquareBonds given_square_bonds(unsigned horizon, const std::vector<Rational>& al
 }
 
 SquareFigures figures_of(const SquareBonds& bonds) {
-    const Lattice lattice(bonds);
+    std::vector<Offset> classes;
+    for (const auto& [i, j] : bonds.classes) {
+        classes.push_back({i, j, 0});
+    }
+    const BondLattice lattice(classes, bonds.weights);
     const double P = nearest_double(speed_P_squared);
     const double S = nearest_double(speed_S_squared);
     SquareFigures figures;
     for (const std::size_t i : {0U, 1U}) {
-        const auto [fast, slow] = lattice.of_long_waves(i == 0 ? 0 : 45).eigenvalues();
+        const auto [fast, slow] =
+            lattice.of_long_waves(i == 0 ? 0 : std::numbers::pi / 4).eigenvalues();
         figures.speed_P[i] = std::sqrt(fast / P);
         figures.speed_S[i] = std::sqrt(slow / S);
     }

@@ -10,6 +10,7 @@
 
 #include "generator/bonds/square_bonds.hpp"
 #include "generator/exact/rational.hpp"
+#include "generator/families/bond_lattice.hpp"
 #include "generator/families/family.hpp"
 #include "generator/families/influence.hpp"
 #include "generator/families/vector_family.hpp"
@@ -40,11 +41,8 @@ const NamedMethod& named(ChainMethod method) {
 
 /// Coefficients that were given.
 std::vector<BondCoefficient> as_given(const std::vector<Rational>& alpha) {
-    std::vector<BondCoefficient> coefficients;
-    coefficients.reserve(alpha.size());
-    for (const Rational& value : alpha) {
-        coefficients.push_back({nearest_double(value), PiPolynomial{Quadratic(value)}});
-    }
+    std::vector<BondCoefficient> coefficients(alpha.size());
+    std::ranges::transform(alpha, coefficients.begin(), rational_coefficient);
     return coefficients;
 }
 
@@ -172,11 +170,12 @@ Report square_report(const BondsTask& task) {
                                 bonds.alpha[a],
                                 decimals_of(bonds.weights[a])});
     }
-    settle_stability(report,
-                     least_squared_speed(bond_classes_in_plane(radius_squared), bonds.weights),
-                     [&](const std::vector<Rational>& weights) {
-                         bond2d({.radius_squared = radius_squared, .weights = weights});
-                     });
+    settle_stability(
+        report,
+        BondLattice(bond_classes_in_plane(radius_squared), bonds.weights).least_squared_speed(),
+        [&](const std::vector<Rational>& weights) {
+            bond2d({.radius_squared = radius_squared, .weights = weights});
+        });
     report.square = figures_of(bonds);
     const std::vector<Rational> ones(bonds.classes.size(), Rational(1));
     report.residual_over_original =

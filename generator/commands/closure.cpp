@@ -2,6 +2,7 @@
 #include "generator/commands/closure.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -25,14 +26,6 @@ std::vector<std::string> texts_of(const std::vector<Rational>& numbers) {
     return texts;
 }
 
-std::string listed(const std::vector<Rational>& numbers) {
-    std::string list;
-    for (const std::string& text : texts_of(numbers)) {
-        list += (list.empty() ? "" : ", ") + text;
-    }
-    return list;
-}
-
 /// w_k of bond1d.
 std::vector<Rational> weights_of(const SurfaceNode& node) {
     std::vector<Rational> weights;
@@ -46,10 +39,6 @@ std::vector<Rational> weights_of(const SurfaceNode& node) {
 
 std::string surface_node_text(const ClosureTask& task) {
     const SurfaceNode node = surface_node(task.horizon, task.corrected);
-    std::string weights;
-    for (const std::string& weight : texts_of(weights_of(node))) {
-        weights += (weights.empty() ? "" : ",") + weight;
-    }
     return fmt::format(
         "closure     {}\nunits       {}\nquadrature  beta_k = {}{}\nghosts      u_f = 2f u_s - (2f "
         "- "
@@ -58,8 +47,10 @@ std::string surface_node_text(const ClosureTask& task) {
         "strain of the traction; free: e = 0\nrow         {}\nload        {}\noptions     --family "
         "bond1d "
         "--horizon {} --weights {}\n",
-        method, units, listed(node.quadrature), task.corrected ? ", corrected" : ", as printed",
-        task.horizon, listed(node.row), to_string(node.load), task.horizon, weights);
+        method, units, fmt::join(texts_of(node.quadrature), ", "),
+        task.corrected ? ", corrected" : ", as printed", task.horizon,
+        fmt::join(texts_of(node.row), ", "), to_string(node.load), task.horizon,
+        fmt::join(texts_of(weights_of(node)), ","));
 }
 
 std::string surface_node_json(const ClosureTask& task) {

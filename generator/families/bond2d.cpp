@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
-#include <numbers>
 
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
+#include "generator/families/bond_lattice.hpp"
 #include "generator/families/family.hpp"
 #include "generator/families/vector_family.hpp"
 
@@ -24,47 +23,6 @@ Offset class_of(const Offset& bond) {
 }
 
 }  // namespace
-
-double least_squared_speed(std::span<const Offset> classes, std::span<const double> weights) {
-    double least = HUGE_VAL;
-    // share is 1 - cos(k.b) over k^2, or its limit (k.b)^2/2.
-    const auto look = [&](const auto& share) {
-        double xx = 0;
-        double xy = 0;
-        double yy = 0;
-        for (std::size_t a = 0; a < classes.size(); ++a) {
-            const auto [p, q, none] = classes[a];
-            const std::array orders{std::array{p, q}, std::array{q, p}};
-            // (i, j) and (i, -j) stand for (-i, -j) and (-i, j), too.
-            const double count = (p == q ? 0.5 : 1) * (q == 0 ? 1 : 2);
-            for (const auto& [i, j] : orders) {
-                for (const int sign : {1, -1}) {
-                    const double stiffness = count * weights[a] * share(i, sign * j);
-                    xx += stiffness * i * i;
-                    xy += stiffness * sign * i * j;
-                    yy += stiffness * j * j;
-                }
-            }
-        }
-        least = std::min(least, (xx + yy) / 2 - std::hypot((xx - yy) / 2, xy));
-    };
-    constexpr int steps = 128;
-    for (int y = 0; y <= steps; ++y) {
-        const double slope = double(y) / steps;  // 0 to 45 degrees
-        look([&](int i, int j) {
-            const double along = (i + slope * j) / std::hypot(1, slope);
-            return along * along / 2;
-        });
-        for (int x = std::max(y, 1); x <= steps; ++x) {
-            const double k_x = std::numbers::pi * x / steps;
-            const double k_y = std::numbers::pi * y / steps;
-            look([&](int i, int j) {
-                return (1 - std::cos(k_x * i + k_y * j)) / (k_x * k_x + k_y * k_y);
-            });
-        }
-    }
-    return least;
-}
 
 VectorModel bond2d(const VectorChoice& choice) {
     const std::vector<Offset> classes = bond_classes_in_plane(choice.radius_squared);
@@ -82,7 +40,7 @@ VectorModel bond2d(const VectorChoice& choice) {
         for (const Rational& weight : choice.weights) {
             weights.push_back(nearest_double(weight));
         }
-        if (!(least_squared_speed(classes, weights) > 0)) {
+        if (!(BondLattice(classes, weights).least_squared_speed() > 0)) {
             throw NoSuchModel(
                 "with these weights the lattice has waves that grow: omega^2 is not above 0");
         }

@@ -46,10 +46,6 @@ std::vector<Offset> neighbours_in_plane(unsigned radius_squared);
 /// shortest first, and of equal ones that of larger i.
 std::vector<Offset> bond_classes_in_plane(unsigned radius_squared);
 
-/// The least omega^2/k^2 of a bond2d lattice with these weights, one for each class: of long waves
-/// at 129 angles, and of wave vectors in steps of pi/128.
-double least_squared_speed(std::span<const Offset> classes, std::span<const double> weights);
-
 VectorModel nopd2d(const VectorChoice& choice);
 VectorModel bond2d(const VectorChoice& choice);
 
