@@ -6,7 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <nmbc/bond_force.hpp>
+#include <nmbc/coefficients.hpp>
 #include <nmbc/leapfrog.hpp>
 #include <nmbc/plane_dashpots.hpp>
 #include <nmbc/plane_force.hpp>
@@ -18,6 +21,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace nmbc {
@@ -56,8 +60,10 @@ struct PlaneState {
     std::size_t steps = 0;
     std::array<std::vector<Real>, 2> displacement{};
     std::array<std::vector<Real>, 2> velocity{};
-    std::vector<Real> ghosts{};    ///< what the conditions of ghosts remember
-    std::array<double, 4> gone{};  ///< sums of what left() counts
+    std::vector<Real> ghosts{};          ///< what the conditions of ghosts remember
+    std::array<double, 4> gone{};        ///< sums of what left() counts
+    std::vector<std::uint32_t> bonds{};  ///< which hold, of a bond-based plane
+    std::array<double, 2> broken{};      ///< bonds since the start, and their energy over E
 };
 
 /// The state: u at t and v at t - dt/2, two components each, on grid(): ghosts, the layers of
@@ -71,14 +77,12 @@ class BasicPlane {
         : model_(with_beta(model, sides)),
           sides_(sides),
           parameters_(checked(parameters)),
-          ghosts_(2 * model.horizon()),
+          ghosts_(model.reach()),
           layers_{layers_of(sides.left), layers_of(sides.right), layers_of(sides.bottom),
                   layers_of(sides.top)},
           nx_(parameters.nx + layers_[0] + layers_[1]),
           ny_(parameters.ny + layers_[2] + layers_[3]),
-          force_(detail::PlaneNodes(model_, {sides.left, sides.right, 0, nx_, model.horizon()},
-                                    {sides.bottom, sides.top, 1, ny_, model.horizon()},
-                                    static_cast<std::ptrdiff_t>(grid().nx))) {
+          force_(force_of(model_.law())) {
         if (parameters.nx < least_interior(0) || parameters.ny < least_interior(1)) {
             throw std::invalid_argument("between periodic sides a body needs " +
                                         std::to_string(ghosts_) + " nodes");
@@ -129,6 +133,8 @@ class BasicPlane {
     void start() {
         steps_ = 0;
         gone_ = {};
+        broken_ = 0;
+        released_ = 0;
         const double rate = parameters_.rate();
         clear_ghosts();
         close_ghosts(u_);
@@ -141,7 +147,7 @@ class BasicPlane {
             group.drag(back * rate, field(dragged));
         }
         friction_.drag(back / parameters_.time_step, field(dragged));
-        force_.kick(back * rate * rate, field(std::as_const(u_)), field(dragged));
+        kick_by_forces(back, dragged);
         v_ = std::move(dragged);
         for (auto& lines : ghost_lines_) {
             lines.start(u_, v_);
@@ -149,7 +155,10 @@ class BasicPlane {
     }
 
     PlaneState<Real> state() const {
-        PlaneState<Real> state{steps_, u_, v_, {}, gone_};
+        PlaneState<Real> state{steps_, u_, v_, {}, gone_, {}, {broken_, released_}};
+        if (const auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_)) {
+            state.bonds = bonds->states().state();
+        }
         for (const auto& lines : ghost_lines_) {
             lines.remembered(state.ghosts);
         }
@@ -172,6 +181,15 @@ class BasicPlane {
                 throw std::invalid_argument("the state of a plane of another size");
             }
         }
+        auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_);
+        if (state.bonds.size() != (bonds == nullptr ? 0 : bonds->states().state_size())) {
+            throw std::invalid_argument("the state of a plane with other bonds");
+        }
+        if (bonds != nullptr) {
+            bonds->states().resume(state.bonds);
+        }
+        broken_ = state.broken[0];
+        released_ = state.broken[1];
         steps_ = state.steps;
         u_ = state.displacement;
         v_ = state.velocity;
@@ -197,6 +215,28 @@ class BasicPlane {
         advance(steps, nothing, nothing);
     }
 
+    // Of bond-based planes; others throw std::logic_error. Points and nodes are interior ones [dX]:
+    // (0, 0) to (nx - 1, ny - 1).
+
+    /// Lets bonds break, for good, where R.(u_J - u_I) is above stretch |R|^2. keep(x, y) says
+    /// whether the bonds of a node never do; nodes of layers are outside of the interior. Throws
+    /// std::invalid_argument of a stretch that is not above 0, and of weights below 0: where other
+    /// bonds break, the energy of such a lattice has no lower bound.
+    template <class Keep>
+    void break_above(double stretch, const Keep& keep);
+    /// Whatever the weights are.
+    template <class Keep>
+    void break_above(double stretch, const Keep& keep, AllowUnstable tag);
+    /// Breaks the bonds that the line from one point to the other meets: those of a node on it,
+    /// too, but for bonds along the line.
+    void cut(const PlanePoint& from, const PlanePoint& to);
+    /// The part of a node's bonds that no longer hold.
+    double damage(std::size_t x, std::size_t y) const;
+    /// Bonds that have broken since the start, each counted once.
+    double broken() const { return broken_; }
+    /// The energy [per thickness] that they had: what the body's staggered energy has lost by them.
+    double released() const { return parameters_.youngs_modulus * released_; }
+
     /// Of the whole body, and of the ghosts of fixed sides, which are strained, too.
     PlaneEnergies energies() const {
         const auto whole = [](const PlaneSide& low, const detail::PlaneAxis& axis) {
@@ -204,7 +244,7 @@ class BasicPlane {
                        ? detail::PlaneAxis::Range{0, axis.nodes()}
                        : axis.with_energy();
         };
-        return energies_of({whole(sides_.left, nodes().x()), whole(sides_.bottom, nodes().y())});
+        return energies_of({whole(sides_.left, axis_of(0)), whole(sides_.bottom, axis_of(1))});
     }
     /// Of the interior nodes with first_x <= x < last_x, likewise y. Throws std::invalid_argument
     /// where there are none, or others.
@@ -235,16 +275,40 @@ class BasicPlane {
         detail::PlaneAxis::Range y;
     };
 
-    static PlaneModel with_beta(PlaneModel model, const PlaneSides& sides) {
+    /// With the null Lagrangian of its passive sides; bonds have none.
+    static PlaneModel with_beta(const PlaneModel& model, const PlaneSides& sides) {
+        detail::require_made_for(sides, model);
+        const auto* const correspondence = std::get_if<CorrespondenceModel>(&model.law());
+        if (correspondence == nullptr) {
+            detail::checked_null_lagrangian(sides, 0);
+            return model;
+        }
         const auto is_positive = [](double value) { return value > 0 && std::isfinite(value); };
-        if (model.radius_squared == 0 || !is_positive(model.bulk) || !is_positive(model.shear) ||
-            !(model.stabilisation >= 0 && std::isfinite(model.stabilisation))) {
+        if (correspondence->radius_squared == 0 || !is_positive(correspondence->bulk) ||
+            !is_positive(correspondence->shear) ||
+            !(correspondence->stabilisation >= 0 && std::isfinite(correspondence->stabilisation))) {
             throw std::invalid_argument(
                 "a plane needs a model with positive moduli, such as nopd2d() makes");
         }
-        detail::require_made_for(sides, model);
-        model.null_lagrangian = detail::checked_null_lagrangian(sides, 2 * model.shear);
-        return model;
+        CorrespondenceModel with = *correspondence;
+        with.null_lagrangian = detail::checked_null_lagrangian(sides, 2 * with.shear);
+        return with;
+    }
+
+    std::array<detail::PlaneAxis, 2> axes() const {
+        return {detail::PlaneAxis{sides_.left, sides_.right, 0, nx_, model_.horizon()},
+                detail::PlaneAxis{sides_.bottom, sides_.top, 1, ny_, model_.horizon()}};
+    }
+    using Force = std::variant<detail::PlaneForce<Real>, detail::BondForce<Real>>;
+    Force force_of(const std::variant<CorrespondenceModel, BondModel>& law) const {
+        const auto pitch = static_cast<std::ptrdiff_t>(grid().nx);
+        auto [x, y] = axes();
+        if (const auto* const correspondence = std::get_if<CorrespondenceModel>(&law)) {
+            return detail::PlaneForce<Real>(
+                detail::PlaneNodes(*correspondence, std::move(x), std::move(y), pitch));
+        }
+        return detail::BondForce<Real>(std::get<BondModel>(law), {std::move(x), std::move(y)},
+                                       pitch);
     }
 
     static const PlaneParameters& checked(const PlaneParameters& p) {
@@ -277,8 +341,21 @@ class BasicPlane {
         return std::holds_alternative<PeriodicSide>(sides_.at({axis, End::left})) ? ghosts_ : 1;
     }
 
-    const detail::PlaneNodes& nodes() const { return force_.nodes(); }
+    const detail::PlaneAxis& axis_of(std::size_t number) const {
+        return std::visit(
+            [=](const auto& force) -> const detail::PlaneAxis& { return force.axis(number); },
+            force_);
+    }
+    void kick_by_forces(double duration, Fields& v) {
+        const double scale = duration * parameters_.rate() * parameters_.rate();
+        std::visit([&](auto& force) { force.kick(scale, field(std::as_const(u_)), field(v)); },
+                   force_);
+    }
 
+    /// Node (0, 0) of the interior, among those of the body.
+    std::array<std::ptrdiff_t, 2> first_of_interior() const {
+        return {static_cast<std::ptrdiff_t>(layers_[0]), static_cast<std::ptrdiff_t>(layers_[2])};
+    }
     std::ptrdiff_t origin() const {
         return static_cast<std::ptrdiff_t>(ghosts_ * grid().nx + ghosts_);
     }
@@ -298,6 +375,10 @@ class BasicPlane {
         drift();
         kick();
     }
+
+    detail::BondForce<Real>& bond_force();
+    const detail::BondForce<Real>& bond_force() const;
+    void count_broken();
 
     void clear_ghosts();
     void close_ghosts(Fields& fields) const;
@@ -323,7 +404,7 @@ class BasicPlane {
     std::array<std::size_t, 4> layers_;
     std::size_t nx_;  // of the body, layers included
     std::size_t ny_;
-    detail::PlaneForce<Real> force_;
+    Force force_;
     std::vector<detail::DashpotGroups<Real>> dashpots_;
     std::vector<detail::GhostLines<Real>> ghost_lines_;  // in the order in which they close
     detail::PlaneFriction<Real> friction_;
@@ -331,6 +412,8 @@ class BasicPlane {
     Fields u_;
     Fields v_;
     std::array<double, 4> gone_{};  // sums of vbar.C vbar
+    double broken_ = 0;
+    double released_ = 0;  // over E
     std::size_t steps_ = 0;
 };
 
@@ -343,8 +426,8 @@ void BasicPlane<Real>::kick() {
         group.keep(field(std::as_const(v_)));
     }
     friction_.keep(field(std::as_const(v_)));
-    const double rate = parameters_.rate();
-    force_.kick(parameters_.time_step * rate * rate, field(std::as_const(u_)), field(v_));
+    kick_by_forces(parameters_.time_step, v_);
+    count_broken();
 }
 
 template <class Real>
@@ -437,13 +520,19 @@ PlaneEnergies BasicPlane<Real>::energies_of(const Window& window) const {
             const std::ptrdiff_t at = y * static_cast<std::ptrdiff_t>(grid().nx) + x;
             for (std::size_t a = 0; a < 2; ++a) {
                 const auto own = static_cast<double>(v[a][at]);
-                kinetic += nodes().x().mass(a, x) * nodes().y().mass(a, y) * own * own / 2;
+                kinetic += axis_of(0).mass(a, x) * axis_of(1).mass(a, y) * own * own / 2;
             }
         }
         sum.kinetic += kinetic;
-        potential.add(potential_of_row(nodes(), y, window.x.first, window.x.last,
-                                       field(std::as_const(mean))));
-        lost += potential_of_row(nodes(), y, window.x.first, window.x.last, v).total();
+        const auto potential_of = [&](const detail::PlaneField<const Real>& u) {
+            return std::visit(
+                [&](const auto& force) {
+                    return force.potential_of_row(y, window.x.first, window.x.last, u);
+                },
+                force_);
+        };
+        potential.add(potential_of(field(std::as_const(mean))));
+        lost += potential_of(v).total();
     }
     const double E = parameters_.youngs_modulus;
     sum.kinetic *= parameters_.density * parameters_.spacing * parameters_.spacing;
@@ -457,3 +546,4 @@ PlaneEnergies BasicPlane<Real>::energies_of(const Window& window) const {
 }  // namespace nmbc
 
 #include <nmbc/plane_assembly.hpp>
+#include <nmbc/plane_fracture.hpp>

@@ -78,8 +78,8 @@ void BasicPlane<Real>::add_friction() {
             const auto of_passive = [](const detail::PlaneAxis& axis, std::size_t node) {
                 return axis.is_passive(static_cast<std::ptrdiff_t>(node));
             };
-            if ((gammas[0] > 0 || gammas[1] > 0) && !of_passive(nodes().x(), x) &&
-                !of_passive(nodes().y(), y)) {
+            if ((gammas[0] > 0 || gammas[1] > 0) && !of_passive(axis_of(0), x) &&
+                !of_passive(axis_of(1), y)) {
                 friction_.add(static_cast<std::ptrdiff_t>(y * grid().nx + x), gammas,
                               {across_x[1] > 0 ? 1U : 0U, across_y[1] > 0 ? 3U : 2U});
             }
@@ -116,7 +116,7 @@ void BasicPlane<Real>::add_line_dashpots(std::size_t number) {
         offsets.push_back(node_of_layer(number, layer) * (axis == 0 ? 1 : pitch));
     }
     const auto last = static_cast<std::ptrdiff_t>(along == 0 ? nx_ : ny_) - 1;
-    const detail::PlaneAxis& other = along == 0 ? nodes().x() : nodes().y();
+    const detail::PlaneAxis& other = axis_of(along);
     std::map<std::array<double, 2>, std::vector<std::ptrdiff_t>> groups;  // by friction
     for (std::ptrdiff_t i = 0; i <= last; ++i) {
         if (!other.is_passive(i)) {
@@ -163,7 +163,7 @@ void BasicPlane<Real>::add_corner_dashpots(std::size_t across_x, std::size_t acr
             const std::ptrdiff_t x = node_of_layer(across_x, static_cast<std::ptrdiff_t>(column));
             const std::ptrdiff_t y = node_of_layer(across_y, static_cast<std::ptrdiff_t>(row));
             offsets.push_back(y * static_cast<std::ptrdiff_t>(grid().nx) + x);
-            mass.push_back(nodes().weights(x, y).mass[a]);
+            mass.push_back(axis_of(0).mass(a, x) * axis_of(1).mass(a, y));
             for (std::size_t other = 0; other < columns; ++other) {
                 all_x[i * size + row * columns + other] =
                     of_y->strain[row] * C_x[column * columns + other];

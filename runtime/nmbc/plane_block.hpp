@@ -27,6 +27,7 @@ class PlaneAxis {
           ghosts_(static_cast<std::ptrdiff_t>(2 * horizon)),
           horizon_(static_cast<std::ptrdiff_t>(horizon)),
           is_cut_{is_cut(low), is_cut(high)},
+          is_periodic_(std::holds_alternative<PeriodicSide>(low)),
           strain_(nodes + 4 * horizon, 1),
           stabilisation_(strain_),
           mass_{strain_, strain_} {
@@ -52,6 +53,14 @@ class PlaneAxis {
     double mass(std::size_t component, std::ptrdiff_t node) const {
         return mass_[component][index(node)];
     }
+
+    /// A bond's weight is that of the one of its nodes that is nearer to a side with layers of its
+    /// own: `low` and the one `step` nodes on.
+    double strain_of_bond(std::ptrdiff_t low, std::ptrdiff_t step) const {
+        return low < passive_.first ? strain(low) : strain(low + step);
+    }
+
+    bool is_periodic() const { return is_periodic_; }
 
     /// Nodes from first to last - 1 have what is asked for.
     struct Range {
@@ -116,6 +125,7 @@ class PlaneAxis {
     std::ptrdiff_t ghosts_;
     std::ptrdiff_t horizon_;
     std::array<bool, 2> is_cut_;
+    bool is_periodic_;
     std::vector<double> strain_;
     std::vector<double> stabilisation_;
     std::array<std::vector<double>, 2> mass_;

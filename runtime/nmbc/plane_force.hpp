@@ -8,6 +8,7 @@
 #include <nmbc/kernels.hpp>
 #include <nmbc/plane_kernels_beside.hpp>
 #include <nmbc/plane_nodes.hpp>
+#include <nmbc/plane_potential.hpp>
 #include <utility>
 #include <vector>
 
@@ -25,7 +26,7 @@ class PlaneForce {
           horizon_(nodes_.horizon()),
           pitch_(nodes_.pitch()),
           stress_pitch_(nodes_.x().nodes() + 2 * horizon_) {
-        const PlaneModel& model = nodes_.model();
+        const CorrespondenceModel& model = nodes_.model();
         const double A = whole_shape();
         const double k = model.bulk;
         const double mu = model.shear;
@@ -44,7 +45,16 @@ class PlaneForce {
         find_row_numbers();
     }
 
-    const PlaneNodes& nodes() const { return nodes_; }
+    const PlaneAxis& axis(std::size_t number) const {
+        return number == 0 ? nodes_.x() : nodes_.y();
+    }
+
+    /// Of the nodes first .. last-1 of a row.
+    template <class Number>
+    PlanePotential potential_of_row(std::ptrdiff_t y, std::ptrdiff_t first, std::ptrdiff_t last,
+                                    const std::array<Number*, 2>& u) const {
+        return detail::potential_of_row(nodes_, y, first, last, u);
+    }
 
     /// v += scale M^-1 times the force, on the nodes of the body.
     void kick(double scale, PlaneField<const Real> u, PlaneField<Real> v) {

@@ -1,147 +1,56 @@
 // SPDX-License-Identifier: MIT
-/// Models of a plane lattice: the energy of a node, whole or with neighbours missing.
+/// Models of a plane lattice, whichever law they follow.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include <nmbc/bond_model.hpp>
+#include <nmbc/correspondence_model.hpp>
+#include <utility>
+#include <variant>
 
 namespace nmbc {
 
-enum class StressState { plane_stress, plane_strain };
+/// A model of one law or the other: nopd2d() and bond2d() make them.
+class PlaneModel {
+  public:
+    PlaneModel(CorrespondenceModel law) : law_(law) {}
+    PlaneModel(BondModel law) : law_(std::move(law)) {}
 
-/// From a node to one of its neighbours [dX].
-struct PlaneOffset {
-    int x = 0;
-    int y = 0;
-};
+    const std::variant<CorrespondenceModel, BondModel>& law() const { return law_; }
 
-/// The neighbours of a node: all offsets with 0 < x^2 + y^2 <= radius_squared.
-inline std::vector<PlaneOffset> plane_family(unsigned radius_squared) {
-    std::vector<PlaneOffset> family;
-    const auto bound = static_cast<int>(radius_squared);
-    for (int y = -bound; y <= bound; ++y) {
-        for (int x = -bound; x <= bound; ++x) {
-            const int square = x * x + y * y;
-            if (square > 0 && square <= bound) {
-                family.push_back({x, y});
-            }
-        }
-    }
-    return family;
-}
-
-/// 2D non-ordinary peridynamics of a correspondence material with constant influence, stabilised
-/// after Silling (Nicely 2018, sections 2 and 6), where E = density = dX = 1. With g the gradient
-/// (62) of u at a node, e its symmetric part, z = u_J - u_I - g R on each bond R, the energy of the
-/// node is
-///     k' (e_xx + e_yy)^2/2 + mu ((e_xx - e_yy)^2 + 4 e_xy^2)/2 + beta det g + (s/2) sum |z|^2.
-struct PlaneModel {
-    unsigned radius_squared = 1;  ///< delta^2 [dX^2]
-    double bulk = 0;              ///< k', of the plane (10)
-    double shear = 0;             ///< mu
-    double stabilisation = 0;     ///< s = G C_BB/m of (9) to (11), m the bonds of a whole family
-    /// beta: no force of the interior depends on it, only what acts at sides that are cut off.
-    double null_lagrangian = 0;
-
-    /// n: the farthest neighbour along an axis [dX]; forces reach twice as far.
+    /// The farthest neighbour along an axis, and how far forces reach [dX].
     std::size_t horizon() const {
-        std::size_t n = 0;
-        while ((n + 1) * (n + 1) <= radius_squared) {
-            ++n;
-        }
-        return n;
+        return std::visit([](const auto& law) { return law.horizon(); }, law_);
+    }
+    std::size_t reach() const {
+        return std::visit([](const auto& law) { return law.reach(); }, law_);
+    }
+    /// Of long waves along an axis, where E = density = 1.
+    double speed_P() const {
+        return std::visit([](const auto& law) { return law.speed_P(); }, law_);
+    }
+    double speed_S() const {
+        return std::visit([](const auto& law) { return law.speed_S(); }, law_);
     }
 
-    double speed_P() const { return std::sqrt(bulk + shear); }  ///< c_L, of long waves
-    double speed_S() const { return std::sqrt(shear); }         ///< c_S
+  private:
+    std::variant<CorrespondenceModel, BondModel> law_;
 };
 
-/// poisson is nu. Throws std::invalid_argument where there is no such material, and of a radius
-/// squared that is no sum of two squares.
-inline PlaneModel nopd2d(unsigned radius_squared, double poisson, double G,
-                         StressState state = StressState::plane_stress) {
-    const std::vector<PlaneOffset> family = plane_family(radius_squared);
-    bool is_reached = false;
-    for (const PlaneOffset& bond : family) {
-        is_reached =
-            is_reached || bond.x * bond.x + bond.y * bond.y == static_cast<int>(radius_squared);
-    }
-    if (!is_reached) {
-        throw std::invalid_argument(
-            "the radius squared of a plane family must be a sum of two "
-            "squares: 1, 2, 4, 5, 8, 9, 10, 13, .., not " +
-            std::to_string(radius_squared));
-    }
-    const double highest = state == StressState::plane_stress ? 1 : 0.5;
-    if (!(poisson > -1 && poisson < highest)) {
-        throw std::invalid_argument("Poisson's ratio must be between -1 and " +
-                                    std::string(state == StressState::plane_stress ? "1" : "1/2") +
-                                    ", not " + std::to_string(poisson));
-    }
-    if (!(G >= 0 && std::isfinite(G))) {
-        throw std::invalid_argument("G must be a number not below 0");
-    }
-    const double bulk = state == StressState::plane_stress
-                            ? 1 / (2 * (1 - poisson))
-                            : 1 / (2 * (1 + poisson) * (1 - 2 * poisson));
-    const double radius4 = static_cast<double>(radius_squared) * radius_squared;
-    return {.radius_squared = radius_squared,
-            .bulk = bulk,
-            .shear = 1 / (2 * (1 + poisson)),
-            .stabilisation =
-                G * 12 * bulk / (std::numbers::pi * radius4 * static_cast<double>(family.size()))};
-}
-
-/// A plane wave of the interior, exp(i (xi.X/dX - omega t)).
-struct PlaneWave {
-    double omega_squared = 0;
-    std::array<double, 2> direction{};  ///< of u, of length 1
-};
-
-/// Of P or S waves. With t the phase of a bond, A the sum of x^2 over the family and s = sum R sin
-/// t, omega^2 is (k' + mu or mu) |s|^2/A^2 + s_z (2 sum (1 - cos t) - |s|^2/A), s_z the weight of
-/// the stabilisation; P moves along s, S across it.
 inline PlaneWave plane_wave(const PlaneModel& model, const std::array<double, 2>& xi, bool is_P) {
-    double sine_x = 0;
-    double sine_y = 0;
-    double cosines = 0;
-    double shape = 0;
-    for (const PlaneOffset& bond : plane_family(model.radius_squared)) {
-        const double phase = bond.x * xi[0] + bond.y * xi[1];
-        sine_x += bond.x * std::sin(phase);
-        sine_y += bond.y * std::sin(phase);
-        cosines += 1 - std::cos(phase);
-        shape += bond.x * bond.x;
-    }
-    const double square = sine_x * sine_x + sine_y * sine_y;
-    const double length = square > 0 ? std::sqrt(square) : 1;
-    const double modulus = is_P ? model.bulk + model.shear : model.shear;
-    PlaneWave wave{
-        modulus * square / (shape * shape) + model.stabilisation * (2 * cosines - square / shape),
-        {sine_x / length, sine_y / length}};
-    if (!is_P) {
-        wave.direction = {-wave.direction[1], wave.direction[0]};
-    }
-    return wave;
+    return std::visit([&](const auto& law) { return plane_wave(law, xi, is_P); }, model.law());
 }
 
 /// The largest omega^2 of the interior, over wave vectors in steps of pi/64.
 inline double highest_eigenvalue(const PlaneModel& model) {
-    constexpr int steps = 64;
     double highest = 0;
-    for (int x = 0; x <= steps; ++x) {
-        for (int y = 0; y <= x; ++y) {
-            const std::array<double, 2> xi{std::numbers::pi * x / steps,
-                                           std::numbers::pi * y / steps};
-            highest = std::max(highest, plane_wave(model, xi, true).omega_squared);
+    detail::for_each_wave_vector([&](const std::array<double, 2>& xi) {
+        for (const bool is_P : {true, false}) {
+            highest = std::max(highest, plane_wave(model, xi, is_P).omega_squared);
         }
-    }
+    });
     return highest;
 }
 

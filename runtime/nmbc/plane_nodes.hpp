@@ -4,8 +4,8 @@
 
 #include <array>
 #include <cstddef>
+#include <nmbc/correspondence_model.hpp>
 #include <nmbc/plane_block.hpp>
-#include <nmbc/plane_model.hpp>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -42,7 +42,7 @@ class PlaneNodes {
   public:
     /// pitch: entries of a field from one row to the next. Throws std::invalid_argument where a
     /// node has too few neighbours for a gradient.
-    PlaneNodes(const PlaneModel& model, PlaneAxis x, PlaneAxis y, std::ptrdiff_t pitch)
+    PlaneNodes(const CorrespondenceModel& model, PlaneAxis x, PlaneAxis y, std::ptrdiff_t pitch)
         : model_(model),
           x_(std::move(x)),
           y_(std::move(y)),
@@ -51,7 +51,7 @@ class PlaneNodes {
         find_neighbours();
     }
 
-    const PlaneModel& model() const { return model_; }
+    const CorrespondenceModel& model() const { return model_; }
     const PlaneAxis& x() const { return x_; }
     const PlaneAxis& y() const { return y_; }
     std::ptrdiff_t horizon() const { return horizon_; }
@@ -98,7 +98,7 @@ class PlaneNodes {
 
     void find_neighbours();
 
-    PlaneModel model_;
+    CorrespondenceModel model_;
     PlaneAxis x_;
     PlaneAxis y_;
     std::ptrdiff_t horizon_;

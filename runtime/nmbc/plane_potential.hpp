@@ -26,7 +26,7 @@ struct PlanePotential {
 inline constexpr std::ptrdiff_t energy_block = 64;  ///< nodes whose sums run side by side
 
 /// W, what beta adds to it, from the gradient.
-inline PlanePotential potential_of_gradient(const PlaneModel& model,
+inline PlanePotential potential_of_gradient(const CorrespondenceModel& model,
                                             const std::array<double, 4>& g) {
     const double k = model.bulk;
     const double mu = model.shear;

@@ -159,24 +159,37 @@ inline void require_valid(const PassiveSide& side) {
     }
 }
 
+/// Equal up to the roundings of numbers that were printed.
+inline bool is_near(double one, double other) {
+    constexpr double roundings = 1e-9;
+    return std::abs(one - other) <= roundings * std::max(std::abs(one), std::abs(other));
+}
+inline bool is_near(const CorrespondenceModel& one, const CorrespondenceModel& other) {
+    return one.radius_squared == other.radius_squared && is_near(one.bulk, other.bulk) &&
+           is_near(one.shear, other.shear) && is_near(one.stabilisation, other.stabilisation);
+}
+inline bool is_near(const BondModel& one, const BondModel& other) {
+    return std::ranges::equal(
+        one.bonds, other.bonds, [](const BondModel::Bond& bond, const BondModel::Bond& alike) {
+            return bond.offset == alike.offset && is_near(bond.weight, alike.weight);
+        });
+}
+template <class One, class Other>
+bool is_near(const One& /*one*/, const Other& /*other*/) {
+    return false;  // other laws
+}
+
 /// Throws std::invalid_argument where a passive side was designed for another lattice.
 inline void require_made_for(const PlaneSides& sides, const PlaneModel& model) {
-    constexpr double roundings = 1e-9;
-    const auto is_near = [](double one, double other) {
-        return std::abs(one - other) <= roundings * std::max(std::abs(one), std::abs(other));
-    };
     for (const Side place : plane_sides) {
         const auto* const passive = std::get_if<PassiveSide>(&sides.at(place));
-        if (passive == nullptr || !passive->made_for) {
-            continue;
-        }
-        const PlaneModel& other = *passive->made_for;
-        if (other.radius_squared != model.radius_squared || !is_near(other.bulk, model.bulk) ||
-            !is_near(other.shear, model.shear) ||
-            !is_near(other.stabilisation, model.stabilisation)) {
+        if (passive != nullptr && passive->made_for &&
+            !std::visit([](const auto& one, const auto& other) { return is_near(one, other); },
+                        passive->made_for->law(), model.law())) {
             throw std::invalid_argument(
                 "this passive side was designed for another lattice: radius, Poisson's ratio, "
-                "plane stress or strain, or G are not those of the plane (nmbcgen's g is G/pi)");
+                "plane stress or strain, G (nmbcgen's g is G/pi) or weights are not those of the "
+                "plane");
         }
     }
 }

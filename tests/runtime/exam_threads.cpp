@@ -6,7 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <nmbc/nmbc.hpp>
+#include <nmbc/plane.hpp>
 #include <nmbc/tables/tables.hpp>
+#include <variant>
+#include <vector>
 
 #ifndef _OPENMP
 #error "this test is about OpenMP"
@@ -40,6 +43,36 @@ TEST_CASE_TEMPLATE("threads change no bit", Real, double, float) {
             CHECK(threaded.displacement == alone.displacement);
             CHECK(threaded.velocity == alone.velocity);
         }
+    }
+}
+
+TEST_CASE_TEMPLATE("threads change no bit of a plane, whose bonds may break", Real, double, float) {
+    const nmbc::PlaneSides sides = nmbc::PlaneSides::all(nmbc::FreeSide{});
+    for (const nmbc::PlaneModel& model : {nmbc::PlaneModel(nmbc::bond2d(4, {1, 0.7, 0.3})),
+                                          nmbc::PlaneModel(nmbc::nopd2d(4, 0.25, 1))}) {
+        const auto run = [&](std::size_t threaded_nodes) {
+            nmbc::detail::threaded_nodes = threaded_nodes;
+            nmbc::BasicPlane<Real> plane(model, sides, {.nx = 150, .ny = 150, .time_step = 0.1});
+            if (std::holds_alternative<nmbc::BondModel>(model.law())) {
+                plane.break_above(1.5, [](auto, auto) { return false; });
+            }
+            for (const std::size_t a : {0U, 1U}) {
+                for (std::size_t i = 0; i < plane.displacement(a).size(); ++i) {
+                    plane.displacement(a)[i] = static_cast<Real>(std::sin(double(i * (i + a))));
+                }
+            }
+            plane.start();
+            plane.advance(20);
+            const bool may_break = std::holds_alternative<nmbc::BondModel>(model.law());
+            CHECK((plane.broken() > 100) == may_break);
+            return plane.state();
+        };
+        const auto threaded = run(0);
+        const auto alone = run(std::numeric_limits<std::size_t>::max());
+        CHECK(threaded.displacement == alone.displacement);
+        CHECK(threaded.velocity == alone.velocity);
+        CHECK(threaded.bonds == alone.bonds);
+        CHECK(threaded.broken == alone.broken);
     }
 }
 

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+/// The forces of a bond-based plane lattice between its sides, whose bonds may break.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <nmbc/bond_kernels.hpp>
+#include <nmbc/bond_states.hpp>
+#include <nmbc/kernels.hpp>
+#include <nmbc/plane_nodes.hpp>
+#include <nmbc/plane_potential.hpp>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace nmbc::detail {
+
+/// With E = density = dX = 1. The force on a node is sum w R (R.(u_J - u_I)) over the bonds R that
+/// hold. Both ends of a bond find its extension alike to the last bit, so that each may decide by
+/// itself whether it breaks: nothing depends on the order of nodes or on the number of threads. The
+/// sums of (+-x, +-y) come first, in an order that no mirror changes: what is symmetric stays so.
+template <class Real>
+class BondForce {
+  public:
+    using Word = std::conditional_t<sizeof(Real) == 8, std::uint64_t, std::uint32_t>;
+
+    BondForce(const BondModel& model, std::array<PlaneAxis, 2> axes, std::ptrdiff_t pitch)
+        : states_(model, std::move(axes)),
+          horizon_(static_cast<std::ptrdiff_t>(model.horizon())),
+          pitch_(pitch) {
+        for (const BondGroup& group : states_.groups()) {
+            limits_.push_back(std::numeric_limits<Real>::infinity());
+            std::array<std::ptrdiff_t, 4> entries{};
+            for (std::size_t m = 0; m < group.size; ++m) {
+                entries[m] = group.members[m].y * pitch + group.members[m].x;
+            }
+            entries_.push_back(entries);
+        }
+        for (std::ptrdiff_t step = 0; step <= horizon_; ++step) {
+            std::vector<Real> weights;
+            for (std::ptrdiff_t low = -horizon_; low < axis(0).nodes(); ++low) {
+                weights.push_back(static_cast<Real>(axis(0).strain_of_bond(low, step)));
+            }
+            column_weights_.push_back(std::move(weights));
+        }
+        for (std::size_t a = 0; a < 2; ++a) {
+            for (std::ptrdiff_t x = 0; x < axis(0).nodes(); ++x) {
+                inverse_mass_[a].push_back(static_cast<Real>(1 / axis(0).mass(a, x)));
+            }
+        }
+    }
+
+    const PlaneAxis& axis(std::size_t number) const { return states_.axes()[number]; }
+    BondStates<Word>& states() { return states_; }
+    const BondStates<Word>& states() const { return states_; }
+
+    /// Bonds that may break do so where R.(u_J - u_I) is above stretch |R|^2.
+    void break_above(double stretch) {
+        for (std::size_t g = 0; g < limits_.size(); ++g) {
+            const auto [x, y] = states_.groups()[g].reach();
+            limits_[g] = static_cast<Real>(stretch * (x * x + y * y));
+        }
+        may_break_ = true;
+    }
+
+    /// v += scale M^-1 times the force, on the nodes of the body.
+    void kick(double scale, PlaneField<const Real> u, PlaneField<Real> v) {
+        const auto rows = static_cast<std::size_t>(axis(1).nodes());
+        broken_.resize(rows);
+        const std::size_t nodes = rows * static_cast<std::size_t>(axis(0).nodes());
+        for_each_piece(rows, std::min(pieces_of(nodes), rows),
+                       [&](std::size_t first, std::size_t last) {
+                           for (std::size_t y = first; y < last; ++y) {
+                               kick_row(scale, static_cast<std::ptrdiff_t>(y), u, v, broken_[y]);
+                           }
+                       });
+    }
+
+    /// Of the nodes first .. last-1 of a row: half of each of their bonds.
+    template <class Number>
+    PlanePotential potential_of_row(std::ptrdiff_t y, std::ptrdiff_t first, std::ptrdiff_t last,
+                                    const std::array<Number*, 2>& u) const {
+        PlanePotential sum;
+        for (std::ptrdiff_t x = first; x < last; ++x) {
+            for (std::size_t g = 0; g < states_.groups().size(); ++g) {
+                const BondGroup& group = states_.groups()[g];
+                for (unsigned m = 0; m < group.size; ++m) {
+                    if (states_.holds(x, y, group, m)) {
+                        const double e = extension(x, y, g, m, u);
+                        sum.strain += weight(x, y, group, m) * e * e / 4;
+                    }
+                }
+            }
+        }
+        return sum;
+    }
+
+    /// A bond that broke in the last kick, as seen from a node of the body.
+    struct Broken {
+        std::ptrdiff_t x = 0;
+        std::ptrdiff_t y = 0;
+        std::size_t group = 0;
+        unsigned member = 0;
+    };
+
+    /// Calls see(broken) for each of them and each of their ends in the body, in an order that
+    /// does not depend on the number of threads; then forgets them.
+    template <class See>
+    void take_broken(const See& see) {
+        for (std::vector<Broken>& row : broken_) {
+            for (const Broken& one : row) {
+                see(one);
+            }
+            row.clear();
+        }
+    }
+
+    /// R.(u_J - u_I).
+    template <class Number>
+    double extension(std::ptrdiff_t x, std::ptrdiff_t y, std::size_t group, unsigned member,
+                     const std::array<Number*, 2>& u) const {
+        const auto [i, j] = states_.groups()[group].members[member];
+        const std::ptrdiff_t at = y * pitch_ + x;
+        const std::ptrdiff_t there = at + entries_[group][member];
+        return i * (static_cast<double>(u[0][there]) - static_cast<double>(u[0][at])) +
+               j * (static_cast<double>(u[1][there]) - static_cast<double>(u[1][at]));
+    }
+
+    /// w.
+    double weight(std::ptrdiff_t x, std::ptrdiff_t y, const BondGroup& group,
+                  unsigned member) const {
+        const auto [i, j] = group.members[member];
+        return group.weight * axis(0).strain_of_bond(std::min(x, x + i), std::abs(i)) *
+               axis(1).strain_of_bond(std::min(y, y + j), std::abs(j));
+    }
+
+    /// M^-1 times the force on a node of the body.
+    template <class Number>
+    std::array<double, 2> acceleration(std::ptrdiff_t x, std::ptrdiff_t y,
+                                       const std::array<Number*, 2>& u) const {
+        std::array<double, 2> force{};
+        for (std::size_t g = 0; g < states_.groups().size(); ++g) {
+            const BondGroup& group = states_.groups()[g];
+            for (unsigned m = 0; m < group.size; ++m) {
+                if (states_.holds(x, y, group, m)) {
+                    const double pull = weight(x, y, group, m) * extension(x, y, g, m, u);
+                    force[0] += pull * group.members[m].x;
+                    force[1] += pull * group.members[m].y;
+                }
+            }
+        }
+        return {force[0] / (axis(0).mass(0, x) * axis(1).mass(0, y)),
+                force[1] / (axis(0).mass(1, x) * axis(1).mass(1, y))};
+    }
+
+  private:
+    static constexpr std::ptrdiff_t block = 128;  ///< nodes whose sums stay in the first cache
+    using Sums = std::array<Real, static_cast<std::size_t>(block)>;
+
+    /// Nodes x .. x + count - 1 of a row.
+    struct Block {
+        std::ptrdiff_t x = 0;
+        std::ptrdiff_t y = 0;
+        std::ptrdiff_t count = 0;
+        PlaneField<const Real> u{};  ///< of node (x, y)
+        Real* force_x = nullptr;
+        Real* force_y = nullptr;
+    };
+
+    void kick_row(double scale, std::ptrdiff_t y, PlaneField<const Real> u, PlaneField<Real> v,
+                  std::vector<Broken>& broken) {
+        const PlaneAxis::Range xs = axis(0).plain_force();
+        const PlaneAxis::Range ys = axis(1).plain_force();
+        const std::ptrdiff_t nodes = axis(0).nodes();
+        const bool is_plain = y >= ys.first && y < ys.last && xs.first < xs.last;
+        const PlaneAxis::Range plain = is_plain ? xs : PlaneAxis::Range{nodes, nodes};
+        const auto kick_part = [&](std::ptrdiff_t first, std::ptrdiff_t last, auto is_weighted) {
+            for (std::ptrdiff_t x = first; x < last; x += block) {
+                kick_block<is_weighted>(scale, x, y, std::min(block, last - x), u, v, broken);
+            }
+        };
+        kick_part(0, plain.first, std::true_type{});
+        kick_part(plain.first, plain.last, std::false_type{});
+        kick_part(plain.last, nodes, std::true_type{});
+    }
+
+    template <bool IsWeighted>
+    void kick_block(double scale, std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t count,
+                    PlaneField<const Real> u, PlaneField<Real> v, std::vector<Broken>& broken) {
+        Sums force_x{};
+        Sums force_y{};
+        const std::ptrdiff_t at = y * pitch_ + x;
+        const Block nodes{x, y, count, {u[0] + at, u[1] + at}, force_x.data(), force_y.data()};
+        for (std::size_t g = 0; g < states_.groups().size(); ++g) {
+            if (states_.groups()[g].size == 4) {
+                pull_group<IsWeighted, 4>(g, nodes, broken);
+            } else {
+                pull_group<IsWeighted, 2>(g, nodes, broken);
+            }
+        }
+        for (std::size_t a = 0; a < 2; ++a) {
+            const Real* const force = a == 0 ? force_x.data() : force_y.data();
+            Real* const out = v[a] + at;
+            if constexpr (IsWeighted) {
+                const Real* const inverse = inverse_mass_[a].data() + x;
+                const auto factor = static_cast<Real>(scale / axis(1).mass(a, y));
+                for (std::ptrdiff_t i = 0; i < count; ++i) {
+                    out[i] += factor * (inverse[i] * force[i]);
+                }
+            } else {
+                const auto factor = static_cast<Real>(scale);
+                for (std::ptrdiff_t i = 0; i < count; ++i) {
+                    out[i] += factor * force[i];
+                }
+            }
+        }
+    }
+
+    template <bool IsWeighted, std::size_t Size>
+    void pull_group(std::size_t number, const Block& nodes, std::vector<Broken>& broken) {
+        const std::size_t word = states_.groups()[number].word;
+        const std::size_t index = states_.index(nodes.x, nodes.y);
+        const BondLines<Real, Word, Size> lines = lines_of<Size>(number, nodes);
+        Word* const held = &states_.held(word)[index];
+        if (!may_break_) {
+            pull_bonds<IsWeighted>(lines, nodes.count, held, nodes.force_x, nodes.force_y);
+            return;
+        }
+        std::array<Word, static_cast<std::size_t>(block)> broke;
+        if (break_bonds<IsWeighted>(lines, limits_[number], nodes.count,
+                                    &states_.breakable(word)[index], held, nodes.force_x,
+                                    nodes.force_y, broke.data()) == 0) {
+            return;
+        }
+        for (std::ptrdiff_t i = 0; i < nodes.count; ++i) {
+            for (unsigned m = 0; m < Size; ++m) {
+                if ((broke[static_cast<std::size_t>(i)] & lines.bits[m]) != 0) {
+                    broken.push_back({nodes.x + i, nodes.y, number, m});
+                }
+            }
+        }
+    }
+
+    template <std::size_t Size>
+    BondLines<Real, Word, Size> lines_of(std::size_t number, const Block& nodes) const {
+        const BondGroup& group = states_.groups()[number];
+        BondLines<Real, Word, Size> lines;
+        lines.here_x = nodes.u[0];
+        lines.here_y = nodes.u[1];
+        lines.weight_x = static_cast<Real>(group.weight * group.reach().x);
+        lines.weight_y = static_cast<Real>(group.weight * group.reach().y);
+        for (std::size_t m = 0; m < Size; ++m) {
+            const auto [x, y] = group.members[m];
+            lines.there_x[m] = nodes.u[0] + entries_[number][m];
+            lines.there_y[m] = nodes.u[1] + entries_[number][m];
+            lines.x[m] = static_cast<Real>(x);
+            lines.y[m] = static_cast<Real>(y);
+            lines.bits[m] = BondStates<Word>::bit(group, static_cast<unsigned>(m));
+            lines.column_weights[m] =
+                column_weights_[static_cast<std::size_t>(group.reach().x)].data() + horizon_ +
+                std::min(nodes.x, nodes.x + x);
+            lines.row_weights[m] = static_cast<Real>(
+                axis(1).strain_of_bond(std::min(nodes.y, nodes.y + y), group.reach().y));
+        }
+        return lines;
+    }
+
+    BondStates<Word> states_;
+    std::ptrdiff_t horizon_;
+    std::ptrdiff_t pitch_;
+    std::vector<std::array<std::ptrdiff_t, 4>> entries_{};  // of the members of each group
+    std::vector<Real> limits_{};                            // of R.(u_J - u_I), likewise
+    bool may_break_ = false;
+    std::vector<std::vector<Real>> column_weights_{};  // by |x| of a bond, of low nodes
+    std::array<std::vector<Real>, 2> inverse_mass_{};  // along x
+    std::vector<std::vector<Broken>> broken_{};        // of the last kick, row by row
+};
+
+}  // namespace nmbc::detail

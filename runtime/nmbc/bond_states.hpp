@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+/// Which bonds of a plane lattice hold, and which of them may break: a bit each at both of their
+/// ends.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <nmbc/bond_model.hpp>
+#include <nmbc/plane_block.hpp>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace nmbc {
+
+using PlanePoint = std::array<double, 2>;  ///< [dX]
+
+namespace detail {
+
+/// The bonds (+-x, +-y), whose bits follow each other in one word of a node.
+struct BondGroup {
+    double weight = 0;
+    std::array<PlaneOffset, 4> members{};  ///< the opposite of member m is number size - 1 - m
+    unsigned size = 0;                     ///< 4, or 2 where x or y is 0
+    std::size_t word = 0;
+    unsigned first_bit = 0;
+
+    PlaneOffset reach() const { return members[0]; }  ///< x and y, not below 0
+};
+
+/// Shortest bonds first.
+inline std::vector<BondGroup> bond_groups(const BondModel& model) {
+    std::vector<BondGroup> groups;
+    for (const auto& [bond, weight] : model.bonds) {
+        const auto [x, y] = bond;
+        if (x > 0 && y > 0) {
+            groups.push_back({weight, {{{x, y}, {x, -y}, {-x, y}, {-x, -y}}}, 4});
+        } else if (x >= 0 && y >= 0) {
+            groups.push_back({weight, {{{x, y}, {-x, -y}}}, 2});
+        }
+    }
+    std::ranges::stable_sort(groups, {}, [](const BondGroup& group) {
+        return group.reach().x * group.reach().x + group.reach().y * group.reach().y;
+    });
+    constexpr unsigned bits = 32;
+    std::size_t word = 0;
+    unsigned next = 0;
+    for (BondGroup& group : groups) {
+        if (next + group.size > bits) {
+            ++word;
+            next = 0;
+        }
+        group.word = word;
+        group.first_bit = next;
+        next += group.size;
+    }
+    return groups;
+}
+
+/// Whether the line from one point to another meets the bond from node to node: an end of either on
+/// the other counts, a bond along the line does not.
+inline bool meets(const std::array<PlanePoint, 2>& line, const std::array<PlanePoint, 2>& bond) {
+    constexpr double roundings = 1e-9;  // [dX]
+    const auto side_of = [](const std::array<PlanePoint, 2>& of, const PlanePoint& point) {
+        const double x = of[1][0] - of[0][0];
+        const double y = of[1][1] - of[0][1];
+        const double distance =
+            (x * (point[1] - of[0][1]) - y * (point[0] - of[0][0])) / std::hypot(x, y);
+        return distance > roundings ? 1 : distance < -roundings ? -1 : 0;
+    };
+    const std::array<int, 2> of_bond{side_of(line, bond[0]), side_of(line, bond[1])};
+    const std::array<int, 2> of_line{side_of(bond, line[0]), side_of(bond, line[1])};
+    const bool is_along = of_bond[0] == 0 && of_bond[1] == 0;
+    return !is_along && of_bond[0] * of_bond[1] <= 0 && of_line[0] * of_line[1] <= 0;
+}
+
+/// Word: of 32 bits at least, as wide as what its kernels read beside it.
+template <class Word>
+class BondStates {
+  public:
+    /// All hold that the sides leave, and none may break.
+    BondStates(const BondModel& model, std::array<PlaneAxis, 2> axes)
+        : groups_(bond_groups(model)),
+          axes_(std::move(axes)),
+          nodes_{axes_[0].nodes(), axes_[1].nodes()} {
+        const auto count = static_cast<std::size_t>(nodes_[0] * nodes_[1]);
+        held_.assign(groups_.back().word + 1, std::vector<Word>(count, 0));
+        breakable_ = held_;
+        for_each([this](std::ptrdiff_t x, std::ptrdiff_t y, const BondGroup& group, unsigned m) {
+            if (is_whole(x, y, group.members[m])) {
+                held_[group.word][index(x, y)] |= bit(group, m);
+            }
+        });
+    }
+
+    const std::array<PlaneAxis, 2>& axes() const { return axes_; }
+    const std::vector<BondGroup>& groups() const { return groups_; }
+    std::size_t words() const { return held_.size(); }
+    static Word bit(const BondGroup& group, unsigned member) {
+        return Word{1} << (group.first_bit + member);
+    }
+
+    /// Of a node of the body, which is (0, 0) in the corner of its layers.
+    std::size_t index(std::ptrdiff_t x, std::ptrdiff_t y) const {
+        return static_cast<std::size_t>(y * nodes_[0] + x);
+    }
+    std::vector<Word>& held(std::size_t word) { return held_[word]; }
+    const std::vector<Word>& breakable(std::size_t word) const { return breakable_[word]; }
+
+    /// The node itself or, where the body repeats itself, the one that is the same.
+    std::array<std::ptrdiff_t, 2> in_period(std::ptrdiff_t x, std::ptrdiff_t y) const {
+        const auto along = [](const PlaneAxis& axis, std::ptrdiff_t node) {
+            return axis.is_periodic() ? (node + axis.nodes()) % axis.nodes() : node;
+        };
+        return {along(axes_[0], x), along(axes_[1], y)};
+    }
+    bool is_in_body(const std::array<std::ptrdiff_t, 2>& node) const {
+        return node[0] >= 0 && node[0] < nodes_[0] && node[1] >= 0 && node[1] < nodes_[1];
+    }
+
+    /// Of any node: a ghost's bonds are known at their other ends; between ghosts there are none.
+    bool holds(std::ptrdiff_t x, std::ptrdiff_t y, const BondGroup& group, unsigned member) const {
+        if (is_in_body({x, y})) {
+            return (held_[group.word][index(x, y)] & bit(group, member)) != 0;
+        }
+        const auto other = in_period(x + group.members[member].x, y + group.members[member].y);
+        return is_in_body(other) && (held_[group.word][index(other[0], other[1])] &
+                                     bit(group, group.size - 1 - member)) != 0;
+    }
+
+    /// The part of a node's bonds that no longer hold.
+    double damage(std::ptrdiff_t x, std::ptrdiff_t y) const {
+        unsigned whole = 0;
+        int held = 0;
+        for (const BondGroup& group : groups_) {
+            for (unsigned m = 0; m < group.size; ++m) {
+                whole += is_whole(x, y, group.members[m]) ? 1U : 0U;
+            }
+        }
+        for (const std::vector<Word>& word : held_) {
+            held += std::popcount(word[index(x, y)]);
+        }
+        return whole == 0 ? 0 : 1 - static_cast<double>(held) / whole;
+    }
+
+    /// Breaks the bonds that meet the line, whose points are those of the body's nodes.
+    void cut(const PlanePoint& from, const PlanePoint& to) {
+        const auto period_of = [](const PlaneAxis& axis) {
+            return axis.is_periodic() ? static_cast<double>(axis.nodes()) : 0;
+        };
+        const std::array<double, 2> period{period_of(axes_[0]), period_of(axes_[1])};
+        for_each([&](std::ptrdiff_t x, std::ptrdiff_t y, const BondGroup& group, unsigned m) {
+            const PlanePoint here{static_cast<double>(x), static_cast<double>(y)};
+            const std::array<PlanePoint, 2> bond{
+                here, {here[0] + group.members[m].x, here[1] + group.members[m].y}};
+            for (const double turns_x : {-1, 0, 1}) {
+                for (const double turns_y : {-1, 0, 1}) {
+                    const auto moved = [&](const PlanePoint& point) {
+                        return PlanePoint{point[0] + turns_x * period[0],
+                                          point[1] + turns_y * period[1]};
+                    };
+                    if (meets({moved(from), moved(to)}, bond)) {
+                        held_[group.word][index(x, y)] &= static_cast<Word>(~bit(group, m));
+                    }
+                }
+            }
+        });
+    }
+
+    /// From here on all bonds that hold may break, but for those of nodes for which keep(x, y).
+    template <class Keep>
+    void let_break(const Keep& keep) {
+        for_each([&](std::ptrdiff_t x, std::ptrdiff_t y, const BondGroup& group, unsigned m) {
+            const auto [i, j] = group.members[m];
+            const Word one = bit(group, m);
+            Word& breakable = breakable_[group.word][index(x, y)];
+            const bool is_kept = keep(x, y) || keep(x + i, y + j);
+            breakable = static_cast<Word>(is_kept ? breakable & ~one : breakable | one);
+        });
+    }
+
+    /// For a checkpoint: word by word.
+    std::vector<std::uint32_t> state() const {
+        std::vector<std::uint32_t> all;
+        for (const std::vector<Word>& word : held_) {
+            for (const Word bits : word) {
+                all.push_back(static_cast<std::uint32_t>(bits));
+            }
+        }
+        return all;
+    }
+    std::size_t state_size() const { return held_.size() * held_[0].size(); }
+    void resume(std::span<const std::uint32_t> state) {
+        for (std::vector<Word>& word : held_) {
+            std::ranges::copy(state.first(word.size()), word.begin());
+            state = state.subspan(word.size());
+        }
+    }
+
+  private:
+    template <class Work>
+    void for_each(const Work& work) {
+        for (std::ptrdiff_t y = 0; y < nodes_[1]; ++y) {
+            for (std::ptrdiff_t x = 0; x < nodes_[0]; ++x) {
+                for (const BondGroup& group : groups_) {
+                    for (unsigned m = 0; m < group.size; ++m) {
+                        work(x, y, group, m);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Whether the node has a neighbour there before anything breaks.
+    bool is_whole(std::ptrdiff_t x, std::ptrdiff_t y, const PlaneOffset& bond) const {
+        const auto fits = [](const PlaneAxis& axis, std::ptrdiff_t node, int step) {
+            return std::abs(step) <= axis.neighbours(step > 0, node);
+        };
+        return fits(axes_[0], x, bond.x) && fits(axes_[1], y, bond.y);
+    }
+
+    std::vector<BondGroup> groups_;
+    std::array<PlaneAxis, 2> axes_;
+    std::array<std::ptrdiff_t, 2> nodes_;
+    std::vector<std::vector<Word>> held_;
+    std::vector<std::vector<Word>> breakable_;
+};
+
+}  // namespace detail
+
+}  // namespace nmbc

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+/// What breaks the bonds of a plane. A part of plane.hpp.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <nmbc/bond_force.hpp>
+#include <nmbc/coefficients.hpp>
+#include <nmbc/plane.hpp>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+namespace nmbc {
+
+template <class Real>
+const detail::BondForce<Real>& BasicPlane<Real>::bond_force() const {
+    const auto* const force = std::get_if<detail::BondForce<Real>>(&force_);
+    if (force == nullptr) {
+        throw std::logic_error("only a bond-based plane has bonds that break");
+    }
+    return *force;
+}
+
+template <class Real>
+detail::BondForce<Real>& BasicPlane<Real>::bond_force() {
+    return const_cast<detail::BondForce<Real>&>(std::as_const(*this).bond_force());
+}
+
+template <class Real>
+template <class Keep>
+void BasicPlane<Real>::break_above(double stretch, const Keep& keep) {
+    bond_force();
+    if (!is_positive(std::get<BondModel>(model_.law()))) {
+        throw std::invalid_argument(
+            "this lattice has bonds of weights below 0: where others break, its energy has no "
+            "lower bound, and it explodes");
+    }
+    break_above(stretch, keep, allow_unstable);
+}
+
+template <class Real>
+template <class Keep>
+void BasicPlane<Real>::break_above(double stretch, const Keep& keep, AllowUnstable /*tag*/) {
+    if (!(stretch > 0 && std::isfinite(stretch))) {
+        throw std::invalid_argument("the stretch at which bonds break must be above 0");
+    }
+    const std::array<std::ptrdiff_t, 2> first = first_of_interior();
+    bond_force().states().let_break(
+        [&](std::ptrdiff_t x, std::ptrdiff_t y) { return keep(x - first[0], y - first[1]); });
+    bond_force().break_above(stretch * parameters_.spacing);
+}
+
+template <class Real>
+void BasicPlane<Real>::cut(const PlanePoint& from, const PlanePoint& to) {
+    const std::array<std::ptrdiff_t, 2> first = first_of_interior();
+    const auto of_body = [&](const PlanePoint& point) {
+        return PlanePoint{point[0] + static_cast<double>(first[0]),
+                          point[1] + static_cast<double>(first[1])};
+    };
+    bond_force().states().cut(of_body(from), of_body(to));
+}
+
+template <class Real>
+double BasicPlane<Real>::damage(std::size_t x, std::size_t y) const {
+    const std::array<std::ptrdiff_t, 2> first = first_of_interior();
+    return bond_force().states().damage(static_cast<std::ptrdiff_t>(x) + first[0],
+                                        static_cast<std::ptrdiff_t>(y) + first[1]);
+}
+
+/// The body's energy had w e- e/2 of such a bond, e- and e its extensions before and now: e- = e -
+/// dt de/dt, the velocities v of the step that led here. The kick has changed them since, by what
+/// it can be asked for again.
+template <class Real>
+void BasicPlane<Real>::count_broken() {
+    auto* const force = std::get_if<detail::BondForce<Real>>(&force_);
+    if (force == nullptr) {
+        return;
+    }
+    const double rate = parameters_.rate();
+    const double scale = parameters_.time_step * rate * rate;
+    const auto u = field(std::as_const(u_));
+    const auto v = field(std::as_const(v_));
+    const auto before_kick = [&](const std::array<std::ptrdiff_t, 2>& node) {
+        const auto [x, y] = node;
+        const std::ptrdiff_t at = y * static_cast<std::ptrdiff_t>(grid().nx) + x;
+        std::array<double, 2> velocity{static_cast<double>(v[0][at]),
+                                       static_cast<double>(v[1][at])};
+        if (force->states().is_in_body(node)) {
+            const std::array<double, 2> kick = force->acceleration(x, y, u);
+            velocity[0] -= scale * kick[0];
+            velocity[1] -= scale * kick[1];
+        }
+        return velocity;
+    };
+    force->take_broken([&](const auto& bond) {
+        const detail::BondGroup& group = force->states().groups()[bond.group];
+        const auto [i, j] = group.members[bond.member];
+        const auto other = force->states().in_period(bond.x + i, bond.y + j);
+        // Both ends in the body count it.
+        const double share = force->states().is_in_body(other) ? 0.5 : 1;
+        const std::array<double, 2> here = before_kick({bond.x, bond.y});
+        const std::array<double, 2> there = before_kick(other);
+        const double e = force->extension(bond.x, bond.y, bond.group, bond.member, u);
+        const double grown =
+            parameters_.time_step * (i * (there[0] - here[0]) + j * (there[1] - here[1]));
+        broken_ += share;
+        released_ +=
+            share * force->weight(bond.x, bond.y, group, bond.member) / 2 * e * (e - grown);
+    });
+}
+
+}  // namespace nmbc
