@@ -519,7 +519,7 @@ TEST_CASE("what cannot be is refused") {
     CHECK(body(PlaneSides::all(HigdonSide{{1, -1}, 0})).find("needs speeds") != std::string::npos);
     CHECK(body(PlaneSides::all(SpongeSide{{0.1, -1}})).find("friction") != std::string::npos);
     CHECK(refusal([] {
-              const Plane plane({}, {}, {.nx = 5, .ny = 5, .time_step = 1});
+              const Plane plane(CorrespondenceModel{}, {}, {.nx = 5, .ny = 5, .time_step = 1});
           }).find("positive moduli") != std::string::npos);
     CHECK(body(PlaneSides::all(FixedSide{}), 0, 4).find("interior") != std::string::npos);
     Plane plane(model, {}, parameters(5, 5, model));
