@@ -81,19 +81,19 @@ class BondForce {
     }
 
     /// Of the nodes first .. last-1 of a row: half of each of their bonds.
-    template <class Number>
     PlanePotential potential_of_row(std::ptrdiff_t y, std::ptrdiff_t first, std::ptrdiff_t last,
-                                    const std::array<Number*, 2>& u) const {
+                                    PlaneField<const Real> u) const {
         PlanePotential sum;
-        for (std::ptrdiff_t x = first; x < last; ++x) {
-            for (std::size_t g = 0; g < states_.groups().size(); ++g) {
-                const BondGroup& group = states_.groups()[g];
-                for (unsigned m = 0; m < group.size; ++m) {
-                    if (states_.holds(x, y, group, m)) {
-                        const double e = extension(x, y, g, m, u);
-                        sum.strain += weight(x, y, group, m) * e * e / 4;
-                    }
-                }
+        const std::ptrdiff_t nodes = axis(0).nodes();
+        const bool has_body = y >= 0 && y < axis(1).nodes();
+        for (std::ptrdiff_t x = first; x < last;) {
+            if (has_body && x >= 0 && x < nodes) {
+                const std::ptrdiff_t count = std::min({block, last - x, nodes - x});
+                sum.strain += energy_of_block(x, y, count, u);
+                x += count;
+            } else {
+                sum.strain += energy_of_node(x, y, u);
+                ++x;
             }
         }
         return sum;
@@ -170,6 +170,42 @@ class BondForce {
         Real* force_x = nullptr;
         Real* force_y = nullptr;
     };
+
+    double energy_of_node(std::ptrdiff_t x, std::ptrdiff_t y, PlaneField<const Real> u) const {
+        double sum = 0;
+        for (std::size_t g = 0; g < states_.groups().size(); ++g) {
+            const BondGroup& group = states_.groups()[g];
+            for (unsigned m = 0; m < group.size; ++m) {
+                if (states_.holds(x, y, group, m)) {
+                    const double e = extension(x, y, g, m, u);
+                    sum += weight(x, y, group, m) * e * e / 4;
+                }
+            }
+        }
+        return sum;
+    }
+
+    /// Of nodes of the body.
+    double energy_of_block(std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t count,
+                           PlaneField<const Real> u) const {
+        const std::ptrdiff_t at = y * pitch_ + x;
+        const Block nodes{x, y, count, {u[0] + at, u[1] + at}, nullptr, nullptr};
+        double sum = 0;
+        for (std::size_t g = 0; g < states_.groups().size(); ++g) {
+            const BondGroup& group = states_.groups()[g];
+            const Word* const held = &states_.held(group.word)[states_.index(x, y)];
+            std::array<double, static_cast<std::size_t>(block)> squares{};
+            if (group.size == 4) {
+                square_bonds<true>(lines_of<4>(g, nodes), count, held, squares.data());
+            } else {
+                square_bonds<true>(lines_of<2>(g, nodes), count, held, squares.data());
+            }
+            for (std::ptrdiff_t i = 0; i < count; ++i) {
+                sum += group.weight * squares[static_cast<std::size_t>(i)] / 4;
+            }
+        }
+        return sum;
+    }
 
     void kick_row(double scale, std::ptrdiff_t y, PlaneField<const Real> u, PlaneField<Real> v,
                   std::vector<Broken>& broken) {

@@ -78,6 +78,28 @@ void pull_bonds(const BondLines<Real, Word, Size>& by_reference, std::ptrdiff_t 
     }
 }
 
+/// Adds the squares of the extensions of the bonds that hold, each times its weight over w.
+template <bool IsWeighted, class Real, class Word, std::size_t Size>
+void square_bonds(const BondLines<Real, Word, Size>& by_reference, std::ptrdiff_t count,
+                  const Word* __restrict held, double* __restrict squares) {
+    const BondLines<Real, Word, Size> lines = by_reference;
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        for (std::size_t m = 0; m < Size; ++m) {
+            const auto between = [&](const Real* there, const Real* here) {
+                return static_cast<double>(there[i]) - static_cast<double>(here[i]);
+            };
+            const double e =
+                static_cast<double>(lines.x[m]) * between(lines.there_x[m], lines.here_x) +
+                static_cast<double>(lines.y[m]) * between(lines.there_y[m], lines.here_y);
+            double square = (held[i] & lines.bits[m]) != 0 ? e * e : 0;
+            if constexpr (IsWeighted) {
+                square *= static_cast<double>(lines.column_weights[m][i] * lines.row_weights[m]);
+            }
+            squares[i] += square;
+        }
+    }
+}
+
 /// Breaks the bonds whose extensions are above the limit, if they may, and adds the forces of the
 /// others. `broke`: the bits of each node that have gone. Returns all of them.
 template <bool IsWeighted, class Real, class Word, std::size_t Size>

@@ -122,15 +122,33 @@ inline BondModel bond2d(unsigned radius_squared, const std::vector<double>& weig
     return model;
 }
 
-/// The bond-based model of Alebrahim 2022, plane strain (nu = 1/4): bonds up to N dX, of the
-/// micromodulus 48/(5 pi N^3) times alpha. alpha: of plane_bond_classes(N^2).
-inline BondModel bond_based(unsigned N, std::vector<double> alpha) {
-    const std::vector<PlaneOffset> classes = plane_bond_classes(N * N);
+/// The weights of Alebrahim 2022's model in plane strain (nu = 1/4), whose bonds up to N dX have
+/// the micromodulus 48/(5 pi N^3) times alpha, radius_squared = N^2. alpha: of
+/// plane_bond_classes(). Throws std::invalid_argument where there is no such N.
+inline std::vector<double> bond_weights(unsigned radius_squared, std::vector<double> alpha) {
+    const std::size_t N = horizon_of(radius_squared);
+    if (N * N != radius_squared) {
+        throw std::invalid_argument(
+            "alpha is of lattices whose radius squared is the square of a whole number, not " +
+            std::to_string(radius_squared));
+    }
+    const std::vector<PlaneOffset> classes = plane_bond_classes(radius_squared);
     for (std::size_t i = 0; i < std::min(alpha.size(), classes.size()); ++i) {
         const double r = std::hypot(classes[i].x, classes[i].y);
-        alpha[i] *= 48 / (5 * std::numbers::pi * std::pow(N, 3) * std::pow(r, 3));
+        alpha[i] *= 48 / (5 * std::numbers::pi * std::pow(static_cast<double>(N), 3) * r * r * r);
     }
-    return bond2d(N * N, alpha);
+    return alpha;
+}
+
+/// The energy per length of a crack along an axis whose bonds break at this stretch, where E = dX =
+/// 1: what they have then.
+inline double fracture_energy(const BondModel& model, double stretch) {
+    double energy = 0;
+    for (const auto& [bond, weight] : model.bonds) {
+        const double extension = stretch * (bond.x * bond.x + bond.y * bond.y);
+        energy += bond.y > 0 ? bond.y * weight * extension * extension / 2 : 0;
+    }
+    return energy;
 }
 
 }  // namespace nmbc

@@ -111,6 +111,7 @@ class BondStates {
         return static_cast<std::size_t>(y * nodes_[0] + x);
     }
     std::vector<Word>& held(std::size_t word) { return held_[word]; }
+    const std::vector<Word>& held(std::size_t word) const { return held_[word]; }
     const std::vector<Word>& breakable(std::size_t word) const { return breakable_[word]; }
 
     /// The node itself or, where the body repeats itself, the one that is the same.
@@ -136,15 +137,22 @@ class BondStates {
 
     /// The part of a node's bonds that no longer hold.
     double damage(std::ptrdiff_t x, std::ptrdiff_t y) const {
-        unsigned whole = 0;
         int held = 0;
-        for (const BondGroup& group : groups_) {
-            for (unsigned m = 0; m < group.size; ++m) {
-                whole += is_whole(x, y, group.members[m]) ? 1U : 0U;
-            }
-        }
         for (const std::vector<Word>& word : held_) {
             held += std::popcount(word[index(x, y)]);
+        }
+        int whole = 0;
+        int family = 0;
+        for (const BondGroup& group : groups_) {
+            family += static_cast<int>(group.size);
+        }
+        if (held == family) {
+            return 0;
+        }
+        for (const BondGroup& group : groups_) {
+            for (unsigned m = 0; m < group.size; ++m) {
+                whole += is_whole(x, y, group.members[m]) ? 1 : 0;
+            }
         }
         return whole == 0 ? 0 : 1 - static_cast<double>(held) / whole;
     }

@@ -286,7 +286,7 @@ TEST_CASE("bonds of kept nodes never break, and a state goes on bit for bit") {
 
 TEST_CASE("a lattice with weights below 0 may not break, and explodes where it does") {
     // nmbcgen bonds --dimension 2 --horizon 2 --method bz-ls
-    const BondModel model = bond_based(2, {6.759321, 1.480961, -2.332463});
+    const BondModel model = bond2d(4, bond_weights(4, {6.759321, 1.480961, -2.332463}));
     CHECK_FALSE(is_positive(model));
     const PlaneSides sides = PlaneSides::all(FixedSide{});
     const PlaneParameters p = parameters(20, 20, model, sides);

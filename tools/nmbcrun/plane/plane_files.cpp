@@ -13,13 +13,14 @@
 #include "generator/support/files.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/energies_file.hpp"
+#include "tools/nmbcrun/scene/csv_columns.hpp"
 
 namespace nmbcrun {
 namespace {
 
 constexpr std::string_view plane_energies_header =
     "time,kinetic,strain,stabilisation,total,ledger,work,left_side,right_side,bottom_side,top_side,"
-    "drift";
+    "fracture,drift";
 
 /// Of a folder that has snapshots, and of nothing else in it.
 void remove_snapshots(const std::filesystem::path& folder) {
@@ -46,14 +47,25 @@ std::string probes_header(const PlaneScene& scene) {
     return header + "\n";
 }
 
+std::string cracks_header(const CrackFront& front) {
+    std::string header = "time,broken";
+    for (std::size_t end = 1; end <= front.ends().size(); ++end) {
+        header += fmt::format(",reach_{0},X_{0},Y_{0},branches_{0}", end);
+    }
+    return header + "\n";
+}
+
 }  // namespace
 
 PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path folder)
     : folder_(std::move(folder)),
       name_(simulation.scene().name),
       has_field_(simulation.scene().field) {
-    for (const char* const ending : {".csv", "_probes.csv", "_field.vti", ".pvd"}) {
+    for (const char* const ending : {".csv", "_probes.csv", "_cracks.csv", "_field.vti", ".pvd"}) {
         nmbcgen::require_replaceable(path(ending));
+    }
+    if (simulation.scene().fracture) {
+        front_.emplace(simulation.scene());
     }
 }
 
@@ -67,6 +79,10 @@ PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path 
         probed_ = std::make_unique<Journal>(path("_probes.csv"));
         probed_->append(probes_header(simulation.scene()));
     }
+    if (front_) {
+        cracked_ = std::make_unique<Journal>(path("_cracks.csv"));
+        cracked_->append(cracks_header(*front_));
+    }
     for (Journal* const journal : journals()) {
         journal->source();  // what cannot be written is known before the first step
     }
@@ -76,12 +92,15 @@ PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path 
                        const std::vector<Journal::Mark>& marks)
     : PlaneFiles(simulation, std::move(folder)) {
     const bool has_probes = !simulation.scene().probes.empty();
-    if (marks.size() != (has_probes ? 2U : 1U)) {
+    if (marks.size() != 1U + (has_probes ? 1U : 0U) + (front_ ? 1U : 0U)) {
         throw FileError("the checkpoint has other files than its scene");
     }
     energies_ = std::make_unique<Journal>(path(".csv"), marks[0]);
     if (has_probes) {
         probed_ = std::make_unique<Journal>(path("_probes.csv"), marks[1]);
+    }
+    if (front_) {
+        cracked_ = std::make_unique<Journal>(path("_cracks.csv"), marks.back());
     }
     if (!std::filesystem::exists(growing()) && std::filesystem::exists(path("_snapshots"))) {
         std::filesystem::rename(path("_snapshots"), growing());  // of a run that was stopped
@@ -105,6 +124,9 @@ std::vector<Journal*> PlaneFiles::journals() const {
     std::vector<Journal*> all{energies_.get()};
     if (probed_) {
         all.push_back(probed_.get());
+    }
+    if (cracked_) {
+        all.push_back(cracked_.get());
     }
     return all;
 }
@@ -145,6 +167,24 @@ std::vector<std::vector<double>> PlaneFiles::rows(std::size_t wanted) const {
     return some;
 }
 
+std::vector<std::vector<double>> PlaneFiles::crack_rows() const {
+    const std::filesystem::path file = cracked_->source();
+    std::vector<std::string> names{"time", "broken"};
+    for (std::size_t end = 1; end <= front_->ends().size(); ++end) {
+        for (const char* const name : {"reach", "X", "Y", "branches"}) {
+            names.push_back(fmt::format("{}_{}", name, end));
+        }
+    }
+    const std::vector<std::vector<double>> columns = read_columns(file, names);
+    std::vector<std::vector<double>> rows(columns[0].size());
+    for (const std::vector<double>& column : columns) {
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+            rows[row].push_back(column[row]);
+        }
+    }
+    return rows;
+}
+
 /// Relative to the folder.
 std::filesystem::path PlaneFiles::snapshot_name(std::size_t step) const {
     return std::filesystem::path(name_ + "_snapshots") / fmt::format("{:09}.vti", step);
@@ -153,11 +193,19 @@ std::filesystem::path PlaneFiles::snapshot_name(std::size_t step) const {
 void PlaneFiles::record(const PlaneSimulation& simulation, const nmbc::PlaneEnergies& e,
                         const PlaneBalance& balance) {
     const nmbc::Plane& plane = simulation.plane();
-    energies_->append(fmt::format("{:.10g},{},{},{},{},{},{},{},{},{},{},{}\n",
+    energies_->append(fmt::format("{:.10g},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                                   plane.time() - simulation.plan().time_step / 2, e.kinetic,
                                   e.strain, e.stabilisation, e.total(), balance.energy,
                                   balance.work, balance.left[0], balance.left[1], balance.left[2],
-                                  balance.left[3], balance.drift));
+                                  balance.left[3], balance.fracture, balance.drift));
+    if (cracked_) {
+        std::string row = fmt::format("{:.10g},{:.0f}", plane.time(), plane.broken());
+        for (const CrackGrowth& growth : crack_growth(simulation)) {
+            row += fmt::format(",{:.9g},{:.9g},{:.9g},{}", growth.reach, growth.tip[0],
+                               growth.tip[1], growth.branches.size());
+        }
+        cracked_->append(row + "\n");
+    }
     if (!probed_) {
         return;
     }
@@ -183,9 +231,15 @@ void PlaneFiles::publish(const PlaneSimulation& simulation, bool at_end) {
     if (probed_) {
         files.push_back(probed_->copy());
     }
+    if (cracked_) {
+        files.push_back(cracked_->copy());
+    }
     nmbcgen::publish(files);
     if (!probed_) {
         std::filesystem::remove(path("_probes.csv"));
+    }
+    if (!cracked_) {
+        std::filesystem::remove(path("_cracks.csv"));
     }
     remove_snapshots(path("_snapshots"));
     std::filesystem::remove(path(".pvd"));
@@ -213,7 +267,7 @@ void PlaneFiles::remove_leftovers() const {
     for (const auto& entry : std::filesystem::directory_iterator(folder_, error)) {
         const std::string name = entry.path().filename().string();
         const bool is_of_this_name = std::ranges::any_of(
-            std::array{".csv", "_probes.csv", ".checkpoint"},
+            std::array{".csv", "_probes.csv", "_cracks.csv", ".checkpoint"},
             [&](const char* ending) { return name.starts_with(name_ + ending + ".new-"); });
         if (is_of_this_name && std::ranges::find(own, name, &Journal::Mark::name) == own.end()) {
             nmbcgen::remove_unless_open(entry.path());
@@ -226,6 +280,9 @@ std::string PlaneFiles::listed() const {
     if (probed_) {
         lines += fmt::format("probes       {}\n", probed_->path().string());
     }
+    if (cracked_) {
+        lines += fmt::format("cracks       {}\n", cracked_->path().string());
+    }
     if (!snapshots_.empty()) {
         lines += fmt::format("snapshots    {}\n", path(".pvd").string());
     }
@@ -235,45 +292,60 @@ std::string PlaneFiles::listed() const {
     return lines;
 }
 
+std::vector<CrackGrowth> crack_growth(const PlaneSimulation& simulation) {
+    return CrackFront(simulation.scene()).look([&](std::size_t x, std::size_t y) {
+        return simulation.damage(x, y);
+    });
+}
+
 std::string vti_text(const PlaneSimulation& simulation) {
     static_assert(std::endian::native == std::endian::little);
     const PlaneScene& scene = simulation.scene();
     const nmbc::Plane& plane = simulation.plane();
     const auto [nx, ny] = scene.nodes;
-    constexpr std::size_t components = 3;
-    const std::uint64_t bytes = nx * ny * components * sizeof(double);
-    std::string text = fmt::format(
-        "<?xml version=\"1.0\"?>\n"
-        "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-        "header_type=\"UInt64\">\n"
-        "<ImageData WholeExtent=\"0 {0} 0 {1} 0 0\" Origin=\"{2} {2} 0\" Spacing=\"{2} {2} {2}\">\n"
-        "<FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-        "format=\"ascii\">{3:.10g}</DataArray></FieldData>\n"
-        "<Piece Extent=\"0 {0} 0 {1} 0 0\">\n<PointData Vectors=\"displacement\">\n"
-        "<DataArray type=\"Float64\" Name=\"displacement\" NumberOfComponents=\"3\" "
-        "format=\"appended\" offset=\"0\"/>\n"
-        "<DataArray type=\"Float64\" Name=\"velocity\" NumberOfComponents=\"3\" "
-        "format=\"appended\" offset=\"{4}\"/>\n"
-        "</PointData>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_",
-        nx - 1, ny - 1, scene.spacing, plane.time(), bytes + sizeof(bytes));
+    std::string arrays;  // their descriptions
+    std::string data;
     const auto append = [&](const auto& value) {
         std::array<char, sizeof(value)> raw{};
         std::memcpy(raw.data(), &value, sizeof(value));
-        text.append(raw.data(), raw.size());
+        data.append(raw.data(), raw.size());
     };
-    for (const bool is_velocity : {false, true}) {
-        append(bytes);
+    const auto add = [&](const char* name, std::size_t components, const auto& append_node) {
+        arrays += fmt::format(
+            "<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" "
+            "format=\"appended\" offset=\"{}\"/>\n",
+            name, components, data.size());
+        append(std::uint64_t(nx * ny * components * sizeof(double)));
         for (std::size_t y = 0; y < ny; ++y) {
             for (std::size_t x = 0; x < nx; ++x) {
-                const std::size_t entry = simulation.entry(x, y);
-                for (const std::size_t a : {0U, 1U}) {
-                    append(is_velocity ? plane.velocity(a)[entry] : plane.displacement(a)[entry]);
-                }
-                append(0.0);
+                append_node(x, y);
             }
         }
+    };
+    for (const bool is_velocity : {false, true}) {
+        add(is_velocity ? "velocity" : "displacement", 3, [&](std::size_t x, std::size_t y) {
+            const std::size_t entry = simulation.entry(x, y);
+            for (const std::size_t a : {0U, 1U}) {
+                append(is_velocity ? plane.velocity(a)[entry] : plane.displacement(a)[entry]);
+            }
+            append(0.0);
+        });
     }
-    return text + "\n</AppendedData>\n</VTKFile>\n";
+    if (scene.fracture) {
+        add("damage", 1, [&](std::size_t x, std::size_t y) { append(simulation.damage(x, y)); });
+    }
+    return fmt::format(
+               "<?xml version=\"1.0\"?>\n"
+               "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+               "header_type=\"UInt64\">\n"
+               "<ImageData WholeExtent=\"0 {0} 0 {1} 0 0\" Origin=\"{2} {2} 0\" "
+               "Spacing=\"{2} {2} {2}\">\n"
+               "<FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+               "format=\"ascii\">{3:.10g}</DataArray></FieldData>\n"
+               "<Piece Extent=\"0 {0} 0 {1} 0 0\">\n<PointData Vectors=\"displacement\">\n{4}"
+               "</PointData>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_",
+               nx - 1, ny - 1, scene.spacing, plane.time(), arrays) +
+           data + "\n</AppendedData>\n</VTKFile>\n";
 }
 
 }  // namespace nmbcrun

@@ -4,17 +4,20 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "tools/nmbcrun/output/journal.hpp"
+#include "tools/nmbcrun/plane/crack_front.hpp"
 #include "tools/nmbcrun/plane/plane_simulation.hpp"
 
 namespace nmbcrun {
 
-/// FOLDER/NAME.csv, the energies; NAME_probes.csv; NAME_field.vti, the end; NAME.pvd and the
-/// snapshots that it lists, NAME_snapshots/T.vti, T the step. Every member throws FileError.
+/// FOLDER/NAME.csv, the energies; NAME_probes.csv; NAME_cracks.csv; NAME_field.vti, the end;
+/// NAME.pvd and the snapshots that it lists, NAME_snapshots/T.vti, T the step. Every member throws
+/// FileError.
 class PlaneFiles {
   public:
     /// Throws FileError where something else than a file is in the way of one.
@@ -52,6 +55,10 @@ class PlaneFiles {
     /// time, kinetic, strain, stabilisation, total, .. of about so many of the rows, and the last.
     std::vector<std::vector<double>> rows(std::size_t wanted) const;
 
+    /// time, broken and, of each end of a crack, reach, X, Y, branches; all rows. Of a scene with
+    /// fracture.
+    std::vector<std::vector<double>> crack_rows() const;
+
     /// A line each.
     std::string listed() const;
     const std::filesystem::path& energies() const { return energies_->path(); }
@@ -67,11 +74,16 @@ class PlaneFiles {
     std::filesystem::path folder_;
     std::string name_;
     std::unique_ptr<Journal> energies_{};
-    std::unique_ptr<Journal> probed_{};  // none without probes
+    std::unique_ptr<Journal> probed_{};   // none without probes
+    std::unique_ptr<Journal> cracked_{};  // none without fracture
+    std::optional<CrackFront> front_{};   // likewise
     bool has_field_;
     bool is_kept_ = false;
     std::vector<std::pair<double, std::filesystem::path>> snapshots_{};  // time, relative path
 };
+
+/// Of each end of a line of fracture.cracks, now.
+std::vector<CrackGrowth> crack_growth(const PlaneSimulation& simulation);
 
 /// The scene's nodes as VTK image data (.vti): displacement and velocity, three components in
 /// doubles, z = 0.

@@ -24,10 +24,13 @@ std::string heading_of(const PlaneSimulation& simulation) {
     const PlaneScene& scene = simulation.scene();
     const nmbc::PlaneModel model = model_of(scene);
     std::string text = fmt::format("scene     {}\n", scene.title);
-    text +=
-        fmt::format("lattice   nopd2d, radius {} (squared), nu = {}, plane {}, G = {}\n",
-                    scene.radius_squared, nmbcgen::to_string(scene.nu),
-                    scene.state == nmbc::StressState::plane_stress ? "stress" : "strain", scene.G);
+    text += scene.is_bond_based()
+                ? fmt::format("lattice   bond2d, radius {} (squared), weights {:.6g}\n",
+                              scene.radius_squared, fmt::join(scene.weights, ", "))
+                : fmt::format("lattice   nopd2d, radius {} (squared), nu = {}, plane {}, G = {}\n",
+                              scene.radius_squared, nmbcgen::to_string(scene.nu),
+                              scene.state == nmbc::StressState::plane_stress ? "stress" : "strain",
+                              scene.G);
     const bool alike = std::ranges::all_of(
         scene.sides, [&](const PlaneSideChoice& side) { return side == scene.sides[0]; });
     if (alike && scene.sides[0].kind != SideKind::extended) {

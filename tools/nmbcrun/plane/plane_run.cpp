@@ -33,6 +33,22 @@ std::map<std::string, std::string> identity(const PlaneSimulation& simulation) {
                        simulation.plan().steps, simulation.plan().time_step);
 }
 
+/// The largest mean rate at which a column grows within so much time.
+double fastest_growth(const std::vector<std::vector<double>>& rows, std::size_t column,
+                      double duration) {
+    double fastest = 0;
+    for (std::size_t first = 0, last = 0; last < rows.size(); ++last) {
+        while (rows[last][0] - rows[first + 1][0] >= duration) {
+            ++first;
+        }
+        const double time = rows[last][0] - rows[first][0];
+        if (time >= duration) {
+            fastest = std::max(fastest, (rows[last][column] - rows[first][column]) / time);
+        }
+    }
+    return fastest;
+}
+
 class PlaneRun {
   public:
     PlaneRun(const PlaneScene& scene, const RunOptions& options)
@@ -74,6 +90,7 @@ class PlaneRun {
     }
 
   private:
+    void print_cracks() const;
     void look(bool is_row);
     void advance();
     std::size_t next_stop() const;
@@ -272,7 +289,47 @@ void PlaneRun::print() const {
                    balance.left[3] / peak);
         fmt::print("ledger drift {:.1e} of the peak\n", highlights_.drift / peak);
     }
+    print_cracks();
     fmt::print("{}", files_->listed());
+}
+
+/// What has broken, how fast, and where paths part.
+void PlaneRun::print_cracks() const {
+    const PlaneScene& scene = simulation_.scene();
+    if (!scene.fracture) {
+        return;
+    }
+    const std::vector<std::vector<double>> rows = files_->crack_rows();
+    const PlaneBalance balance = simulation_.balance();
+    fmt::print("bonds        {:.0f} broken, which had {:.4g}, {:.3g} of the work done\n",
+               rows.back()[1], balance.fracture, balance.fracture / balance.work);
+    const nmbc::PlaneModel model = model_of(scene);
+    const double rayleigh =
+        rate_of(scene) * scene.spacing * rayleigh_speed(model.speed_P(), model.speed_S());
+    const std::vector<CrackGrowth> growth = crack_growth(simulation_);
+    const CrackFront front(scene);
+    for (std::size_t end = 0; end < growth.size(); ++end) {
+        const CrackGrowth& of_end = growth[end];
+        const std::size_t column = 2 + 4 * end;
+        std::string text = fmt::format("crack        from ({:.6g}, {:.6g}): ", front.ends()[end][0],
+                                       front.ends()[end][1]);
+        if (of_end.reach == 0) {
+            fmt::print("{}has not grown\n", text);
+            continue;
+        }
+        const double fastest = fastest_growth(rows, column, 10 * front.horizon() / rayleigh);
+        text +=
+            fmt::format("{:.4g} long, tip at ({:.6g}, {:.6g}), fastest {:.4g}, {:.2f} of c_R",
+                        of_end.reach, of_end.tip[0], of_end.tip[1], fastest, fastest / rayleigh);
+        for (std::size_t k = 0; k < of_end.branches.size(); ++k) {
+            const auto first = std::ranges::find_if(
+                rows, [&](const std::vector<double>& row) { return row[column + 3] > double(k); });
+            text += fmt::format("\n             branches at ({:.6g}, {:.6g}), seen at t = {:.4g}",
+                                of_end.branches[k][0], of_end.branches[k][1],
+                                first == rows.end() ? simulation_.plane().time() : (*first)[0]);
+        }
+        fmt::print("{}\n", text);
+    }
 }
 
 }  // namespace

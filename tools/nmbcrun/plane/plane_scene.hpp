@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <nmbc/plane_model.hpp>
 #include <nmbc/plane_sides.hpp>
@@ -83,10 +84,34 @@ struct PlaneDrive {
     std::array<double, 2> half_width{};
 };
 
+/// What acts on the nodes of a rectangle from t = 0 on.
+struct PlaneLoad {
+    std::string name{};        ///< as a scene has it, "load.top"
+    bool is_velocity = false;  ///< it is given; otherwise a body force
+    std::size_t component = 0;
+    double amplitude = 0;  ///< [length/time] or [force/volume]
+    std::array<double, 2> low{};
+    std::array<double, 2> high{};
+    double rise = 0;               ///< grows linearly up to this time
+    double until = 0;              ///< and ends at this one
+    std::filesystem::path file{};  ///< or follows this one, columns time, force
+};
+
+/// Bonds that are cut from the start, and when others break.
+struct PlaneFracture {
+    std::optional<double> critical_stretch{};
+    std::optional<double> energy{};               ///< G_0 [energy/area], in its place
+    std::vector<std::array<double, 4>> cracks{};  ///< lines X1, Y1, X2, Y2
+    std::vector<std::array<double, 4>> kept{};    ///< rectangles whose nodes keep their bonds
+    bool allow_unstable = false;                  ///< weights below 0, too
+};
+
 struct PlaneScene {
     std::string title;
     std::string name;  ///< of the output files
     unsigned radius_squared = 1;
+    /// Of a bond-based lattice, by class, where E = density = dX = 1; empty: nopd2d, of which:
+    std::vector<double> weights{};
     nmbcgen::Rational nu;
     nmbc::StressState state = nmbc::StressState::plane_stress;
     double G = 0;
@@ -97,6 +122,8 @@ struct PlaneScene {
     std::optional<PlaneInitial> initial{};
     std::optional<PlaneForcing> force{};
     std::optional<PlaneDrive> drive{};
+    std::vector<PlaneLoad> loads{};
+    std::optional<PlaneFracture> fracture{};
     std::array<PlaneSideChoice, 4> sides{};  ///< in the order of nmbc::plane_sides
     bool allow_unstable = false;             ///< run sides that may feed energy in, too
     double end = 0;
@@ -110,6 +137,7 @@ struct PlaneScene {
     std::map<std::string, std::string> given{};
 
     bool has(SideKind kind) const;
+    bool is_bond_based() const { return !weights.empty(); }
 };
 
 /// Whether the side can feed energy in.

@@ -28,14 +28,19 @@ nmbc::PassiveSide designed_side_of(const PlaneScene& scene) {
                         nmbcgen::largest_side_radius_squared, scene.radius_squared));
     }
     try {
-        nmbc::PassiveSide side = for_runtime(nmbcgen::passive_side(
-            {.family = "nopd2d",
-             .choice = {.radius_squared = scene.radius_squared,
-                        .poisson = scene.nu,
-                        .plane_strain = scene.state == nmbc::StressState::plane_strain},
-             .g = nmbcgen::Rational(scene.G / std::numbers::pi),
-             .time_step = 0,
-             .has_null_lagrangian = !scene.has(SideKind::free)}));
+        nmbcgen::SideTask task{.family = "nopd2d",
+                               .choice = {.radius_squared = scene.radius_squared},
+                               .g = nmbcgen::Rational(scene.G / std::numbers::pi),
+                               .time_step = 0,
+                               .has_null_lagrangian = !scene.has(SideKind::free)};
+        if (scene.is_bond_based()) {
+            task.family = "bond2d";
+            task.choice.weights.assign(scene.weights.begin(), scene.weights.end());
+        } else {
+            task.choice.poisson = scene.nu;
+            task.choice.plane_strain = scene.state == nmbc::StressState::plane_strain;
+        }
+        nmbc::PassiveSide side = for_runtime(nmbcgen::passive_side(task));
         side.made_for = model_of(scene);
         return side;
     } catch (const std::domain_error& error) {
@@ -48,6 +53,9 @@ nmbc::PassiveSide designed_side_of(const PlaneScene& scene) {
 /// (60) of this order for waves of each polarisation that meet the side head-on.
 nmbc::MatchingSide matching_side_of(const PlaneScene& scene, const PlaneSideChoice& choice) {
     const nmbc::PlaneModel model = model_of(scene);
+    if (scene.is_bond_based() && choice.order > 1) {
+        throw SceneError("boundary.order above 1 needs a table, and there is none of bond2d");
+    }
     nmbc::MatchingSide side{
         .coefficients = {},
         .speeds = {model.speed_P(), choice.as_printed ? model.speed_P() : model.speed_S()}};
@@ -221,6 +229,11 @@ PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
         if (scene.drive) {
             limit(scene.drive->duration, "drive.duration");
         }
+        for (const PlaneLoad& load : scene.loads) {
+            if (load.rise > 0) {
+                limit(load.rise, "a load's rise");
+            }
+        }
     }
     plan.cfl = plan.time_step / interior;
     plan.of_stable = plan.time_step / stable;
@@ -286,9 +299,55 @@ PlaneSimulation::PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides
             }
         }
     }
+    cut();
     plane_.start();
+    let_break();
     sources_.start(plane_);
     at_start_ = plane_.energies().staggered;
+}
+
+/// Among the nodes of the interior [dX].
+nmbc::PlanePoint PlaneSimulation::node_at(double X, double Y) const {
+    return {X / scene_.spacing - 1 + double(extension_[0]),
+            Y / scene_.spacing - 1 + double(extension_[2])};
+}
+
+void PlaneSimulation::cut() {
+    if (scene_.fracture) {
+        for (const auto& [X1, Y1, X2, Y2] : scene_.fracture->cracks) {
+            plane_.cut(node_at(X1, Y1), node_at(X2, Y2));
+        }
+    }
+}
+
+void PlaneSimulation::let_break() {
+    const double stretch = critical_stretch(scene_);
+    if (stretch == 0) {
+        return;
+    }
+    const PlaneFracture& fracture = *scene_.fracture;
+    constexpr double roundings = 1e-9;  // [dX]
+    const auto is_kept = [&](std::ptrdiff_t x, std::ptrdiff_t y) {
+        return std::ranges::any_of(fracture.kept, [&](const std::array<double, 4>& rectangle) {
+            const nmbc::PlanePoint low = node_at(rectangle[0], rectangle[1]);
+            const nmbc::PlanePoint high = node_at(rectangle[2], rectangle[3]);
+            const nmbc::PlanePoint here{double(x), double(y)};
+            return here[0] >= low[0] - roundings && here[0] <= high[0] + roundings &&
+                   here[1] >= low[1] - roundings && here[1] <= high[1] + roundings;
+        });
+    };
+    if (fracture.allow_unstable) {
+        plane_.break_above(stretch, is_kept, nmbc::allow_unstable);
+        return;
+    }
+    try {
+        plane_.break_above(stretch, is_kept);
+    } catch (const std::invalid_argument& error) {
+        throw Unstable(
+            fmt::format("fracture: {}. Take a set above 0 (nmbcgen bonds --positive), or "
+                        "run it all the same: fracture.allow_unstable = true",
+                        error.what()));
+    }
 }
 
 nmbc::PlaneEnergies PlaneSimulation::energies() const {
@@ -312,20 +371,26 @@ PlaneBalance PlaneSimulation::balance() const {
         }
         left += balance.left[i];
     }
-    balance.drift = balance.energy - (at_start_ + balance.work - left);
+    balance.fracture = plane_.released();
+    balance.drift = balance.energy - (at_start_ + balance.work - left - balance.fracture);
     return balance;
 }
 
 std::vector<std::vector<double>> PlaneSimulation::state() const {
     nmbc::PlaneState<double> plane = plane_.state();
-    return {std::move(plane.displacement[0]), std::move(plane.displacement[1]),
-            std::move(plane.velocity[0]),     std::move(plane.velocity[1]),
-            std::move(plane.ghosts),          {plane.gone.begin(), plane.gone.end()},
-            {sources_.work(), at_start_}};
+    return {std::move(plane.displacement[0]),
+            std::move(plane.displacement[1]),
+            std::move(plane.velocity[0]),
+            std::move(plane.velocity[1]),
+            std::move(plane.ghosts),
+            {plane.gone.begin(), plane.gone.end()},
+            {sources_.work(), at_start_},
+            {plane.bonds.begin(), plane.bonds.end()},
+            {plane.broken.begin(), plane.broken.end()}};
 }
 
 void PlaneSimulation::resume(std::size_t steps, const std::vector<std::vector<double>>& state) {
-    if (state.size() != 7 || state[5].size() != 4 || state[6].size() != 2) {
+    if (state.size() != 9 || state[5].size() != 4 || state[6].size() != 2 || state[8].size() != 2) {
         throw FileError("the checkpoint is none of a plane");
     }
     try {
@@ -333,7 +398,9 @@ void PlaneSimulation::resume(std::size_t steps, const std::vector<std::vector<do
                        .displacement = {state[0], state[1]},
                        .velocity = {state[2], state[3]},
                        .ghosts = state[4],
-                       .gone = {state[5][0], state[5][1], state[5][2], state[5][3]}});
+                       .gone = {state[5][0], state[5][1], state[5][2], state[5][3]},
+                       .bonds = {state[7].begin(), state[7].end()},
+                       .broken = {state[8][0], state[8][1]}});
     } catch (const std::invalid_argument& error) {
         throw FileError(fmt::format("the checkpoint is {}", error.what()));
     }

@@ -28,7 +28,9 @@ struct PlaneBalance {
     double energy = 0;             ///< staggered, of the whole body
     double work = 0;               ///< done by the sources
     std::array<double, 4> left{};  ///< gone out through each side, in the order of plane_sides
-    double drift = 0;  ///< energy of the whole body - (at the start + work - left): roundings
+    double fracture = 0;           ///< what the bonds had that have broken
+    /// energy of the whole body - (at the start + work - left - fracture): roundings
+    double drift = 0;
 };
 
 class PlaneSimulation {
@@ -66,8 +68,13 @@ class PlaneSimulation {
         return plane_.entry(x + extension_[0], y + extension_[2]);
     }
 
+    /// The part of the bonds of a scene's node that no longer hold.
+    double damage(std::size_t x, std::size_t y) const {
+        return plane_.damage(x + extension_[0], y + extension_[2]);
+    }
+
     /// In words: what the time steps miss of the sources; empty where they do not.
-    std::string warning() const { return sources_.warning(plan_.time_step); }
+    const std::string& warning() const { return sources_.warning(); }
 
     /// Whether a source still acts at this time or later.
     bool is_driven(double time) const { return sources_.drives(time); }
@@ -75,6 +82,9 @@ class PlaneSimulation {
   private:
     PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides,
                     const std::array<std::size_t, 4>& extension);
+    nmbc::PlanePoint node_at(double X, double Y) const;
+    void cut();
+    void let_break();
 
     PlaneScene scene_;
     std::array<std::size_t, 4> extension_;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include "generator/exact/rational.hpp"
 #include "tools/nmbcrun/errors.hpp"
@@ -16,8 +18,20 @@ constexpr double pi = std::numbers::pi;
 }  // namespace
 
 nmbc::PlaneModel model_of(const PlaneScene& scene) {
+    if (scene.is_bond_based()) {
+        return nmbc::bond2d(scene.radius_squared, scene.weights);
+    }
     return nmbc::nopd2d(scene.radius_squared, nmbcgen::nearest_double(scene.nu), scene.G,
                         scene.state);
+}
+
+double critical_stretch(const PlaneScene& scene) {
+    if (!scene.fracture || !scene.fracture->energy) {
+        return scene.fracture ? scene.fracture->critical_stretch.value_or(0) : 0;
+    }
+    const double of_one =
+        nmbc::fracture_energy(nmbc::bond2d(scene.radius_squared, scene.weights), 1);
+    return std::sqrt(*scene.fracture->energy / (of_one * scene.youngs_modulus * scene.spacing));
 }
 
 double rate_of(const PlaneScene& scene) {
@@ -72,44 +86,85 @@ PlaneStart PlaneInitialField::at(const std::array<double, 2>& point) const {
 
 PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
                            const std::array<std::size_t, 2>& extension, double time_step)
-    : drive_(scene.drive),
-      density_(scene.density),
+    : density_(scene.density),
       mass_(scene.density * scene.spacing * scene.spacing),
       time_step_(time_step) {
-    if (scene.force) {
-        force_in_time_.emplace(scene.force->history);
-    }
-    constexpr double roundings = 1e-9;  // of the spacing: a node on the edge of a region is in it
-    const double more = roundings * scene.spacing;
-    for (std::size_t y = 0; y < scene.nodes[1]; ++y) {
-        for (std::size_t x = 0; x < scene.nodes[0]; ++x) {
-            const auto [X, Y] = position_of(scene, x, y);
-            for (const std::size_t a : {0U, 1U}) {
-                Moved node{.component = a,
-                           .entry = plane.entry(x + extension[0], y + extension[1])};
-                node.is_forced =
-                    scene.force && scene.force->component == a &&
-                    std::hypot(X - scene.force->centre[0], Y - scene.force->centre[1]) <=
-                        scene.force->half_width + more;
-                node.is_driven = drive_ && drive_->component == a &&
-                                 std::abs(X - drive_->centre[0]) <= drive_->half_width[0] + more &&
-                                 std::abs(Y - drive_->centre[1]) <= drive_->half_width[1] + more;
-                if (node.is_forced || node.is_driven) {
-                    moved_.push_back(node);
+    std::map<Place, std::size_t> known;
+    const auto add = [&](Source source, std::size_t component, const auto& is_within,
+                         const std::string& keys) {
+        for (std::size_t y = 0; y < scene.nodes[1]; ++y) {
+            for (std::size_t x = 0; x < scene.nodes[0]; ++x) {
+                if (is_within(position_of(scene, x, y))) {
+                    const Place place{component, plane.entry(x + extension[0], y + extension[1])};
+                    const auto [found, is_new] = known.try_emplace(place, moved_.size());
+                    if (is_new) {
+                        moved_.push_back({.component = place[0], .entry = place[1]});
+                    }
+                    source.nodes.push_back(found->second);
                 }
             }
         }
+        if (source.nodes.empty()) {
+            throw SceneError(keys + " select no node");
+        }
+        sources_.push_back(std::move(source));
+    };
+    const auto add_history = [&](const ForceHistory& history) {
+        const ForceInTime force(history);
+        warning_ = warning_.empty() ? force.warning(time_step) : warning_;
+        return Source{.at = [force](double time) { return force.at(time); }, .last = force.last()};
+    };
+    constexpr double roundings = 1e-9;  // of the spacing: a node on the edge of a region is in it
+    const double more = roundings * scene.spacing;
+    const auto within = [more](const std::array<double, 2>& low,
+                               const std::array<double, 2>& high) {
+        return [=](const std::array<double, 2>& X) {
+            return X[0] >= low[0] - more && X[0] <= high[0] + more && X[1] >= low[1] - more &&
+                   X[1] <= high[1] + more;
+        };
+    };
+    if (scene.force) {
+        add(
+            add_history(scene.force->history), scene.force->component,
+            [&](const std::array<double, 2>& X) {
+                return std::hypot(X[0] - scene.force->centre[0], X[1] - scene.force->centre[1]) <=
+                       scene.force->half_width + more;
+            },
+            "force.centre and force.half_width");
     }
-    if (scene.force && std::ranges::none_of(moved_, &Moved::is_forced)) {
-        throw SceneError("force.centre and force.half_width select no node");
+    for (const PlaneLoad& load : scene.loads) {
+        Source source{.at =
+                          [load](double time) {
+                              return time > load.until  ? 0
+                                     : time < load.rise ? load.amplitude * time / load.rise
+                                                        : load.amplitude;
+                          },
+                      .last = load.until};
+        if (!load.file.empty()) {
+            source = add_history(
+                {.history = History::file, .amplitude = load.amplitude, .file = load.file});
+        }
+        source.gives = load.is_velocity ? Source::Gives::velocity : Source::Gives::force;
+        add(std::move(source), load.component, within(load.low, load.high),
+            load.name + ".centre and " + load.name + ".half_width");
     }
-    if (drive_ && std::ranges::none_of(moved_, &Moved::is_driven)) {
-        throw SceneError("drive.centre and drive.half_width select no node");
+    if (scene.drive) {
+        const PlaneDrive drive = *scene.drive;
+        add({.gives = Source::Gives::displacement,
+             .at =
+                 [drive](double time) {
+                     return drive.amplitude / 2 * (1 - std::cos(2 * pi * time / drive.duration));
+                 },
+             .last = drive.duration},
+            drive.component,
+            within({drive.centre[0] - drive.half_width[0], drive.centre[1] - drive.half_width[1]},
+                   {drive.centre[0] + drive.half_width[0], drive.centre[1] + drive.half_width[1]}),
+            "drive.centre and drive.half_width");
     }
 }
 
 bool PlaneSources::drives(double time) const {
-    return (force_in_time_ && force_in_time_->drives(time)) || (drive_ && time <= drive_->duration);
+    return std::ranges::any_of(sources_, [&](const Source& source) { return time <= source.last; });
 }
 
 void PlaneSources::start(const nmbc::Plane& plane, double work) {
@@ -119,23 +174,42 @@ void PlaneSources::start(const nmbc::Plane& plane, double work) {
     }
 }
 
-/// What is driven follows its course, whatever force acts on it.
 void PlaneSources::operator()(nmbc::Plane& plane, double time) {
-    const double push =
-        force_in_time_ ? time_step_ * force_in_time_->at(time - time_step_) / density_ : 0;
-    const bool is_driven = drive_ && time <= drive_->duration;
-    const double course =
-        is_driven ? drive_->amplitude / 2 * (1 - std::cos(2 * pi * time / drive_->duration)) : 0;
+    const auto velocity = [&](const Moved& node) -> double& {
+        return plane.velocity(node.component)[node.entry];
+    };
     for (Moved& node : moved_) {
-        double& v = plane.velocity(node.component)[node.entry];
-        const double kicked = v;
-        if (node.is_driven && is_driven) {
-            v = (course - plane.displacement(node.component)[node.entry]) / time_step_;
-        } else if (node.is_forced) {
-            v += push;
+        node.kicked = velocity(node);
+    }
+    for (const Source& source : sources_) {
+        if (source.gives == Source::Gives::force) {
+            const double push = time_step_ * source.at(time - time_step_) / density_;
+            for (const std::size_t place : source.nodes) {
+                velocity(moved_[place]) += push;
+            }
         }
-        work_ += mass_ * (v - kicked) * (node.before + v) / 2;
-        node.before = v;
+    }
+    // What follows a course does so whatever force acts on it.
+    for (const Source& source : sources_) {
+        const double middle = time - time_step_ / 2;
+        if (source.gives == Source::Gives::velocity && middle <= source.last) {
+            for (const std::size_t place : source.nodes) {
+                velocity(moved_[place]) = source.at(middle);
+            }
+        }
+        if (source.gives == Source::Gives::displacement && time <= source.last) {
+            const double course = source.at(time);
+            for (const std::size_t place : source.nodes) {
+                const Moved& node = moved_[place];
+                velocity(node) =
+                    (course - plane.displacement(node.component)[node.entry]) / time_step_;
+            }
+        }
+    }
+    for (Moved& node : moved_) {
+        const double now = velocity(node);
+        work_ += mass_ * (now - node.kicked) * (node.before + now) / 2;
+        node.before = now;
     }
 }
 

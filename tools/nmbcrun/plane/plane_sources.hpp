@@ -4,8 +4,8 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <nmbc/plane.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +16,10 @@ namespace nmbcrun {
 
 /// The scene's lattice, without what belongs to its sides.
 nmbc::PlaneModel model_of(const PlaneScene& scene);
+
+/// At which the scene's bonds break; 0 where none does. Of a fracture energy: that of a crack along
+/// an axis whose bonds break.
+double critical_stretch(const PlaneScene& scene);
 
 /// sqrt(E/rho)/dX [1/time].
 double rate_of(const PlaneScene& scene);
@@ -41,7 +45,7 @@ class PlaneInitialField {
     std::array<double, 2> direction_{};       // of u
 };
 
-/// The force and the drive of a scene, in every step before the sides.
+/// The loads, the force and the drive of a scene, in every step before the sides.
 class PlaneSources {
   public:
     /// extension: nodes before the scene's own, along x and y. Throws SceneError where a source
@@ -62,22 +66,30 @@ class PlaneSources {
 
     bool drives(double time) const;
 
-    std::string warning(double time_step) const {
-        return force_in_time_ ? force_in_time_->warning(time_step) : std::string();
-    }
+    /// In words: what the time steps miss of a file; empty where they do not.
+    const std::string& warning() const { return warning_; }
 
   private:
     /// A node that a source moves, in one direction.
     struct Moved {
         std::size_t component = 0;
         std::size_t entry = 0;
-        bool is_forced = false;
-        bool is_driven = false;
         double before = 0;  ///< its velocity after the last step
+        double kicked = 0;  ///< and after the kick of this one
+    };
+    /// What acts on some of them.
+    struct Source {
+        enum class Gives { force, velocity, displacement };
+        Gives gives = Gives::force;          ///< [force/volume]
+        std::function<double(double)> at{};  ///< in time
+        double last = 0;                     ///< it acts up to this time
+        std::vector<std::size_t> nodes{};    ///< places in moved_
     };
 
-    std::optional<ForceInTime> force_in_time_{};
-    std::optional<PlaneDrive> drive_;
+    using Place = std::array<std::size_t, 2>;  ///< component, entry
+
+    std::vector<Source> sources_{};  // later ones have the last word
+    std::string warning_{};
     std::vector<Moved> moved_{};
     double density_;
     double mass_;  // of a node, per thickness

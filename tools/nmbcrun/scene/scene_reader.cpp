@@ -275,28 +275,63 @@ std::optional<std::array<double, 2>> SceneReader::pair(std::string_view key, con
     return std::array{values[0], values[1]};
 }
 
-std::vector<std::array<double, 2>> SceneReader::pairs(std::string_view key) {
+template <std::size_t Size>
+std::vector<std::array<double, Size>> SceneReader::lists(std::string_view key,
+                                                         std::string_view allowed_words) {
     const toml::node* node = find(key);
     if (node == nullptr) {
         return {};
     }
-    std::vector<std::array<double, 2>> values;
+    std::vector<std::array<double, Size>> values;
     const auto refuse = [&](const toml::node& entry) {
-        fail(key, fmt::format("must be a list of points, [[1, 2.5], [3, 4]], not {}",
-                              as_written(entry)));
+        fail(key, fmt::format("must be a list of {}, not {}", allowed_words, as_written(entry)));
     };
     if (!node->is_array()) {
         refuse(*node);
     }
     for (const toml::node& entry : *node->as_array()) {
-        const toml::array* const point = entry.as_array();
-        if (point == nullptr || point->size() != 2 || !point->at(0).is_number() ||
-            !point->at(1).is_number()) {
+        const toml::array* const list = entry.as_array();
+        if (list == nullptr || list->size() != Size) {
             refuse(entry);
         }
-        values.push_back({*point->at(0).value<double>(), *point->at(1).value<double>()});
+        std::array<double, Size>& numbers = values.emplace_back();
+        for (std::size_t i = 0; i < Size; ++i) {
+            const auto number =
+                list->at(i).is_number() ? list->at(i).value<double>() : std::nullopt;
+            if (!number || !is_within(*number, any_number)) {
+                refuse(entry);
+            }
+            numbers[i] = *number;
+        }
     }
     return values;
+}
+
+std::vector<std::array<double, 2>> SceneReader::pairs(std::string_view key) {
+    return lists<2>(key, "points, [[1, 2.5], [3, 4]]");
+}
+
+std::vector<std::array<double, 4>> SceneReader::segments(std::string_view key) {
+    return lists<4>(key, "four numbers each, [[X1, Y1, X2, Y2], ..]");
+}
+
+std::vector<std::string> SceneReader::tables_in(std::string_view key) {
+    const toml::node* const node = find(key);
+    if (node == nullptr) {
+        return {};
+    }
+    std::vector<std::string> names;
+    const bool is_of_tables =
+        node->is_table() && std::ranges::all_of(*node->as_table(), [](const auto& entry) {
+            return entry.second.is_table();
+        });
+    if (!is_of_tables) {
+        fail(key, fmt::format("must be tables with names, such as [{}.top]", key));
+    }
+    for (const auto& [name, entry] : *node->as_table()) {
+        names.emplace_back(name.str());
+    }
+    return names;
 }
 
 std::vector<std::string> SceneReader::texts(std::string_view key) {

@@ -57,6 +57,10 @@ class SceneReader {
     std::optional<std::array<double, 2>> pair(std::string_view key, const Bounds& bounds);
     /// A list of such lists; empty if the key is not there.
     std::vector<std::array<double, 2>> pairs(std::string_view key);
+    /// A list of lists [X1, Y1, X2, Y2]; empty if the key is not there.
+    std::vector<std::array<double, 4>> segments(std::string_view key);
+    /// The names of the tables in a table, which has nothing else; empty if it is not there.
+    std::vector<std::string> tables_in(std::string_view key);
     /// A list of strings; empty if the key is not there.
     std::vector<std::string> texts(std::string_view key);
     /// A list whose values are as number_or_text() has them; empty if the key is not there.
@@ -97,6 +101,9 @@ class SceneReader {
     void refuse_unknown_keys() const;
 
   private:
+    template <std::size_t Size>
+    std::vector<std::array<double, Size>> lists(std::string_view key,
+                                                std::string_view allowed_words);
     [[noreturn]] void missing(std::string_view key) const;
     void apply_override(const std::string& key, const std::string& value);
     void refuse_unknown_keys_in(const toml::table& table, const std::string& prefix) const;

@@ -17,6 +17,8 @@ class ForceInTime {
 
     double at(double time) const;
 
+    double last() const { return last_; }
+
     /// Whether the force acts, above 1e-16 of its amplitude, at this time or later.
     bool drives(double time) const { return time <= last_; }
 

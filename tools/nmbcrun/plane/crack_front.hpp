@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+/// How far the cracks of a plane scene have grown, and where they have branched.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "tools/nmbcrun/plane/plane_scene.hpp"
+
+namespace nmbcrun {
+
+/// Of a crack that grows from an end of a line of fracture.cracks. A node is cracked where more
+/// than 0.35 of its bonds do not hold: beside a straight cut along an axis, 11 of 28 at radius 3.
+struct CrackGrowth {
+    double reach = 0;             ///< from that end to the farthest of its cracked nodes [length]
+    std::array<double, 2> tip{};  ///< that node
+    /// Where it goes on in two ways or more, of at least five horizons each; the nearest first.
+    std::vector<std::array<double, 2>> branches{};
+};
+
+class CrackFront {
+  public:
+    explicit CrackFront(const PlaneScene& scene);
+
+    double horizon() const { return horizon_; }
+    /// The ends of the lines that are within the plane.
+    const std::vector<std::array<double, 2>>& ends() const { return ends_; }
+
+    /// Of each end; damage: of node (x, y).
+    std::vector<CrackGrowth> look(
+        const std::function<double(std::size_t, std::size_t)>& damage) const;
+
+  private:
+    struct Node {
+        std::array<std::size_t, 2> place{};
+        std::array<double, 2> X{};
+        double distance = 0;
+    };
+    CrackGrowth growth_of(std::vector<Node> nodes, std::size_t end) const;
+    std::vector<std::array<double, 2>> branches_of(const std::vector<Node>& nodes) const;
+
+    std::array<std::size_t, 2> nodes_;
+    double spacing_;
+    double horizon_;  // [length]
+    std::vector<std::array<double, 4>> lines_;
+    std::vector<std::array<double, 2>> ends_{};
+};
+
+/// The speed of Rayleigh waves on a solid with these two.
+double rayleigh_speed(double speed_P, double speed_S);
+
+}  // namespace nmbcrun

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/plane/read_plane_sides.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/nmbcrun/scene/read_choice.hpp"
+
+namespace nmbcrun {
+namespace {
+
+const std::vector<std::pair<std::string_view, SideKind>> side_kinds{
+    {"passive", SideKind::passive},   {"fixed", SideKind::fixed},       {"free", SideKind::free},
+    {"periodic", SideKind::periodic}, {"extended", SideKind::extended}, {"nmbc", SideKind::nmbc},
+    {"higdon", SideKind::higdon},     {"sponge", SideKind::sponge}};
+
+/// The keys that count for it, `kind` aside.
+std::vector<std::string_view> keys_of(SideKind kind) {
+    switch (kind) {
+        case SideKind::nmbc:
+            return {"order", "stride", "as_printed"};
+        case SideKind::extended:
+            return {"layer"};
+        case SideKind::sponge:
+            return {"layer", "profile", "target"};
+        default:
+            return {};
+    }
+}
+
+PlaneSideChoice read_side(SceneReader& reader, const std::string& group,
+                          const PlaneSideChoice& otherwise) {
+    PlaneSideChoice side = otherwise;
+    side.kind = read_choice(reader, group + ".kind", side_kinds).value_or(side.kind);
+    if (side.kind != otherwise.kind) {
+        side.layer = 0;  // of another kind
+    }
+    if (const auto layer = reader.whole_number(group + ".layer", 1, most_layer)) {
+        side.layer = std::size_t(*layer);
+    }
+    side.order = int(reader.whole_number(group + ".order", 1, 10).value_or(side.order));
+    side.stride = int(reader.whole_number(group + ".stride", 1, 1000).value_or(side.stride));
+    side.as_printed = reader.truth(group + ".as_printed").value_or(side.as_printed);
+    side.profile = reader.number(group + ".profile", up_to_10).value_or(side.profile);
+    side.target = reader.number(group + ".target", between_0_and_1).value_or(side.target);
+    return side;
+}
+
+/// Keys of a group that count for none of its sides; a file's may stay where an override changes a
+/// kind.
+void refuse_idle_keys(SceneReader& reader, const std::string& group,
+                      std::span<const PlaneSideChoice> sides) {
+    const bool kind_is_overridden =
+        reader.is_overridden("boundary.kind") || reader.is_overridden(group + ".kind");
+    for (const std::string_view name :
+         {"order", "stride", "as_printed", "layer", "profile", "target"}) {
+        const std::string key = fmt::format("{}.{}", group, name);
+        const bool counts = std::ranges::any_of(sides, [&](const PlaneSideChoice& side) {
+            const auto keys = keys_of(side.kind);
+            return std::ranges::find(keys, name) != keys.end();
+        });
+        if (!counts && reader.has(key) && (reader.is_overridden(key) || !kind_is_overridden)) {
+            reader.fail(key, fmt::format("does not count for kind \"{}\"", name_of(sides[0].kind)));
+        }
+    }
+}
+
+}  // namespace
+
+void read_plane_sides(SceneReader& reader, PlaneScene& scene) {
+    const PlaneSideChoice all = read_side(reader, "boundary", {});
+    for (std::size_t i = 0; i < scene.sides.size(); ++i) {
+        scene.sides[i] = read_side(reader, fmt::format("boundary.{}", side_names[i]), all);
+    }
+    refuse_idle_keys(reader, "boundary", scene.sides);
+    for (std::size_t i = 0; i < scene.sides.size(); ++i) {
+        const std::string group = fmt::format("boundary.{}", side_names[i]);
+        refuse_idle_keys(reader, group, {&scene.sides[i], 1});
+        const PlaneSideChoice& side = scene.sides[i];
+        if (side.kind == SideKind::sponge && side.layer == 0) {
+            reader.fail("boundary", "has a sponge, which needs boundary.layer, its nodes");
+        }
+        if (side.as_printed && (side.order != 1 || side.stride != 1)) {
+            reader.fail("boundary",
+                        "has as_printed, which is (81), beside another order or stride than 1");
+        }
+    }
+    for (const std::size_t low : {0U, 2U}) {
+        if ((scene.sides[low].kind == SideKind::periodic) !=
+            (scene.sides[low + 1].kind == SideKind::periodic)) {
+            reader.fail("boundary", fmt::format("has a periodic side opposite one that is not: {} "
+                                                "and {} have to be periodic both, or neither",
+                                                side_names[low], side_names[low + 1]));
+        }
+    }
+}
+
+std::string_view name_of(SideKind kind) {
+    return std::ranges::find(side_kinds, kind, &std::pair<std::string_view, SideKind>::second)
+        ->first;
+}
+
+bool may_grow(SideKind kind) {
+    return kind == SideKind::nmbc || kind == SideKind::higdon;
+}
+
+bool is_artificial(SideKind kind) {
+    return kind != SideKind::fixed && kind != SideKind::free && kind != SideKind::periodic;
+}
+
+std::string heading_of(const PlaneSideChoice& side) {
+    switch (side.kind) {
+        case SideKind::nmbc:
+            return side.as_printed
+                       ? std::string("NMBC1 as printed, (81)")
+                       : fmt::format("NMBC{} by component, stride {}", side.order, side.stride);
+        case SideKind::higdon:
+            return "higdon of the P and S speeds";
+        case SideKind::sponge:
+            return fmt::format("sponge of {} nodes, profile {}, target {}", side.layer,
+                               side.profile, side.target);
+        default:
+            return std::string(name_of(side.kind));
+    }
+}
+
+bool has_open_layer(const PlaneScene& scene) {
+    return std::ranges::any_of(scene.sides, [](const PlaneSideChoice& side) {
+        return side.kind == SideKind::extended && side.layer == 0;
+    });
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/plane/read_plane_sources.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "tools/nmbcrun/scene/key_group.hpp"
+#include "tools/nmbcrun/scene/read_choice.hpp"
+#include "tools/nmbcrun/scene/read_sources.hpp"
+
+namespace nmbcrun {
+namespace {
+
+std::size_t read_component(const KeyGroup& group) {
+    return group.choice<std::size_t>("component", {{"x", 0}, {"y", 1}});
+}
+
+std::array<double, 2> read_point(const KeyGroup& group, const char* name, const Bounds& bounds) {
+    SceneReader& reader = group.reader();
+    return reader.required(group.key(name), reader.pair(group.key(name), bounds));
+}
+
+PlaneInitial read_initial(const KeyGroup& group) {
+    constexpr Bounds wave_numbers{0, std::numbers::pi, false, "a number above 0, up to pi"};
+    enum class Of { displacement, velocity };
+    enum class Polarisation { P, S };
+    PlaneInitial initial;
+    initial.shape = group.choice<PlaneShape>("shape", {{"gaussian", PlaneShape::gaussian},
+                                                       {"cosine", PlaneShape::cosine},
+                                                       {"packet", PlaneShape::packet}});
+    initial.amplitude = group.not_zero("amplitude");
+    initial.centre = read_point(group, "centre", any_number);
+    initial.width = group.number("width", positive);
+    if (initial.shape == PlaneShape::packet) {
+        group.refuse({"component", "of"}, "a packet, whose wave has a displacement and a velocity");
+        initial.wave_number = group.number("wave_number", wave_numbers);
+        initial.angle = group.number("angle", any_number);
+        initial.is_P = group.choice<Polarisation>(
+                           "polarisation", {{"P", Polarisation::P}, {"S", Polarisation::S}}) ==
+                       Polarisation::P;
+        return initial;
+    }
+    group.refuse({"wave_number", "angle", "polarisation"}, "this shape");
+    initial.of_velocity = read_choice<Of>(group.reader(), group.key("of"),
+                                          {{"displacement", Of::displacement},
+                                           {"velocity", Of::velocity}}) == Of::velocity;
+    initial.component = read_component(group);
+    return initial;
+}
+
+PlaneForcing read_force(const KeyGroup& group) {
+    const History history = history_of(group);
+    PlaneForcing force{.history = {},
+                       .component = read_component(group),
+                       .centre = read_point(group, "centre", any_number),
+                       .half_width = group.number_or("half_width", not_negative, 0)};
+    force.history = read_history(group, history);
+    return force;
+}
+
+PlaneDrive read_drive(const KeyGroup& group) {
+    return {.amplitude = group.not_zero("amplitude"),
+            .duration = group.number("duration", positive),
+            .component = read_component(group),
+            .centre = read_point(group, "centre", any_number),
+            .half_width = read_point(group, "half_width", not_negative)};
+}
+
+/// The outermost row of nodes at a side.
+void take_side(PlaneLoad& load, std::size_t side, const PlaneScene& scene) {
+    const std::size_t axis = side / 2;
+    load.low = {scene.spacing, scene.spacing};
+    load.high = {double(scene.nodes[0]) * scene.spacing, double(scene.nodes[1]) * scene.spacing};
+    (side % 2 == 0 ? load.high : load.low)[axis] = (side % 2 == 0 ? load.low : load.high)[axis];
+}
+
+PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneScene& scene) {
+    enum class Kind { traction, pressure, force, velocity };
+    SceneReader& reader = group.reader();
+    const Kind kind = group.choice<Kind>("kind", {{"traction", Kind::traction},
+                                                  {"pressure", Kind::pressure},
+                                                  {"force", Kind::force},
+                                                  {"velocity", Kind::velocity}});
+    const auto side = read_choice<std::size_t>(
+        reader, group.key("side"), {{"left", 0}, {"right", 1}, {"bottom", 2}, {"top", 3}});
+    PlaneLoad load{.name = name};
+    load.amplitude = group.not_zero("amplitude");
+    load.is_velocity = kind == Kind::velocity;
+    if (kind == Kind::pressure) {
+        group.refuse({"component"}, "a pressure, which acts inwards");
+    } else {
+        load.component = read_component(group);
+    }
+    if (kind == Kind::traction || kind == Kind::pressure) {
+        reader.required(group.key("side"), side);
+        load.amplitude /= scene.spacing;
+    }
+    if (side) {
+        group.refuse({"centre", "half_width"}, "the nodes of a side");
+        take_side(load, *side, scene);
+        if (kind == Kind::pressure) {
+            load.component = *side / 2;
+            load.amplitude *= *side % 2 == 0 ? 1 : -1;
+        }
+    } else {
+        const auto centre = read_point(group, "centre", any_number);
+        const auto half_width = read_point(group, "half_width", not_negative);
+        for (const std::size_t axis : {0U, 1U}) {
+            load.low[axis] = centre[axis] - half_width[axis];
+            load.high[axis] = centre[axis] + half_width[axis];
+        }
+    }
+    if (reader.has(group.key("file"))) {
+        group.refuse({"rise", "until"}, "a load from a file");
+        load.file = group.file();
+    }
+    load.rise = group.number_or("rise", not_negative, 0);
+    load.until = group.number_or("until", positive, scene.end);
+    return load;
+}
+
+}  // namespace
+
+void read_plane_sources(SceneReader& reader, const std::string& path, PlaneScene& scene) {
+    if (reader.has("initial")) {
+        scene.initial = read_initial({reader, "initial", path});
+    }
+    if (reader.has("force")) {
+        scene.force = read_force({reader, "force", path});
+    }
+    if (reader.has("drive")) {
+        scene.drive = read_drive({reader, "drive", path});
+    }
+    for (const std::string& name : reader.tables_in("load")) {
+        scene.loads.push_back(read_load({reader, "load." + name, path}, "load." + name, scene));
+    }
+    if (!scene.initial && !scene.force && !scene.drive && scene.loads.empty()) {
+        throw SceneError(path +
+                         ": nothing starts or drives the scene: it needs at least one of the "
+                         "tables initial, force, drive and load.NAME");
+    }
+}
+
+/// A shape is 1e-16 of its height beyond 6.5 widths.
+void require_plane_sources_inside(const SceneReader& reader, const PlaneScene& scene) {
+    if (!scene.initial) {
+        return;
+    }
+    const double reach =
+        scene.initial->width * (scene.initial->shape == PlaneShape::cosine ? 1 : 6.5);
+    for (const std::size_t axis : {0U, 1U}) {
+        const double last = double(scene.nodes[axis]) * scene.spacing;
+        const double centre = scene.initial->centre[axis];
+        if (centre + reach < scene.spacing || centre - reach > last) {
+            reader.fail("initial.centre",
+                        fmt::format("puts it outside of the plane, whose nodes are at {:g} to {:g} "
+                                    "along {}",
+                                    scene.spacing, last, axis == 0 ? 'x' : 'y'));
+        }
+    }
+}
+
+}  // namespace nmbcrun

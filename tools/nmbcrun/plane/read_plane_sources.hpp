@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+/// What moves the nodes of a plane scene, read.
+#pragma once
+
+#include <string>
+
+#include "tools/nmbcrun/plane/plane_scene.hpp"
+#include "tools/nmbcrun/scene/scene_reader.hpp"
+
+namespace nmbcrun {
+
+/// The start, the force and the drive. path: of the scene, for the files that it names. Throws
+/// SceneError.
+void read_plane_sources(SceneReader& reader, const std::string& path, PlaneScene& scene);
+
+/// Throws SceneError where the start has nothing within the plane.
+void require_plane_sources_inside(const SceneReader& reader, const PlaneScene& scene);
+
+}  // namespace nmbcrun
