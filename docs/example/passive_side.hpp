@@ -7,7 +7,7 @@
 
 namespace nmbc::generated {
 
-/// A passive side of nopd2d, delta^2 = 1 dX^2, nu = 3/10, plane stress, G = 1/4 pi.
+/// A passive side of the lattice that it was made for.
 inline const PassiveSide passive_nopd2d_r1_nu3o10_g1o4{
     .strain = {1.3220000000000001, 0.010999999999999999},
     .stabilisation = {0.47499999999999998, 1.9410000000000001},

@@ -114,9 +114,6 @@ void settle_side(Request& request, const VectorFamily& family, const VectorChoic
             "sides that are stable by construction need weights above 0; of the waves of one "
             "--polarisation there is a recommendation");
     }
-    if (request.as_header && !family.has_poisson) {
-        throw CLI::ValidationError("--header", "the runtime has planes of nopd2d alone");
-    }
     request.side = {.family = std::string(family.name),
                     .choice = choice,
                     .g = request.question.G,

@@ -59,38 +59,56 @@ std::string passive_header(const ChainModel& model) {
 std::string passive_header(const SideTask& model) {
     const nmbc::PassiveSide side = for_runtime(designed(model));
     const std::size_t layers = side.strain.size();
-    const std::string state = model.choice.plane_strain ? "strain" : "stress";
-    const std::string nu = to_string(model.choice.poisson.value_or(0));
+    const VectorChoice& choice = model.choice;
     std::string lattice =
-        name_of({.family = model.family, .model = model.choice, .polarisation = Polarisation::P});
+        name_of({.family = model.family, .model = choice, .polarisation = Polarisation::P});
     lattice.resize(lattice.size() - std::string_view("_P").size());
-    const std::string name =
-        fmt::format("passive_{}_g{}{}", lattice, p_over_q(model.g),
-                    model.time_step == 0 ? "" : "_dt" + p_over_q(model.time_step));
+    std::string name = "passive_" + lattice;
+    std::string options = fmt::format("--radius2 {}", choice.radius_squared);
+    std::string made_for;
+    if (model.family == "bond2d") {
+        std::string exact;
+        for (const Rational& weight : choice.weights) {
+            exact += (exact.empty() ? "" : ",") + to_string(weight);
+            made_for +=
+                fmt::format("{}{:.17g}", made_for.empty() ? "" : ", ", nearest_double(weight));
+        }
+        options += " --weights " + exact;
+        made_for = fmt::format("bond2d({}, {{{}}})", choice.radius_squared, made_for);
+    } else {
+        const std::string state = choice.plane_strain ? "strain" : "stress";
+        const Rational nu = choice.poisson.value_or(0);
+        name += "_g" + p_over_q(model.g);
+        options +=
+            fmt::format(" --nu {} --state {} --G {}", to_string(nu), state, to_string(model.g));
+        made_for = fmt::format("nopd2d({}, {:.17g}, {:.17g}, StressState::plane_{})",
+                               choice.radius_squared, nearest_double(nu),
+                               nearest_double(model.g) * std::numbers::pi, state);
+    }
+    if (model.time_step != 0) {
+        name += "_dt" + p_over_q(model.time_step);
+        options += " --time-step " + to_string(model.time_step);
+    }
     return fmt::format(
         "// SPDX-License-Identifier: MIT\n"
-        "// Made by nmbcgen passive --family nopd2d --radius2 {1} --nu {2} --state {3} --G {4}{5} "
-        "--header\n"
+        "// Made by nmbcgen passive --family {1} {2} --header\n"
         "// clang-format off\n"
         "#pragma once\n\n"
         "#include <nmbc/plane_sides.hpp>\n\n"
         "namespace nmbc::generated {{\n\n"
-        "/// A passive side of nopd2d, delta^2 = {1} dX^2, nu = {2}, plane {3}, G = {4} pi.\n"
+        "/// A passive side of the lattice that it was made for.\n"
         "inline const PassiveSide {0}{{\n"
-        "    .strain = {{{6}}},\n"
-        "    .stabilisation = {{{7}}},\n"
-        "    .mass = {{std::vector<double>{{{8}}},\n             {{{9}}}}},\n"
-        "    .dashpots = {{std::vector<double>\n    {{{10}}},\n    {{{11}}}}},\n"
-        "    .null_lagrangian = {12:.17g},\n"
-        "    .made_for = nopd2d({1}, {13:.17g}, {14:.17g}, StressState::plane_{15})}};\n\n"
+        "    .strain = {{{3}}},\n"
+        "    .stabilisation = {{{4}}},\n"
+        "    .mass = {{std::vector<double>{{{5}}},\n             {{{6}}}}},\n"
+        "    .dashpots = {{std::vector<double>\n    {{{7}}},\n    {{{8}}}}},\n"
+        "    .null_lagrangian = {9:.17g},\n"
+        "    .made_for = {10}}};\n\n"
         "}}  // namespace nmbc::generated\n",
-        name, model.choice.radius_squared, nu, state, to_string(model.g),
-        model.time_step == 0 ? "" : " --time-step " + to_string(model.time_step),
-        rows_of(side.strain, layers), rows_of(side.stabilisation, layers),
-        rows_of(side.mass[0], layers), rows_of(side.mass[1], layers),
-        rows_of(side.dashpots[0], layers), rows_of(side.dashpots[1], layers), side.null_lagrangian,
-        nearest_double(model.choice.poisson.value_or(0)),
-        nearest_double(model.g) * std::numbers::pi, state);
+        name, model.family, options, rows_of(side.strain, layers),
+        rows_of(side.stabilisation, layers), rows_of(side.mass[0], layers),
+        rows_of(side.mass[1], layers), rows_of(side.dashpots[0], layers),
+        rows_of(side.dashpots[1], layers), side.null_lagrangian, made_for);
 }
 
 }  // namespace nmbcgen

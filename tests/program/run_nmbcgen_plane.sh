@@ -102,6 +102,10 @@ for continuous, stepped in zip(of_time["reflected_energy"], of_steps["reflected_
 try passive --family nopd2d --radius2 1 --nu 3/10 --G 1/4 --header
 expect_exit 0
 expect "the example's side" cmp "$scratch/stdout" "${page%/how-to/*}/example/passive_side.hpp"
+try passive --family bond2d --radius2 2 --weights 1,1/2 --header
+expect_exit 0
+expect "its lattice" grep -qF ".made_for = bond2d(2, {1, 0.5})};" "$scratch/stdout"
+expect "its command" grep -qF "// Made by nmbcgen passive --family bond2d --radius2 2 --weights 1,1/2 --header" "$scratch/stdout"
 try passive --horizon 1 --G 1/2 --header
 expect_exit 0
 expect "the name" grep -q "inline const PassiveEnd passive_nopd1d_n1_G1o2{" "$scratch/stdout"
@@ -128,6 +132,5 @@ refuses 2 "designs above 6 take too long" passive --horizon 7 --G 1
 refuses 2 "passive requires --G" passive --horizon 2
 refuses 3 "no passive design was found at G = 1: the lattice itself is stable in steps below 2.26" passive --horizon 2 --G 1 --time-step 5/2
 refuses 2 "--time-step: '-1' is not a non-negative exact number" passive --horizon 2 --G 1 --time-step -1
-refuses 2 "--header: the runtime has planes of nopd2d alone" passive --family bond2d --radius2 2 --weights 1,1/2 --header
 refuses 2 "--horizon (or --radius2) is required" passive --G 1
 finish

@@ -171,6 +171,11 @@ void PlaneRun::look(bool is_row) {
     const double between = double(look_every) * simulation_.plan().time_step;
     auto& [peak, driven_peak, drift] = highlights_;
     peak = std::max(peak, total);
+    // Of a part of the plane, bonds of weights below 0 may make it a little less than 0.
+    constexpr double little = 0.1;
+    if (total < -little * peak) {
+        throw unstable(fmt::format("the energy is below 0, {:.3g} of its peak,", total / peak));
+    }
     if (plane.steps() == 0 || simulation_.is_driven(std::max(0.0, plane.time() - between))) {
         driven_peak = std::max(driven_peak, total);
     } else if (driven_peak > 0 && total > 10 * driven_peak && simulation_.times_supplied() > 10) {
@@ -354,6 +359,9 @@ void draw_plane(const PlaneScene& scene, const std::filesystem::path& folder) {
     const auto file = [&](const char* ending) { return (folder / (scene.name + ending)).string(); };
     draw("energy.gp", {file("_energy"), file(".csv"), scene.title},
          {file("_energy.svg"), file("_energy.png")});
+    if (scene.fracture && scene.field) {
+        draw("cracks.gp", {file("_cracks.png"), scene.title, file("")}, {file("_cracks.png")});
+    }
     if (scene.snapshots > 0) {
         draw("fields.gp", {file("_fields"), file(".pvd"), scene.title},
              {file("_fields.png"), file("_fields.gif")});

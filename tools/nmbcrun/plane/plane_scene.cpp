@@ -223,7 +223,7 @@ PlaneScene read_plane_scene(const std::string& text, const std::string& path,
     scene.cfl = reader.number("time.cfl", positive);
     scene.every =
         std::size_t(reader.whole_number("output.every", 1, most_nodes).value_or(long(scene.every)));
-    scene.field = reader.truth("output.field").value_or(false);
+    scene.field = reader.truth("output.field").value_or(scene.fracture.has_value());
     scene.probes = read_plane_probes(reader, scene);
     scene.snapshots =
         std::size_t(reader.whole_number("output.snapshots", 1, most_nodes).value_or(0));

@@ -327,14 +327,20 @@ void PlaneSimulation::let_break() {
     }
     const PlaneFracture& fracture = *scene_.fracture;
     constexpr double roundings = 1e-9;  // [dX]
+    const auto is_outside = [&](std::size_t axis, std::ptrdiff_t node) {
+        const auto& p = plane_.parameters();
+        return node < 0 || node >= std::ptrdiff_t(axis == 0 ? p.nx : p.ny);
+    };
     const auto is_kept = [&](std::ptrdiff_t x, std::ptrdiff_t y) {
-        return std::ranges::any_of(fracture.kept, [&](const std::array<double, 4>& rectangle) {
-            const nmbc::PlanePoint low = node_at(rectangle[0], rectangle[1]);
-            const nmbc::PlanePoint high = node_at(rectangle[2], rectangle[3]);
-            const nmbc::PlanePoint here{double(x), double(y)};
-            return here[0] >= low[0] - roundings && here[0] <= high[0] + roundings &&
-                   here[1] >= low[1] - roundings && here[1] <= high[1] + roundings;
-        });
+        // The layers of passive sides are no material: their stretches mean nothing.
+        return is_outside(0, x) || is_outside(1, y) ||
+               std::ranges::any_of(fracture.kept, [&](const std::array<double, 4>& rectangle) {
+                   const nmbc::PlanePoint low = node_at(rectangle[0], rectangle[1]);
+                   const nmbc::PlanePoint high = node_at(rectangle[2], rectangle[3]);
+                   const nmbc::PlanePoint here{double(x), double(y)};
+                   return here[0] >= low[0] - roundings && here[0] <= high[0] + roundings &&
+                          here[1] >= low[1] - roundings && here[1] <= high[1] + roundings;
+               });
     };
     if (fracture.allow_unstable) {
         plane_.break_above(stretch, is_kept, nmbc::allow_unstable);

@@ -1,0 +1,161 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Bond-based scenes: cracks that grow, loads, what a run writes, and every mistake of such a scene.
+# Usage: run_cracks.sh NMBCRUN SOURCE_FOLDER (absolute)
+source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
+plate=$2/tools/scenes/crack_plate.toml
+# A smaller one of the plate's glass, pulled harder: it breaks within 300 steps.
+cat >small.toml <<'SCENE'
+[model]
+family = "bond2d"
+radius2 = 9
+alpha = [1, 1, 1, 1, 1, 1]
+[material]
+density = 2440
+youngs_modulus = 72e9
+[domain]
+nodes = [80, 40]
+spacing = 0.25e-3
+[boundary]
+kind = "free"
+[boundary.right]
+kind = "passive"
+[fracture]
+critical_stretch = 0.0015
+cracks = [[0, 5.125e-3, 8e-3, 5.125e-3]]
+keep = [[0, 0, 1, 0.8e-3], [0, 9.4e-3, 1, 1]]
+[load.top]
+kind = "traction"
+side = "top"
+component = "y"
+amplitude = 40e6
+[load.bottom]
+kind = "traction"
+side = "bottom"
+component = "y"
+amplitude = -40e6
+[time]
+end = 8e-6
+step = 25e-9
+[output]
+every = 10
+snapshots = 100
+SCENE
+
+try run small.toml --quiet --out whole
+expect_exit 0
+expect_no_stderr
+cp "$scratch/stdout" "$scratch/report"
+expect "bonds that broke, a crack that grew" awk '
+    /^bonds  / { broken = $2 > 500 } /^crack  .* from \(0.008, 0.005125\)/ { grown = $5 > 5e-3 }
+    END { exit !(broken && grown) }' "$scratch/stdout"
+expect "the ledger closes, with the energy of what broke" awk -F, '/^#/ { next }
+    /^time/ { for (i = 1; i <= NF; i++) column[$i] = i; next }
+    { work = $column["work"]; drift = $column["drift"]; released = $column["fracture"]
+      if (drift > 1e-11 * work || drift < -1e-11 * work || released < last) bad = 1
+      last = released }
+    END { exit bad || released <= 0.01 * work }' whole/small.csv
+expect "how it grew" awk -F, 'NR == 1 { bad = $0 != "time,broken,reach_1,X_1,Y_1,branches_1"; next }
+    { if ($2 < broken || $3 < reach) bad = 1; broken = $2; reach = $3 } END { exit bad || NR < 30 }' whole/small_cracks.csv
+expect "a plate that is the same upside down, bit for bit" python3 - whole <<'PYTHON'
+import re, struct, sys
+data = open(f"{sys.argv[1]}/small_field.vti", "rb").read()
+header, _, rest = data.partition(b'<AppendedData encoding="raw">\n_')
+def field(name, components):
+    offset = int(re.search(rb'Name="%s"[^>]*offset="(\d+)"' % name, header)[1])
+    return struct.unpack_from(f"<{80 * 40 * components}d", rest, offset + 8)
+u, damage = field(b"displacement", 3), field(b"damage", 1)
+assert max(damage) > 0.4 and min(damage) == 0
+for y in range(40):
+    for x in range(80):
+        here, there = y * 80 + x, (39 - y) * 80 + x
+        assert damage[here] == damage[there], (x, y)
+        assert u[3 * here] == u[3 * there] and u[3 * here + 1] == -u[3 * there + 1], (x, y)
+PYTHON
+
+# Stopped on the way, and gone on.
+try run small.toml --quiet --out parts --keep-checkpoint --set time.end=4e-6
+expect_exit 0
+try run small.toml --quiet --out parts --resume
+expect_exit 0
+for file in small.csv small_cracks.csv small_field.vti small.pvd; do expect_same "whole/$file" "parts/$file"; done
+
+# A traction, the pressure that is the same, and a file with its course.
+printf 'time,force\n0,1\n1,1\n' >steady.csv
+try run small.toml --quiet --out pressure --set load.top.kind=pressure --set load.top.amplitude=-40e6 --set load.top.component=
+expect_exit 2
+sed 's/kind = "traction"/kind = "pressure"/; /^component/d; s/^amplitude = 40e6/amplitude = -40e6/' small.toml >small_pressure.toml
+try run small_pressure.toml --quiet --out pressure --set output.name=small
+expect_exit 0
+expect_same whole/small_cracks.csv pressure/small_cracks.csv
+try run small.toml --quiet --out file --set load.top.file=steady.csv --set load.bottom.file=steady.csv
+expect_exit 0
+expect_same whole/small_cracks.csv file/small_cracks.csv
+# A velocity that is given: the top goes as far as it says.
+try run small.toml --quiet --out velocity --set load.top.kind=velocity --set load.top.amplitude=2 --set load.top.rise=4e-6 \
+    --set load.bottom.kind=velocity --set load.bottom.amplitude=-2 --set load.bottom.rise=4e-6 --set 'output.probes=[[10e-3, 10e-3]]'
+expect_exit 0
+expect "the way of 2 t, less what it took to rise" awk -F, 'END { way = 2 * ($1 - 2e-6); exit !($3 > way * 0.999 && $3 < way * 1.001) }' velocity/small_probes.csv
+
+# Fracture energy in place of a stretch: s0 = sqrt(5 pi G0/(12 E delta)) of the continuum within 2 %.
+try run small.toml --quiet --out energy --set fracture.energy=93.4
+expect_exit 2
+expect_stderr "fracture.energy and fracture.critical_stretch say the same: give one"
+sed 's/^critical_stretch = .*/energy = 285/' small.toml >by_energy.toml
+try run by_energy.toml --quiet --out energy
+expect_exit 0
+sed 's/^critical_stretch = .*/energy = 1e9/' small.toml >tough.toml
+try run tough.toml --quiet --out tough
+expect_exit 0
+expect "nothing breaks" grep -q "^bonds        0 broken" "$scratch/stdout"
+expect "nothing grows" grep -q "has not grown" "$scratch/stdout"
+
+# Weights below 0: refused, and what happens otherwise.
+mixed=(--set 'model.alpha=[22.33336, 3.0, -9.78683, 4.69471, 0.5, -6.07170]')
+try run small.toml --quiet "${mixed[@]}"
+expect_stderr "with these weights the lattice has waves that grow"
+expect_exit 2
+mixed=(--set 'model.alpha=[22.33336, 11.20239, -9.78683, -6.07170, 3.04206, 4.69471]' --set boundary.right.kind=free --set time.step=15e-9)
+try run small.toml --quiet "${mixed[@]}"
+expect_exit 4
+expect_stderr "bonds of weights below 0: where others break, its energy has no lower bound, and it explodes"
+try run small.toml --quiet "${mixed[@]}" --out mixed --set fracture.allow_unstable=true
+expect_exit 4
+expect_stderr "the energy is below 0"
+
+refused() { # CODE TEXT ARGUMENT..
+    local code=$1 text=$2
+    shift 2
+    rm -rf results
+    try run small.toml --quiet --out results "$@"
+    expect_exit "$code"
+    expect_stderr "$text"
+    expect "nothing written" test ! -e results/small.csv
+}
+refused 2 "fracture.critical_stretch must be a positive number, not 0" --set fracture.critical_stretch=0
+refused 2 "must be a positive number, not -0.001" --set fracture.critical_stretch=-1e-3
+refused 2 "which is outside of the plane" --set 'fracture.cracks=[[0, 1, 8e-3, 1]]'
+refused 2 "from a point to itself" --set 'fracture.cracks=[[1e-3, 1e-3, 1e-3, 1e-3]]'
+refused 2 "must be a list of four numbers each, [[X1, Y1, X2, Y2], ..], not [1, 2]" --set 'fracture.cracks=[[1, 2]]'
+refused 2 "which holds no node" --set 'fracture.keep=[[0, 0, 0.1e-3, 1]]'
+refused 2 "6 weights are needed, none of them 0: of the bonds (1, 0), (1, 1), (2, 0), (2, 1), (2, 2), (3, 0)" --set 'model.alpha=[1, 1]'
+refused 2 "needs one of alpha and weights" --set 'model.weights=[1, 1, 1, 1, 1, 1]'
+refused 2 "the square of a whole number, not 8" --set model.radius2=8
+refused 2 "bonds have nu = 1/4 in plane strain" --set model.nu=0.25
+refused 2 "load.top.side is missing" --set load.top.side= --set 'load={top = {kind = "traction", amplitude = 1, component = "y"}}'
+refused 2 "must be tables with names, such as [load.top]" --set load.rise=1
+refused 2 "has no meaning for the nodes of a side" --set 'load.top.centre=[1, 1]'
+refused 2 "load.top.centre and load.top.half_width select no node" --set 'load={top = {kind = "velocity", amplitude = 1, component = "y", centre = [9, 9], half_width = [0, 0]}}'
+refused 2 "must not be 0" --set load.top.amplitude=0
+refused 2 "there is none of bond2d" --set boundary.right.kind=nmbc --set boundary.right.order=2 --set boundary.allow_unstable=true
+refused 1 "no_such.csv" --set load.top.file=no_such.csv
+try run "$2/tools/scenes/plane_pulse.toml" --set fracture.critical_stretch=1
+expect_exit 2
+expect_stderr 'needs bonds that can break: model.family = "bond2d"'
+
+# Fig. 12 of Alebrahim 2022: a prototype of other make branches at 64.9 mm; a bond is 0.75 mm.
+try run "$plate" --quiet --out plate --set time.end=28e-6
+expect_exit 0
+expect "the first branch" awk '/ branches at / { sub(/.*branches at \(/, ""); sub(/,.*/, ""); x = $0 - 0.125e-3 }
+    END { exit !(x > 64.15e-3 && x < 65.65e-3) }' "$scratch/stdout"
+finish
