@@ -55,7 +55,7 @@ below='scene|sides|sources|tables|certification|simulation'
 run compare "$below" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT'
 run chart "$below|compare|output" 'generator/support/|boost/math/'
 run advise "$below|compare|chart" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT|boost/math/|unistd.h'
-run plane 'scene|sides|sources|output' 'generator/(table|exact|names|passive)/|generator/support/files.hpp'
+run plane 'scene|sides|sources|output' 'generator/(table|exact|names|passive)/|generator/support/files.hpp|boost/math/'
 allow tools/nmbcrun "tools/nmbcrun/|generator/support/(exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|tools/nmbcrun/|CLI/|nmbc/|benchmark/|boost/math/|$text"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|unistd.h|$text"
