@@ -312,6 +312,11 @@ TEST_CASE("models of bonds that there are not") {
     const BondModel model = bond2d(2, {1, 0.5});
     CHECK(model.speed_P() == doctest::Approx(std::sqrt(2.0)));
     CHECK(model.speed_S() == doctest::Approx(1));
+    // Alebrahim 2022 at alpha = 1: (52) is 12 delta s_0^2/(5 pi); the lattice's sum is another one.
+    const BondModel original = bond2d(9, bond_weights(9, {1, 1, 1, 1, 1, 1}));
+    CHECK(fracture_energy(original, 2) / (4 * 12 * 3 / (5 * std::numbers::pi)) ==
+          doctest::Approx(1.026).epsilon(5e-4));
+    CHECK_THROWS_AS(bond_weights(8, {1, 1, 1, 1, 1}), std::invalid_argument);
     Plane plane(model, PlaneSides::all(FixedSide{}), {.nx = 9, .ny = 9, .time_step = 0.1});
     for (const double stretch : {0.0, -1.0, std::nan("")}) {
         CHECK_THROWS_AS(plane.break_above(stretch, none), std::invalid_argument);
