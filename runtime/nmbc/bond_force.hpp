@@ -266,7 +266,7 @@ class BondForce {
             pull_bonds<IsWeighted>(lines, nodes.count, held, nodes.force_x, nodes.force_y);
             return;
         }
-        std::array<Word, static_cast<std::size_t>(block)> broke;
+        std::array<Word, static_cast<std::size_t>(block)> broke{};
         if (break_bonds<IsWeighted>(lines, limits_[number], nodes.count,
                                     &states_.breakable(word)[index], held, nodes.force_x,
                                     nodes.force_y, broke.data()) == 0) {

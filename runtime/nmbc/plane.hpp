@@ -376,8 +376,15 @@ class BasicPlane {
         kick();
     }
 
-    detail::BondForce<Real>& bond_force();
-    const detail::BondForce<Real>& bond_force() const;
+    /// The forces, const or not, as those of bonds.
+    template <class AnyForce>
+    static auto& bonds_of(AnyForce& force) {
+        auto* const bonds = std::get_if<detail::BondForce<Real>>(&force);
+        if (bonds == nullptr) {
+            throw std::logic_error("only a bond-based plane has bonds that break");
+        }
+        return *bonds;
+    }
     void count_broken();
 
     void clear_ghosts();

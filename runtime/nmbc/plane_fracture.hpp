@@ -15,23 +15,9 @@
 namespace nmbc {
 
 template <class Real>
-const detail::BondForce<Real>& BasicPlane<Real>::bond_force() const {
-    const auto* const force = std::get_if<detail::BondForce<Real>>(&force_);
-    if (force == nullptr) {
-        throw std::logic_error("only a bond-based plane has bonds that break");
-    }
-    return *force;
-}
-
-template <class Real>
-detail::BondForce<Real>& BasicPlane<Real>::bond_force() {
-    return const_cast<detail::BondForce<Real>&>(std::as_const(*this).bond_force());
-}
-
-template <class Real>
 template <class Keep>
 void BasicPlane<Real>::break_above(double stretch, const Keep& keep) {
-    bond_force();
+    bonds_of(force_);
     if (!is_positive(std::get<BondModel>(model_.law()))) {
         throw std::invalid_argument(
             "this lattice has bonds of weights below 0: where others break, its energy has no "
@@ -47,9 +33,9 @@ void BasicPlane<Real>::break_above(double stretch, const Keep& keep, AllowUnstab
         throw std::invalid_argument("the stretch at which bonds break must be above 0");
     }
     const std::array<std::ptrdiff_t, 2> first = first_of_interior();
-    bond_force().states().let_break(
+    bonds_of(force_).states().let_break(
         [&](std::ptrdiff_t x, std::ptrdiff_t y) { return keep(x - first[0], y - first[1]); });
-    bond_force().break_above(stretch * parameters_.spacing);
+    bonds_of(force_).break_above(stretch * parameters_.spacing);
 }
 
 template <class Real>
@@ -59,14 +45,14 @@ void BasicPlane<Real>::cut(const PlanePoint& from, const PlanePoint& to) {
         return PlanePoint{point[0] + static_cast<double>(first[0]),
                           point[1] + static_cast<double>(first[1])};
     };
-    bond_force().states().cut(of_body(from), of_body(to));
+    bonds_of(force_).states().cut(of_body(from), of_body(to));
 }
 
 template <class Real>
 double BasicPlane<Real>::damage(std::size_t x, std::size_t y) const {
     const std::array<std::ptrdiff_t, 2> first = first_of_interior();
-    return bond_force().states().damage(static_cast<std::ptrdiff_t>(x) + first[0],
-                                        static_cast<std::ptrdiff_t>(y) + first[1]);
+    return bonds_of(force_).states().damage(static_cast<std::ptrdiff_t>(x) + first[0],
+                                            static_cast<std::ptrdiff_t>(y) + first[1]);
 }
 
 /// The body's energy had w e- e/2 of such a bond, e- and e its extensions before and now: e- = e -

@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "tools/nmbcrun/plane/crack_pieces.hpp"
 #include "tools/nmbcrun/plane/plane_scene.hpp"
 
 namespace nmbcrun {
@@ -33,13 +34,7 @@ class CrackFront {
         const std::function<double(std::size_t, std::size_t)>& damage) const;
 
   private:
-    struct Node {
-        std::array<std::size_t, 2> place{};
-        std::array<double, 2> X{};
-        double distance = 0;
-    };
-    CrackGrowth growth_of(std::vector<Node> nodes, std::size_t end) const;
-    std::vector<std::array<double, 2>> branches_of(const std::vector<Node>& nodes) const;
+    CrackGrowth growth_of(const std::vector<CrackedNode>& nodes, std::size_t end) const;
 
     std::array<std::size_t, 2> nodes_;
     double spacing_;

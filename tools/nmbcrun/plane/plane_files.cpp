@@ -302,7 +302,8 @@ std::string vti_text(const PlaneSimulation& simulation) {
     static_assert(std::endian::native == std::endian::little);
     const PlaneScene& scene = simulation.scene();
     const nmbc::Plane& plane = simulation.plane();
-    const auto [nx, ny] = scene.nodes;
+    const std::size_t nx = scene.nodes[0];
+    const std::size_t ny = scene.nodes[1];
     std::string arrays;  // their descriptions
     std::string data;
     const auto append = [&](const auto& value) {

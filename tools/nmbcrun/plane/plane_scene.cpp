@@ -97,7 +97,7 @@ void read_model(SceneReader& reader, PlaneScene& scene) {
 void require_nodes_within(const SceneReader& reader, const std::string& key,
                           const PlaneScene& scene, const std::array<double, 4>& rectangle) {
     for (const std::size_t axis : {0U, 1U}) {
-        const double last = double(scene.nodes[axis]);
+        const auto last = double(scene.nodes[axis]);
         constexpr double roundings = 1e-9;
         const double low = std::ceil(rectangle[axis] / scene.spacing - roundings);
         const double high = std::floor(rectangle[axis + 2] / scene.spacing + roundings);

@@ -90,8 +90,8 @@ struct PlaneLoad {
     bool is_velocity = false;  ///< it is given; otherwise a body force
     std::size_t component = 0;
     double amplitude = 0;  ///< [length/time] or [force/volume]
-    std::array<double, 2> low{};
-    std::array<double, 2> high{};
+    std::array<double, 2> centre{};
+    std::array<double, 2> half_width{};
     double rise = 0;               ///< grows linearly up to this time
     double until = 0;              ///< and ends at this one
     std::filesystem::path file{};  ///< or follows this one, columns time, force

@@ -84,81 +84,97 @@ PlaneStart PlaneInitialField::at(const std::array<double, 2>& point) const {
     return start;
 }
 
+PlaneSources::Source PlaneSources::source_of(const ForceInTime& force) {
+    return {.at = [force](double time) { return force.at(time); }, .last = force.last()};
+}
+
+PlaneSources::Source PlaneSources::source_of(const PlaneLoad& load) {
+    if (!load.file.empty()) {
+        return source_of(ForceInTime(
+            {.history = History::file, .amplitude = load.amplitude, .file = load.file}));
+    }
+    return {.at =
+                [load](double time) {
+                    return time > load.until  ? 0
+                           : time < load.rise ? load.amplitude * time / load.rise
+                                              : load.amplitude;
+                },
+            .last = load.until};
+}
+
+PlaneSources::Source PlaneSources::source_of(const PlaneDrive& drive) {
+    return {.gives = Source::Gives::displacement,
+            .at =
+                [drive](double time) {
+                    return drive.amplitude / 2 * (1 - std::cos(2 * pi * time / drive.duration));
+                },
+            .last = drive.duration};
+}
+
+void PlaneSources::add(Source source, std::size_t component, const Entries& entries,
+                       const std::string& keys) {
+    if (entries.empty()) {
+        throw SceneError(keys + " select no node");
+    }
+    for (const std::size_t entry : entries) {
+        const auto [found, is_new] = places_.try_emplace({component, entry}, moved_.size());
+        if (is_new) {
+            moved_.push_back({.component = component, .entry = entry});
+        }
+        source.nodes.push_back(found->second);
+    }
+    sources_.push_back(std::move(source));
+}
+
 PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
                            const std::array<std::size_t, 2>& extension, double time_step)
     : density_(scene.density),
       mass_(scene.density * scene.spacing * scene.spacing),
       time_step_(time_step) {
-    std::map<Place, std::size_t> known;
-    const auto add = [&](Source source, std::size_t component, const auto& is_within,
-                         const std::string& keys) {
+    constexpr double roundings = 1e-9;  // of the spacing: a node on the edge of a region is in it
+    const double more = roundings * scene.spacing;
+    const auto entries_where = [&](const auto& is_within) {
+        Entries entries;
         for (std::size_t y = 0; y < scene.nodes[1]; ++y) {
             for (std::size_t x = 0; x < scene.nodes[0]; ++x) {
                 if (is_within(position_of(scene, x, y))) {
-                    const Place place{component, plane.entry(x + extension[0], y + extension[1])};
-                    const auto [found, is_new] = known.try_emplace(place, moved_.size());
-                    if (is_new) {
-                        moved_.push_back({.component = place[0], .entry = place[1]});
-                    }
-                    source.nodes.push_back(found->second);
+                    entries.push_back(plane.entry(x + extension[0], y + extension[1]));
                 }
             }
         }
-        if (source.nodes.empty()) {
-            throw SceneError(keys + " select no node");
-        }
-        sources_.push_back(std::move(source));
+        return entries;
     };
-    const auto add_history = [&](const ForceHistory& history) {
-        const ForceInTime force(history);
-        warning_ = warning_.empty() ? force.warning(time_step) : warning_;
-        return Source{.at = [force](double time) { return force.at(time); }, .last = force.last()};
+    const auto entries_around = [&](const std::array<double, 2>& centre,
+                                    const std::array<double, 2>& half_width) {
+        return entries_where([&](const std::array<double, 2>& X) {
+            return std::abs(X[0] - centre[0]) <= half_width[0] + more &&
+                   std::abs(X[1] - centre[1]) <= half_width[1] + more;
+        });
     };
-    constexpr double roundings = 1e-9;  // of the spacing: a node on the edge of a region is in it
-    const double more = roundings * scene.spacing;
-    const auto within = [more](const std::array<double, 2>& low,
-                               const std::array<double, 2>& high) {
-        return [=](const std::array<double, 2>& X) {
-            return X[0] >= low[0] - more && X[0] <= high[0] + more && X[1] >= low[1] - more &&
-                   X[1] <= high[1] + more;
-        };
+    const auto warn_of = [&](const ForceHistory& history) {
+        warning_ = warning_.empty() ? ForceInTime(history).warning(time_step) : warning_;
     };
     if (scene.force) {
-        add(
-            add_history(scene.force->history), scene.force->component,
-            [&](const std::array<double, 2>& X) {
-                return std::hypot(X[0] - scene.force->centre[0], X[1] - scene.force->centre[1]) <=
-                       scene.force->half_width + more;
-            },
-            "force.centre and force.half_width");
+        warn_of(scene.force->history);
+        const auto is_near = [&](const std::array<double, 2>& X) {
+            return std::hypot(X[0] - scene.force->centre[0], X[1] - scene.force->centre[1]) <=
+                   scene.force->half_width + more;
+        };
+        add(source_of(ForceInTime(scene.force->history)), scene.force->component,
+            entries_where(is_near), "force.centre and force.half_width");
     }
     for (const PlaneLoad& load : scene.loads) {
-        Source source{.at =
-                          [load](double time) {
-                              return time > load.until  ? 0
-                                     : time < load.rise ? load.amplitude * time / load.rise
-                                                        : load.amplitude;
-                          },
-                      .last = load.until};
         if (!load.file.empty()) {
-            source = add_history(
-                {.history = History::file, .amplitude = load.amplitude, .file = load.file});
+            warn_of({.history = History::file, .file = load.file});
         }
+        Source source = source_of(load);
         source.gives = load.is_velocity ? Source::Gives::velocity : Source::Gives::force;
-        add(std::move(source), load.component, within(load.low, load.high),
+        add(std::move(source), load.component, entries_around(load.centre, load.half_width),
             load.name + ".centre and " + load.name + ".half_width");
     }
     if (scene.drive) {
-        const PlaneDrive drive = *scene.drive;
-        add({.gives = Source::Gives::displacement,
-             .at =
-                 [drive](double time) {
-                     return drive.amplitude / 2 * (1 - std::cos(2 * pi * time / drive.duration));
-                 },
-             .last = drive.duration},
-            drive.component,
-            within({drive.centre[0] - drive.half_width[0], drive.centre[1] - drive.half_width[1]},
-                   {drive.centre[0] + drive.half_width[0], drive.centre[1] + drive.half_width[1]}),
+        add(source_of(*scene.drive), scene.drive->component,
+            entries_around(scene.drive->centre, scene.drive->half_width),
             "drive.centre and drive.half_width");
     }
 }

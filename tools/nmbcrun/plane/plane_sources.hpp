@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <nmbc/plane.hpp>
 #include <string>
 #include <vector>
@@ -86,11 +87,19 @@ class PlaneSources {
         std::vector<std::size_t> nodes{};    ///< places in moved_
     };
 
-    using Place = std::array<std::size_t, 2>;  ///< component, entry
+    using Entries = std::vector<std::size_t>;
+
+    static Source source_of(const ForceInTime& force);
+    static Source source_of(const PlaneLoad& load);
+    static Source source_of(const PlaneDrive& drive);
+    /// keys: of the scene, that select these entries of a field. Throws SceneError where there are
+    /// none.
+    void add(Source source, std::size_t component, const Entries& entries, const std::string& keys);
 
     std::vector<Source> sources_{};  // later ones have the last word
     std::string warning_{};
     std::vector<Moved> moved_{};
+    std::map<std::array<std::size_t, 2>, std::size_t> places_{};  // there, by component and entry
     double density_;
     double mass_;  // of a node, per thickness
     double time_step_;

@@ -73,9 +73,12 @@ PlaneDrive read_drive(const KeyGroup& group) {
 /// The outermost row of nodes at a side.
 void take_side(PlaneLoad& load, std::size_t side, const PlaneScene& scene) {
     const std::size_t axis = side / 2;
-    load.low = {scene.spacing, scene.spacing};
-    load.high = {double(scene.nodes[0]) * scene.spacing, double(scene.nodes[1]) * scene.spacing};
-    (side % 2 == 0 ? load.high : load.low)[axis] = (side % 2 == 0 ? load.low : load.high)[axis];
+    for (const std::size_t each : {0U, 1U}) {
+        load.centre[each] = (double(scene.nodes[each]) + 1) / 2 * scene.spacing;
+        load.half_width[each] = double(scene.nodes[each]) / 2 * scene.spacing;
+    }
+    load.centre[axis] = (side % 2 == 0 ? 1 : double(scene.nodes[axis])) * scene.spacing;
+    load.half_width[axis] = 0;
 }
 
 PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneScene& scene) {
@@ -107,12 +110,8 @@ PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneS
             load.amplitude *= *side % 2 == 0 ? 1 : -1;
         }
     } else {
-        const auto centre = read_point(group, "centre", any_number);
-        const auto half_width = read_point(group, "half_width", not_negative);
-        for (const std::size_t axis : {0U, 1U}) {
-            load.low[axis] = centre[axis] - half_width[axis];
-            load.high[axis] = centre[axis] + half_width[axis];
-        }
+        load.centre = read_point(group, "centre", any_number);
+        load.half_width = read_point(group, "half_width", not_negative);
     }
     if (reader.has(group.key("file"))) {
         group.refuse({"rise", "until"}, "a load from a file");
