@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <nmbc/bond_kernels.hpp>
 #include <nmbc/bond_states.hpp>
@@ -22,7 +23,8 @@ namespace nmbc::detail {
 /// With E = density = dX = 1. The force on a node is sum w R (R.(u_J - u_I)) over the bonds R that
 /// hold. Both ends of a bond find its extension alike to the last bit, so that each may decide by
 /// itself whether it breaks: nothing depends on the order of nodes or on the number of threads. The
-/// sums of (+-x, +-y) come first, in an order that no mirror changes: what is symmetric stays so.
+/// sums of (+-x, +-y) come first, in an order that no mirror along an axis changes: what is
+/// symmetric so stays so.
 template <class Real>
 class BondForce {
   public:
@@ -58,10 +60,10 @@ class BondForce {
     BondStates<Word>& states() { return states_; }
     const BondStates<Word>& states() const { return states_; }
 
-    /// Bonds that may break do so where R.(u_J - u_I) is above stretch |R|^2.
+    /// Bonds that may break do so, in break_and_kick(), where R.(u_J - u_I) is above stretch |R|^2.
     void break_above(double stretch) {
         for (std::size_t g = 0; g < limits_.size(); ++g) {
-            const auto [x, y] = states_.groups()[g].reach();
+            const auto [x, y] = states_.groups()[g].first();
             limits_[g] = static_cast<Real>(stretch * (x * x + y * y));
         }
         may_break_ = true;
@@ -69,15 +71,11 @@ class BondForce {
 
     /// v += scale M^-1 times the force, on the nodes of the body.
     void kick(double scale, PlaneField<const Real> u, PlaneField<Real> v) {
-        const auto rows = static_cast<std::size_t>(axis(1).nodes());
-        broken_.resize(rows);
-        const std::size_t nodes = rows * static_cast<std::size_t>(axis(0).nodes());
-        for_each_piece(rows, std::min(pieces_of(nodes), rows),
-                       [&](std::size_t first, std::size_t last) {
-                           for (std::size_t y = first; y < last; ++y) {
-                               kick_row(scale, static_cast<std::ptrdiff_t>(y), u, v, broken_[y]);
-                           }
-                       });
+        kick_rows({.scale = scale, .u = u, .v = v, .breaks = false});
+    }
+    /// Likewise, once the bonds that are too long have broken.
+    void break_and_kick(double scale, PlaneField<const Real> u, PlaneField<Real> v) {
+        kick_rows({.scale = scale, .u = u, .v = v, .breaks = may_break_});
     }
 
     /// Of the nodes first .. last-1 of a row: half of each of their bonds.
@@ -120,9 +118,8 @@ class BondForce {
     }
 
     /// R.(u_J - u_I).
-    template <class Number>
     double extension(std::ptrdiff_t x, std::ptrdiff_t y, std::size_t group, unsigned member,
-                     const std::array<Number*, 2>& u) const {
+                     PlaneField<const Real> u) const {
         const auto [i, j] = states_.groups()[group].members[member];
         const std::ptrdiff_t at = y * pitch_ + x;
         const std::ptrdiff_t there = at + entries_[group][member];
@@ -139,20 +136,13 @@ class BondForce {
     }
 
     /// M^-1 times the force on a node of the body.
-    template <class Number>
     std::array<double, 2> acceleration(std::ptrdiff_t x, std::ptrdiff_t y,
-                                       const std::array<Number*, 2>& u) const {
+                                       PlaneField<const Real> u) const {
         std::array<double, 2> force{};
-        for (std::size_t g = 0; g < states_.groups().size(); ++g) {
-            const BondGroup& group = states_.groups()[g];
-            for (unsigned m = 0; m < group.size; ++m) {
-                if (states_.holds(x, y, group, m)) {
-                    const double pull = weight(x, y, group, m) * extension(x, y, g, m, u);
-                    force[0] += pull * group.members[m].x;
-                    force[1] += pull * group.members[m].y;
-                }
-            }
-        }
+        for_each_held(x, y, u, [&](const PlaneOffset& bond, double weight, double e) {
+            force[0] += weight * e * bond.x;
+            force[1] += weight * e * bond.y;
+        });
         return {force[0] / (axis(0).mass(0, x) * axis(1).mass(0, y)),
                 force[1] / (axis(0).mass(1, x) * axis(1).mass(1, y))};
     }
@@ -161,27 +151,39 @@ class BondForce {
     static constexpr std::ptrdiff_t block = 128;  ///< nodes whose sums stay in the first cache
     using Sums = std::array<Real, static_cast<std::size_t>(block)>;
 
+    struct Kick {
+        double scale = 0;
+        PlaneField<const Real> u{};
+        PlaneField<Real> v{};
+        bool breaks = false;
+    };
     /// Nodes x .. x + count - 1 of a row.
     struct Block {
         std::ptrdiff_t x = 0;
         std::ptrdiff_t y = 0;
         std::ptrdiff_t count = 0;
         PlaneField<const Real> u{};  ///< of node (x, y)
-        Real* force_x = nullptr;
-        Real* force_y = nullptr;
     };
 
-    double energy_of_node(std::ptrdiff_t x, std::ptrdiff_t y, PlaneField<const Real> u) const {
-        double sum = 0;
+    /// Calls work(R, weight, R.(u_J - u_I)) for the bonds of a node that hold.
+    template <class Work>
+    void for_each_held(std::ptrdiff_t x, std::ptrdiff_t y, PlaneField<const Real> u,
+                       const Work& work) const {
         for (std::size_t g = 0; g < states_.groups().size(); ++g) {
             const BondGroup& group = states_.groups()[g];
             for (unsigned m = 0; m < group.size; ++m) {
                 if (states_.holds(x, y, group, m)) {
-                    const double e = extension(x, y, g, m, u);
-                    sum += weight(x, y, group, m) * e * e / 4;
+                    work(group.members[m], weight(x, y, group, m), extension(x, y, g, m, u));
                 }
             }
         }
+    }
+
+    double energy_of_node(std::ptrdiff_t x, std::ptrdiff_t y, PlaneField<const Real> u) const {
+        double sum = 0;
+        for_each_held(x, y, u, [&](const PlaneOffset& /*bond*/, double weight, double e) {
+            sum += weight * e * e / 4;
+        });
         return sum;
     }
 
@@ -189,16 +191,16 @@ class BondForce {
     double energy_of_block(std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t count,
                            PlaneField<const Real> u) const {
         const std::ptrdiff_t at = y * pitch_ + x;
-        const Block nodes{x, y, count, {u[0] + at, u[1] + at}, nullptr, nullptr};
+        const Block nodes{x, y, count, {u[0] + at, u[1] + at}};
         double sum = 0;
         for (std::size_t g = 0; g < states_.groups().size(); ++g) {
             const BondGroup& group = states_.groups()[g];
             const Word* const held = &states_.held(group.word)[states_.index(x, y)];
             std::array<double, static_cast<std::size_t>(block)> squares{};
             if (group.size == 4) {
-                square_bonds<true>(lines_of<4>(g, nodes), count, held, squares.data());
+                square_bonds(lines_of<4>(g, nodes), count, held, squares.data());
             } else {
-                square_bonds<true>(lines_of<2>(g, nodes), count, held, squares.data());
+                square_bonds(lines_of<2>(g, nodes), count, held, squares.data());
             }
             for (std::ptrdiff_t i = 0; i < count; ++i) {
                 sum += group.weight * squares[static_cast<std::size_t>(i)] / 4;
@@ -207,8 +209,19 @@ class BondForce {
         return sum;
     }
 
-    void kick_row(double scale, std::ptrdiff_t y, PlaneField<const Real> u, PlaneField<Real> v,
-                  std::vector<Broken>& broken) {
+    void kick_rows(const Kick& kick) {
+        const auto rows = static_cast<std::size_t>(axis(1).nodes());
+        broken_.resize(rows);
+        const std::size_t nodes = rows * static_cast<std::size_t>(axis(0).nodes());
+        for_each_piece(rows, std::min(pieces_of(nodes), rows),
+                       [&](std::size_t first, std::size_t last) {
+                           for (std::size_t y = first; y < last; ++y) {
+                               kick_row(kick, static_cast<std::ptrdiff_t>(y));
+                           }
+                       });
+    }
+
+    void kick_row(const Kick& kick, std::ptrdiff_t y) {
         const PlaneAxis::Range xs = axis(0).plain_force();
         const PlaneAxis::Range ys = axis(1).plain_force();
         const std::ptrdiff_t nodes = axis(0).nodes();
@@ -216,7 +229,9 @@ class BondForce {
         const PlaneAxis::Range plain = is_plain ? xs : PlaneAxis::Range{nodes, nodes};
         const auto kick_part = [&](std::ptrdiff_t first, std::ptrdiff_t last, auto is_weighted) {
             for (std::ptrdiff_t x = first; x < last; x += block) {
-                kick_block<is_weighted>(scale, x, y, std::min(block, last - x), u, v, broken);
+                const std::ptrdiff_t at = y * pitch_ + x;
+                kick_block<is_weighted>(
+                    kick, {x, y, std::min(block, last - x), {kick.u[0] + at, kick.u[1] + at}});
             }
         };
         kick_part(0, plain.first, std::true_type{});
@@ -225,53 +240,52 @@ class BondForce {
     }
 
     template <bool IsWeighted>
-    void kick_block(double scale, std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t count,
-                    PlaneField<const Real> u, PlaneField<Real> v, std::vector<Broken>& broken) {
-        Sums force_x{};
-        Sums force_y{};
-        const std::ptrdiff_t at = y * pitch_ + x;
-        const Block nodes{x, y, count, {u[0] + at, u[1] + at}, force_x.data(), force_y.data()};
+    void kick_block(const Kick& kick, const Block& nodes) {
+        std::array<Sums, 2> forces{};
         for (std::size_t g = 0; g < states_.groups().size(); ++g) {
             if (states_.groups()[g].size == 4) {
-                pull_group<IsWeighted, 4>(g, nodes, broken);
+                pull_group<IsWeighted, 4>(g, nodes, kick.breaks, forces);
             } else {
-                pull_group<IsWeighted, 2>(g, nodes, broken);
+                pull_group<IsWeighted, 2>(g, nodes, kick.breaks, forces);
             }
         }
         for (std::size_t a = 0; a < 2; ++a) {
-            const Real* const force = a == 0 ? force_x.data() : force_y.data();
-            Real* const out = v[a] + at;
+            const Real* const force = forces[a].data();
+            Real* const out = kick.v[a] + nodes.y * pitch_ + nodes.x;
             if constexpr (IsWeighted) {
-                const Real* const inverse = inverse_mass_[a].data() + x;
-                const auto factor = static_cast<Real>(scale / axis(1).mass(a, y));
-                for (std::ptrdiff_t i = 0; i < count; ++i) {
+                const Real* const inverse = inverse_mass_[a].data() + nodes.x;
+                const auto factor = static_cast<Real>(kick.scale / axis(1).mass(a, nodes.y));
+                for (std::ptrdiff_t i = 0; i < nodes.count; ++i) {
                     out[i] += factor * (inverse[i] * force[i]);
                 }
             } else {
-                const auto factor = static_cast<Real>(scale);
-                for (std::ptrdiff_t i = 0; i < count; ++i) {
+                const auto factor = static_cast<Real>(kick.scale);
+                for (std::ptrdiff_t i = 0; i < nodes.count; ++i) {
                     out[i] += factor * force[i];
                 }
             }
         }
     }
 
+    /// Adds the forces of a group's bonds, once those that are too long have broken.
     template <bool IsWeighted, std::size_t Size>
-    void pull_group(std::size_t number, const Block& nodes, std::vector<Broken>& broken) {
+    void pull_group(std::size_t number, const Block& nodes, bool breaks,
+                    std::array<Sums, 2>& forces) {
         const std::size_t word = states_.groups()[number].word;
         const std::size_t index = states_.index(nodes.x, nodes.y);
         const BondLines<Real, Word, Size> lines = lines_of<Size>(number, nodes);
         Word* const held = &states_.held(word)[index];
-        if (!may_break_) {
-            pull_bonds<IsWeighted>(lines, nodes.count, held, nodes.force_x, nodes.force_y);
+        if (!breaks) {
+            pull_bonds<IsWeighted>(lines, nodes.count, held, forces[0].data(), forces[1].data());
             return;
         }
         std::array<Word, static_cast<std::size_t>(block)> broke{};
         if (break_bonds<IsWeighted>(lines, limits_[number], nodes.count,
-                                    &states_.breakable(word)[index], held, nodes.force_x,
-                                    nodes.force_y, broke.data()) == 0) {
+                                    &states_.breakable(word)[index], held, forces[0].data(),
+                                    forces[1].data(), broke.data()) == 0) {
             return;
         }
+        std::vector<Broken>& broken = broken_[static_cast<std::size_t>(nodes.y)];
         for (std::ptrdiff_t i = 0; i < nodes.count; ++i) {
             for (unsigned m = 0; m < Size; ++m) {
                 if ((broke[static_cast<std::size_t>(i)] & lines.bits[m]) != 0) {
@@ -287,8 +301,8 @@ class BondForce {
         BondLines<Real, Word, Size> lines;
         lines.here_x = nodes.u[0];
         lines.here_y = nodes.u[1];
-        lines.weight_x = static_cast<Real>(group.weight * group.reach().x);
-        lines.weight_y = static_cast<Real>(group.weight * group.reach().y);
+        lines.weight_x = static_cast<Real>(group.weight * group.first().x);
+        lines.weight_y = static_cast<Real>(group.weight * group.first().y);
         for (std::size_t m = 0; m < Size; ++m) {
             const auto [x, y] = group.members[m];
             lines.there_x[m] = nodes.u[0] + entries_[number][m];
@@ -297,10 +311,10 @@ class BondForce {
             lines.y[m] = static_cast<Real>(y);
             lines.bits[m] = BondStates<Word>::bit(group, static_cast<unsigned>(m));
             lines.column_weights[m] =
-                column_weights_[static_cast<std::size_t>(group.reach().x)].data() + horizon_ +
+                column_weights_[static_cast<std::size_t>(group.first().x)].data() + horizon_ +
                 std::min(nodes.x, nodes.x + x);
             lines.row_weights[m] = static_cast<Real>(
-                axis(1).strain_of_bond(std::min(nodes.y, nodes.y + y), group.reach().y));
+                axis(1).strain_of_bond(std::min(nodes.y, nodes.y + y), group.first().y));
         }
         return lines;
     }

@@ -34,8 +34,8 @@ auto bond_extension(const Lines& lines, std::size_t m, std::ptrdiff_t i) {
     return e;
 }
 
-/// Adds the forces of a node's bonds, whose sums no mirror changes. extension_of(m): of a bond that
-/// holds, otherwise 0.
+/// Adds the forces of a node's bonds, in an order that no mirror along an axis changes.
+/// extension_of(m): of a bond that holds, otherwise 0.
 template <bool IsWeighted, class Real, class Word, std::size_t Size, class Extension>
 void add_bond_forces(const BondLines<Real, Word, Size>& lines, std::ptrdiff_t i,
                      const Extension& extension_of, Real& force_x, Real& force_y) {
@@ -79,7 +79,7 @@ void pull_bonds(const BondLines<Real, Word, Size>& by_reference, std::ptrdiff_t 
 }
 
 /// Adds the squares of the extensions of the bonds that hold, each times its weight over w.
-template <bool IsWeighted, class Real, class Word, std::size_t Size>
+template <class Real, class Word, std::size_t Size>
 void square_bonds(const BondLines<Real, Word, Size>& by_reference, std::ptrdiff_t count,
                   const Word* __restrict held, double* __restrict squares) {
     const BondLines<Real, Word, Size> lines = by_reference;
@@ -91,11 +91,9 @@ void square_bonds(const BondLines<Real, Word, Size>& by_reference, std::ptrdiff_
             const double e =
                 static_cast<double>(lines.x[m]) * between(lines.there_x[m], lines.here_x) +
                 static_cast<double>(lines.y[m]) * between(lines.there_y[m], lines.here_y);
-            double square = (held[i] & lines.bits[m]) != 0 ? e * e : 0;
-            if constexpr (IsWeighted) {
-                square *= static_cast<double>(lines.column_weights[m][i] * lines.row_weights[m]);
-            }
-            squares[i] += square;
+            const auto weight =
+                static_cast<double>(lines.column_weights[m][i] * lines.row_weights[m]);
+            squares[i] += (held[i] & lines.bits[m]) != 0 ? weight * (e * e) : 0;
         }
     }
 }

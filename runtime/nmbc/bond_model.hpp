@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <nmbc/plane_family.hpp>
+#include <nmbc/plane_wave.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -28,32 +29,40 @@ inline std::vector<PlaneOffset> plane_bond_classes(unsigned radius_squared) {
 }
 
 /// 2D bond-based peridynamics, linear in the stretch R.(u_J - u_I)/|R|^2 of a bond R, whose energy
-/// is w (R.(u_J - u_I))^2/2, where E = density = dX = 1.
-struct BondModel {
+/// is w (R.(u_J - u_I))^2/2, where E = density = dX = 1. bond2d() makes it.
+class BondModel {
+  public:
     struct Bond {
         PlaneOffset offset{};
         double weight = 0;  ///< w
-
-        friend bool operator==(const Bond&, const Bond&) = default;
     };
 
-    unsigned radius_squared = 1;  ///< delta^2 [dX^2]
-    std::vector<Bond> bonds{};    ///< of a node with its whole family
+    unsigned radius_squared() const { return radius_squared_; }  ///< delta^2 [dX^2]
+    /// Of a node with its whole family.
+    const std::vector<Bond>& bonds() const { return bonds_; }
 
-    std::size_t horizon() const { return horizon_of(radius_squared); }
-    std::size_t reach() const { return horizon(); }             ///< of forces [dX]
-    double speed_P() const { return std::sqrt(moment(4, 0)); }  ///< along an axis, of long waves
-    double speed_S() const { return std::sqrt(moment(2, 2)); }  ///< likewise
+    std::size_t horizon() const { return horizon_of(radius_squared_); }
+    std::size_t reach() const { return horizon(); }  ///< of forces [dX]
+    /// Of long waves along an axis. c_S is 0 at radius 1, whose bonds do not resist shear.
+    double speed_P() const { return std::sqrt(moment(4, 0)); }
+    double speed_S() const { return std::sqrt(moment(2, 2)); }
 
   private:
+    friend BondModel bond2d(unsigned radius_squared, const std::vector<double>& weights);
+    BondModel(unsigned radius_squared, std::vector<Bond> bonds)
+        : radius_squared_(radius_squared), bonds_(std::move(bonds)) {}
+
     /// sum w x^p y^q/2.
     double moment(int p, int q) const {
         double sum = 0;
-        for (const auto& [offset, weight] : bonds) {
+        for (const auto& [offset, weight] : bonds_) {
             sum += weight * std::pow(offset.x, p) * std::pow(offset.y, q) / 2;
         }
         return sum;
     }
+
+    unsigned radius_squared_;
+    std::vector<Bond> bonds_;
 };
 
 /// omega^2 and u of the eigenvectors of D = sum w R R^T (1 - cos R.xi) over the family: P is the
@@ -62,7 +71,7 @@ inline PlaneWave plane_wave(const BondModel& model, const std::array<double, 2>&
     double xx = 0;
     double xy = 0;
     double yy = 0;
-    for (const auto& [bond, weight] : model.bonds) {
+    for (const auto& [bond, weight] : model.bonds()) {
         const double factor = weight * (1 - std::cos(bond.x * xi[0] + bond.y * xi[1]));
         xx += factor * bond.x * bond.x;
         xy += factor * bond.x * bond.y;
@@ -82,12 +91,13 @@ inline PlaneWave plane_wave(const BondModel& model, const std::array<double, 2>&
 
 /// Whether all bonds have weights above 0: no bond that breaks takes the energy's lower bound away.
 inline bool is_positive(const BondModel& model) {
-    return std::ranges::all_of(model.bonds, [](const auto& bond) { return bond.weight > 0; });
+    return std::ranges::all_of(model.bonds(), [](const auto& bond) { return bond.weight > 0; });
 }
 
 /// weights: of plane_bond_classes(), some of which may be below 0. Throws std::invalid_argument of
-/// a radius squared that is no sum of two squares, of other numbers of weights, and where waves
-/// would grow: omega^2 is sampled at wave vectors in steps of pi/64.
+/// a radius squared that is no sum of two squares, of another number of weights, of one that is 0
+/// or not finite, and where waves would grow: with weights below 0, omega^2 is sampled at wave
+/// vectors in steps of pi/64.
 inline BondModel bond2d(unsigned radius_squared, const std::vector<double>& weights) {
     detail::require_radius(radius_squared);
     const auto classes = plane_bond_classes(radius_squared);
@@ -99,15 +109,17 @@ inline BondModel bond2d(unsigned radius_squared, const std::vector<double>& weig
                     std::to_string(bond.y) + ")";
         }
         throw std::invalid_argument(std::to_string(classes.size()) +
-                                    " weights are needed, none of them 0: of the bonds " + list);
+                                    " finite weights are needed, none of them 0: of the bonds " +
+                                    list);
     }
-    BondModel model{radius_squared, {}};
+    std::vector<BondModel::Bond> bonds;
     for (const PlaneOffset& bond : plane_family(radius_squared)) {
         const PlaneOffset alike{std::max(std::abs(bond.x), std::abs(bond.y)),
                                 std::min(std::abs(bond.x), std::abs(bond.y))};
         const auto number = std::ranges::find(classes, alike) - classes.begin();
-        model.bonds.push_back({bond, weights[static_cast<std::size_t>(number)]});
+        bonds.push_back({bond, weights[static_cast<std::size_t>(number)]});
     }
+    BondModel model(radius_squared, std::move(bonds));
     if (is_positive(model)) {
         return model;
     }
@@ -130,7 +142,7 @@ inline std::vector<double> bond_weights(unsigned radius_squared, std::vector<dou
     if (N * N != radius_squared) {
         throw std::invalid_argument(
             "alpha is of lattices whose radius squared is the square of a whole number, not " +
-            std::to_string(radius_squared));
+            std::to_string(radius_squared) + ", which takes weights");
     }
     const std::vector<PlaneOffset> classes = plane_bond_classes(radius_squared);
     for (std::size_t i = 0; i < std::min(alpha.size(), classes.size()); ++i) {
@@ -144,7 +156,7 @@ inline std::vector<double> bond_weights(unsigned radius_squared, std::vector<dou
 /// 1: what they have then.
 inline double fracture_energy(const BondModel& model, double stretch) {
     double energy = 0;
-    for (const auto& [bond, weight] : model.bonds) {
+    for (const auto& [bond, weight] : model.bonds()) {
         const double extension = stretch * (bond.x * bond.x + bond.y * bond.y);
         energy += bond.y > 0 ? bond.y * weight * extension * extension / 2 : 0;
     }

@@ -9,11 +9,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <nmbc/bond_model.hpp>
 #include <nmbc/plane_block.hpp>
 #include <span>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,13 +31,13 @@ struct BondGroup {
     std::size_t word = 0;
     unsigned first_bit = 0;
 
-    PlaneOffset reach() const { return members[0]; }  ///< x and y, not below 0
+    PlaneOffset first() const { return members[0]; }  ///< x and y, not below 0
 };
 
 /// Shortest bonds first.
 inline std::vector<BondGroup> bond_groups(const BondModel& model) {
     std::vector<BondGroup> groups;
-    for (const auto& [bond, weight] : model.bonds) {
+    for (const auto& [bond, weight] : model.bonds()) {
         const auto [x, y] = bond;
         if (x > 0 && y > 0) {
             groups.push_back({weight, {{{x, y}, {x, -y}, {-x, y}, {-x, -y}}}, 4});
@@ -46,7 +46,7 @@ inline std::vector<BondGroup> bond_groups(const BondModel& model) {
         }
     }
     std::ranges::stable_sort(groups, {}, [](const BondGroup& group) {
-        return group.reach().x * group.reach().x + group.reach().y * group.reach().y;
+        return group.first().x * group.first().x + group.first().y * group.first().y;
     });
     constexpr unsigned bits = 32;
     std::size_t word = 0;
@@ -90,6 +90,9 @@ class BondStates {
           axes_(std::move(axes)),
           nodes_{axes_[0].nodes(), axes_[1].nodes()} {
         const auto count = static_cast<std::size_t>(nodes_[0] * nodes_[1]);
+        for (const BondGroup& group : groups_) {
+            family_ += static_cast<int>(group.size);
+        }
         held_.assign(groups_.back().word + 1, std::vector<Word>(count, 0));
         breakable_ = held_;
         for_each([this](std::ptrdiff_t x, std::ptrdiff_t y, const BondGroup& group, unsigned m) {
@@ -141,14 +144,10 @@ class BondStates {
         for (const std::vector<Word>& word : held_) {
             held += std::popcount(word[index(x, y)]);
         }
-        int whole = 0;
-        int family = 0;
-        for (const BondGroup& group : groups_) {
-            family += static_cast<int>(group.size);
-        }
-        if (held == family) {
+        if (held == family_) {
             return 0;
         }
+        int whole = 0;
         for (const BondGroup& group : groups_) {
             for (unsigned m = 0; m < group.size; ++m) {
                 whole += is_whole(x, y, group.members[m]) ? 1 : 0;
@@ -157,38 +156,38 @@ class BondStates {
         return whole == 0 ? 0 : 1 - static_cast<double>(held) / whole;
     }
 
-    /// Breaks the bonds that meet the line, whose points are those of the body's nodes.
+    /// Breaks the bonds that meet the line, whose points are those of the body's nodes; and, where
+    /// the body repeats itself, those that its images meet.
     void cut(const PlanePoint& from, const PlanePoint& to) {
-        const auto period_of = [](const PlaneAxis& axis) {
-            return axis.is_periodic() ? static_cast<double>(axis.nodes()) : 0;
-        };
-        const std::array<double, 2> period{period_of(axes_[0]), period_of(axes_[1])};
-        for_each([&](std::ptrdiff_t x, std::ptrdiff_t y, const BondGroup& group, unsigned m) {
-            const PlanePoint here{static_cast<double>(x), static_cast<double>(y)};
-            const std::array<PlanePoint, 2> bond{
-                here, {here[0] + group.members[m].x, here[1] + group.members[m].y}};
-            for (const double turns_x : {-1, 0, 1}) {
-                for (const double turns_y : {-1, 0, 1}) {
-                    const auto moved = [&](const PlanePoint& point) {
-                        return PlanePoint{point[0] + turns_x * period[0],
-                                          point[1] + turns_y * period[1]};
-                    };
-                    if (meets({moved(from), moved(to)}, bond)) {
-                        held_[group.word][index(x, y)] &= static_cast<Word>(~bit(group, m));
-                    }
-                }
+        const std::array<int, 2> turns{axes_[0].is_periodic() ? 1 : 0,
+                                       axes_[1].is_periodic() ? 1 : 0};
+        for (int turns_y = -turns[1]; turns_y <= turns[1]; ++turns_y) {
+            for (int turns_x = -turns[0]; turns_x <= turns[0]; ++turns_x) {
+                const auto moved = [&](const PlanePoint& point) {
+                    return PlanePoint{point[0] + turns_x * static_cast<double>(nodes_[0]),
+                                      point[1] + turns_y * static_cast<double>(nodes_[1])};
+                };
+                cut_once({moved(from), moved(to)});
             }
-        });
+        }
     }
 
     /// From here on all bonds that hold may break, but for those of nodes for which keep(x, y).
     template <class Keep>
     void let_break(const Keep& keep) {
+        std::vector<bool> kept(held_[0].size());
+        for (std::ptrdiff_t y = 0; y < nodes_[1]; ++y) {
+            for (std::ptrdiff_t x = 0; x < nodes_[0]; ++x) {
+                kept[index(x, y)] = keep(x, y);
+            }
+        }
         for_each([&](std::ptrdiff_t x, std::ptrdiff_t y, const BondGroup& group, unsigned m) {
-            const auto [i, j] = group.members[m];
+            const auto other = in_period(x + group.members[m].x, y + group.members[m].y);
+            const bool is_kept =
+                kept[index(x, y)] ||
+                (is_in_body(other) ? kept[index(other[0], other[1])] : keep(other[0], other[1]));
             const Word one = bit(group, m);
             Word& breakable = breakable_[group.word][index(x, y)];
-            const bool is_kept = keep(x, y) || keep(x + i, y + j);
             breakable = static_cast<Word>(is_kept ? breakable & ~one : breakable | one);
         });
     }
@@ -204,7 +203,14 @@ class BondStates {
         return all;
     }
     std::size_t state_size() const { return held_.size() * held_[0].size(); }
+    /// Throws std::invalid_argument where a bond holds that the body does not have.
     void resume(std::span<const std::uint32_t> state) {
+        for_each([&](std::ptrdiff_t x, std::ptrdiff_t y, const BondGroup& group, unsigned m) {
+            if (!is_whole(x, y, group.members[m]) &&
+                (state[group.word * held_[0].size() + index(x, y)] & bit(group, m)) != 0) {
+                throw std::invalid_argument("the state of a plane with other sides");
+            }
+        });
         for (std::vector<Word>& word : held_) {
             std::ranges::copy(state.first(word.size()), word.begin());
             state = state.subspan(word.size());
@@ -212,10 +218,15 @@ class BondStates {
     }
 
   private:
+    /// Calls work(x, y, group, member) for the bonds of the body's nodes between two of them, both
+    /// included.
     template <class Work>
-    void for_each(const Work& work) {
-        for (std::ptrdiff_t y = 0; y < nodes_[1]; ++y) {
-            for (std::ptrdiff_t x = 0; x < nodes_[0]; ++x) {
+    void for_each_between(const std::array<std::ptrdiff_t, 2>& low,
+                          const std::array<std::ptrdiff_t, 2>& high, const Work& work) const {
+        for (std::ptrdiff_t y = std::max<std::ptrdiff_t>(low[1], 0);
+             y <= std::min(high[1], nodes_[1] - 1); ++y) {
+            for (std::ptrdiff_t x = std::max<std::ptrdiff_t>(low[0], 0);
+                 x <= std::min(high[0], nodes_[0] - 1); ++x) {
                 for (const BondGroup& group : groups_) {
                     for (unsigned m = 0; m < group.size; ++m) {
                         work(x, y, group, m);
@@ -223,6 +234,32 @@ class BondStates {
                 }
             }
         }
+    }
+
+    template <class Work>
+    void for_each(const Work& work) const {
+        for_each_between({0, 0}, nodes_, work);
+    }
+
+    void cut_once(const std::array<PlanePoint, 2>& line) {
+        std::array<std::ptrdiff_t, 2> low{};
+        std::array<std::ptrdiff_t, 2> high{};
+        for (const std::size_t axis : {0U, 1U}) {
+            const auto ends = std::minmax(line[0][axis], line[1][axis]);
+            const auto far = static_cast<double>(nodes_[axis]);
+            const auto reach =
+                static_cast<double>(groups_.back().first().x + groups_.back().first().y);
+            low[axis] = static_cast<std::ptrdiff_t>(std::clamp(ends.first - reach - 1, 0.0, far));
+            high[axis] = static_cast<std::ptrdiff_t>(std::clamp(ends.second + reach + 1, 0.0, far));
+        }
+        for_each_between(
+            low, high, [&](std::ptrdiff_t x, std::ptrdiff_t y, const BondGroup& group, unsigned m) {
+                const PlanePoint here{static_cast<double>(x), static_cast<double>(y)};
+                if (meets(line,
+                          {here, {here[0] + group.members[m].x, here[1] + group.members[m].y}})) {
+                    held_[group.word][index(x, y)] &= static_cast<Word>(~bit(group, m));
+                }
+            });
     }
 
     /// Whether the node has a neighbour there before anything breaks.
@@ -234,6 +271,7 @@ class BondStates {
     }
 
     std::vector<BondGroup> groups_;
+    int family_ = 0;  // bonds of a node that lacks none
     std::array<PlaneAxis, 2> axes_;
     std::array<std::ptrdiff_t, 2> nodes_;
     std::vector<std::vector<Word>> held_;

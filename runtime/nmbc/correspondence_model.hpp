@@ -3,11 +3,11 @@
 /// missing.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <nmbc/plane_family.hpp>
+#include <nmbc/plane_wave.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -33,8 +33,6 @@ struct CorrespondenceModel {
     std::size_t reach() const { return 2 * horizon(); }         ///< of forces [dX]
     double speed_P() const { return std::sqrt(bulk + shear); }  ///< c_L, of long waves
     double speed_S() const { return std::sqrt(shear); }         ///< c_S
-
-    friend bool operator==(const CorrespondenceModel&, const CorrespondenceModel&) = default;
 };
 
 /// poisson is nu. Throws std::invalid_argument where there is no such material, and of a radius

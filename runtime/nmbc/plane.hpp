@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <nmbc/bond_force.hpp>
+#include <nmbc/bond_states.hpp>
 #include <nmbc/coefficients.hpp>
 #include <nmbc/leapfrog.hpp>
 #include <nmbc/plane_dashpots.hpp>
@@ -63,7 +64,8 @@ struct PlaneState {
     std::vector<Real> ghosts{};          ///< what the conditions of ghosts remember
     std::array<double, 4> gone{};        ///< sums of what left() counts
     std::vector<std::uint32_t> bonds{};  ///< which hold, of a bond-based plane
-    std::array<double, 2> broken{};      ///< bonds since the start, and their energy over E
+    double broken = 0;
+    double released = 0;  ///< over E
 };
 
 /// The state: u at t and v at t - dt/2, two components each, on grid(): ghosts, the layers of
@@ -155,7 +157,7 @@ class BasicPlane {
     }
 
     PlaneState<Real> state() const {
-        PlaneState<Real> state{steps_, u_, v_, {}, gone_, {}, {broken_, released_}};
+        PlaneState<Real> state{steps_, u_, v_, {}, gone_, {}, broken_, released_};
         if (const auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_)) {
             state.bonds = bonds->states().state();
         }
@@ -165,7 +167,8 @@ class BasicPlane {
         return state;
     }
 
-    /// Goes on from the state of a plane of the same model, sides and parameters, bit for bit.
+    /// Goes on from the state of a plane of the same model, sides, parameters and, of bonds, that
+    /// break alike, bit for bit.
     /// Throws std::invalid_argument where the state is of another size.
     void resume(const PlaneState<Real>& state) {
         std::size_t remembered = 0;
@@ -188,8 +191,8 @@ class BasicPlane {
         if (bonds != nullptr) {
             bonds->states().resume(state.bonds);
         }
-        broken_ = state.broken[0];
-        released_ = state.broken[1];
+        broken_ = state.broken;
+        released_ = state.released;
         steps_ = state.steps;
         u_ = state.displacement;
         v_ = state.velocity;
@@ -230,12 +233,20 @@ class BasicPlane {
     /// Breaks the bonds that the line from one point to the other meets: those of a node on it,
     /// too, but for bonds along the line.
     void cut(const PlanePoint& from, const PlanePoint& to);
-    /// The part of a node's bonds that no longer hold.
+    /// The part of a node's bonds that no longer hold. Throws std::invalid_argument of a node
+    /// outside.
     double damage(std::size_t x, std::size_t y) const;
     /// Bonds that have broken since the start, each counted once.
-    double broken() const { return broken_; }
-    /// The energy [per thickness] that they had: what the body's staggered energy has lost by them.
-    double released() const { return parameters_.youngs_modulus * released_; }
+    double broken() const {
+        bonds_of(force_);
+        return broken_;
+    }
+    /// What the staggered energy [per thickness] of the body has lost by them. Where a bond is
+    /// pulled from short to too long within one step it can be below 0.
+    double released() const {
+        bonds_of(force_);
+        return parameters_.youngs_modulus * released_;
+    }
 
     /// Of the whole body, and of the ghosts of fixed sides, which are strained, too.
     PlaneEnergies energies() const {
@@ -283,9 +294,9 @@ class BasicPlane {
             detail::checked_null_lagrangian(sides, 0);
             return model;
         }
-        const auto is_positive = [](double value) { return value > 0 && std::isfinite(value); };
-        if (correspondence->radius_squared == 0 || !is_positive(correspondence->bulk) ||
-            !is_positive(correspondence->shear) ||
+        const auto is_modulus = [](double value) { return value > 0 && std::isfinite(value); };
+        if (correspondence->radius_squared == 0 || !is_modulus(correspondence->bulk) ||
+            !is_modulus(correspondence->shear) ||
             !(correspondence->stabilisation >= 0 && std::isfinite(correspondence->stabilisation))) {
             throw std::invalid_argument(
                 "a plane needs a model with positive moduli, such as nopd2d() makes");
@@ -433,8 +444,13 @@ void BasicPlane<Real>::kick() {
         group.keep(field(std::as_const(v_)));
     }
     friction_.keep(field(std::as_const(v_)));
-    kick_by_forces(parameters_.time_step, v_);
-    count_broken();
+    if (auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_)) {
+        bonds->break_and_kick(parameters_.time_step * parameters_.rate() * parameters_.rate(),
+                              field(std::as_const(u_)), field(v_));
+        count_broken();
+    } else {
+        kick_by_forces(parameters_.time_step, v_);
+    }
 }
 
 template <class Real>
@@ -503,54 +519,8 @@ void BasicPlane<Real>::close_ghosts(Fields& fields) const {
     }
 }
 
-/// With m the mean of two displacements and d half of their difference, a quadratic form Q of both
-/// is Q(m) - Q(d).
-template <class Real>
-PlaneEnergies BasicPlane<Real>::energies_of(const Window& window) const {
-    const auto half = static_cast<Real>(parameters_.time_step / 2);
-    Fields velocity = v_;
-    close_ghosts(velocity);
-    Fields mean = u_;
-    close_ghosts(mean);
-    for (std::size_t a = 0; a < 2; ++a) {
-        for (std::size_t i = 0; i < mean[a].size(); ++i) {
-            mean[a][i] -= half * velocity[a][i];
-        }
-    }
-    const auto v = field(std::as_const(velocity));
-    detail::PlanePotential potential;
-    double lost = 0;
-    PlaneEnergies sum;
-    for (std::ptrdiff_t y = window.y.first; y < window.y.last; ++y) {
-        double kinetic = 0;
-        for (std::ptrdiff_t x = window.x.first; x < window.x.last; ++x) {
-            const std::ptrdiff_t at = y * static_cast<std::ptrdiff_t>(grid().nx) + x;
-            for (std::size_t a = 0; a < 2; ++a) {
-                const auto own = static_cast<double>(v[a][at]);
-                kinetic += axis_of(0).mass(a, x) * axis_of(1).mass(a, y) * own * own / 2;
-            }
-        }
-        sum.kinetic += kinetic;
-        const auto potential_of = [&](const detail::PlaneField<const Real>& u) {
-            return std::visit(
-                [&](const auto& force) {
-                    return force.potential_of_row(y, window.x.first, window.x.last, u);
-                },
-                force_);
-        };
-        potential.add(potential_of(field(std::as_const(mean))));
-        lost += potential_of(v).total();
-    }
-    const double E = parameters_.youngs_modulus;
-    sum.kinetic *= parameters_.density * parameters_.spacing * parameters_.spacing;
-    sum.strain = E * potential.strain;
-    sum.stabilisation = E * potential.stabilisation;
-    sum.staggered = sum.kinetic + E * (potential.total() -
-                                       parameters_.time_step * parameters_.time_step / 4 * lost);
-    return sum;
-}
-
 }  // namespace nmbc
 
 #include <nmbc/plane_assembly.hpp>
+#include <nmbc/plane_energies.hpp>
 #include <nmbc/plane_fracture.hpp>

@@ -50,9 +50,8 @@ class PlaneForce {
     }
 
     /// Of the nodes first .. last-1 of a row.
-    template <class Number>
     PlanePotential potential_of_row(std::ptrdiff_t y, std::ptrdiff_t first, std::ptrdiff_t last,
-                                    const std::array<Number*, 2>& u) const {
+                                    PlaneField<const Real> u) const {
         return detail::potential_of_row(nodes_, y, first, last, u);
     }
 

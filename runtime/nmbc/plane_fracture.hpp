@@ -29,6 +29,7 @@ void BasicPlane<Real>::break_above(double stretch, const Keep& keep) {
 template <class Real>
 template <class Keep>
 void BasicPlane<Real>::break_above(double stretch, const Keep& keep, AllowUnstable /*tag*/) {
+    bonds_of(force_);
     if (!(stretch > 0 && std::isfinite(stretch))) {
         throw std::invalid_argument("the stretch at which bonds break must be above 0");
     }
@@ -40,6 +41,9 @@ void BasicPlane<Real>::break_above(double stretch, const Keep& keep, AllowUnstab
 
 template <class Real>
 void BasicPlane<Real>::cut(const PlanePoint& from, const PlanePoint& to) {
+    if (!std::isfinite(from[0] + from[1] + to[0] + to[1]) || from == to) {
+        throw std::invalid_argument("a cut needs two points that differ, of finite numbers");
+    }
     const std::array<std::ptrdiff_t, 2> first = first_of_interior();
     const auto of_body = [&](const PlanePoint& point) {
         return PlanePoint{point[0] + static_cast<double>(first[0]),
@@ -50,6 +54,9 @@ void BasicPlane<Real>::cut(const PlanePoint& from, const PlanePoint& to) {
 
 template <class Real>
 double BasicPlane<Real>::damage(std::size_t x, std::size_t y) const {
+    if (x >= parameters_.nx || y >= parameters_.ny) {
+        throw std::invalid_argument("damage: the node must be one of the interior");
+    }
     const std::array<std::ptrdiff_t, 2> first = first_of_interior();
     return bonds_of(force_).states().damage(static_cast<std::ptrdiff_t>(x) + first[0],
                                             static_cast<std::ptrdiff_t>(y) + first[1]);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <nmbc/bond_model.hpp>
 #include <nmbc/correspondence_model.hpp>
+#include <nmbc/plane_wave.hpp>
 #include <utility>
 #include <variant>
 

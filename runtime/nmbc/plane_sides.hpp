@@ -159,33 +159,33 @@ inline void require_valid(const PassiveSide& side) {
     }
 }
 
-/// Equal up to the roundings of numbers that were printed.
-inline bool is_near(double one, double other) {
-    constexpr double roundings = 1e-9;
-    return std::abs(one - other) <= roundings * std::max(std::abs(one), std::abs(other));
-}
-inline bool is_near(const CorrespondenceModel& one, const CorrespondenceModel& other) {
-    return one.radius_squared == other.radius_squared && is_near(one.bulk, other.bulk) &&
-           is_near(one.shear, other.shear) && is_near(one.stabilisation, other.stabilisation);
-}
-inline bool is_near(const BondModel& one, const BondModel& other) {
-    return std::ranges::equal(
-        one.bonds, other.bonds, [](const BondModel::Bond& bond, const BondModel::Bond& alike) {
-            return bond.offset == alike.offset && is_near(bond.weight, alike.weight);
-        });
-}
-template <class One, class Other>
-bool is_near(const One& /*one*/, const Other& /*other*/) {
-    return false;  // other laws
-}
+/// Whether two laws are equal up to the roundings of numbers that were printed.
+struct IsAlike {
+    static bool is_near(double one, double other) {
+        constexpr double roundings = 1e-9;
+        return std::abs(one - other) <= roundings * std::max(std::abs(one), std::abs(other));
+    }
+    bool operator()(const CorrespondenceModel& one, const CorrespondenceModel& other) const {
+        return one.radius_squared == other.radius_squared && is_near(one.bulk, other.bulk) &&
+               is_near(one.shear, other.shear) && is_near(one.stabilisation, other.stabilisation);
+    }
+    bool operator()(const BondModel& one, const BondModel& other) const {
+        return std::ranges::equal(one.bonds(), other.bonds(),
+                                  [](const BondModel::Bond& bond, const BondModel::Bond& alike) {
+                                      return bond.offset == alike.offset &&
+                                             is_near(bond.weight, alike.weight);
+                                  });
+    }
+    bool operator()(const CorrespondenceModel&, const BondModel&) const { return false; }
+    bool operator()(const BondModel&, const CorrespondenceModel&) const { return false; }
+};
 
 /// Throws std::invalid_argument where a passive side was designed for another lattice.
 inline void require_made_for(const PlaneSides& sides, const PlaneModel& model) {
     for (const Side place : plane_sides) {
         const auto* const passive = std::get_if<PassiveSide>(&sides.at(place));
         if (passive != nullptr && passive->made_for &&
-            !std::visit([](const auto& one, const auto& other) { return is_near(one, other); },
-                        passive->made_for->law(), model.law())) {
+            !std::visit(IsAlike{}, passive->made_for->law(), model.law())) {
             throw std::invalid_argument(
                 "this passive side was designed for another lattice: radius, Poisson's ratio, "
                 "plane stress or strain, G (nmbcgen's g is G/pi) or weights are not those of the "
@@ -226,8 +226,10 @@ inline double checked_null_lagrangian(const PlaneSides& sides, double largest) {
         if (const auto* const passive = std::get_if<PassiveSide>(&side)) {
             if (!(passive->null_lagrangian >= 0 && passive->null_lagrangian <= largest)) {
                 throw std::invalid_argument(
-                    "the null Lagrangian of a passive side must be from 0 to twice the shear "
-                    "modulus");
+                    largest > 0 ? "the null Lagrangian of a passive side must be from 0 to twice "
+                                  "the shear modulus"
+                                : "the passive sides of a bond-based plane have no null "
+                                  "Lagrangian");
             }
             if (!is_first && passive->null_lagrangian != beta) {
                 throw std::invalid_argument(

@@ -70,7 +70,7 @@ void step(benchmark::State& state, const nmbc::PlaneModel& model, bool may_break
     state.counters["of_triad"] = 1 / boost::math::statistics::median(quotients);
     if (const auto* const bonds = std::get_if<nmbc::BondModel>(&model.law())) {
         // Each of them once.
-        const auto per_node = static_cast<double>(bonds->bonds.size()) / 2;
+        const auto per_node = static_cast<double>(bonds->bonds().size()) / 2;
         state.counters["mbonds"] = 1e-6 * side * side * per_node / time;
     }
 }

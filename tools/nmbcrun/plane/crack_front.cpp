@@ -5,11 +5,10 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <nmbc/plane_family.hpp>
 
 namespace nmbcrun {
 namespace {
-
-constexpr double is_cracked = 0.35;
 
 double distance(const std::array<double, 2>& one, const std::array<double, 2>& other) {
     return std::hypot(one[0] - other[0], one[1] - other[1]);
@@ -31,12 +30,20 @@ CrackFront::CrackFront(const PlaneScene& scene)
     : nodes_(scene.nodes),
       spacing_(scene.spacing),
       horizon_(scene.spacing * std::sqrt(double(scene.radius_squared))),
+      is_periodic_{scene.sides[0].kind == SideKind::periodic,
+                   scene.sides[2].kind == SideKind::periodic},
       lines_(scene.fracture->cracks) {
+    const std::vector<nmbc::PlaneOffset> family = nmbc::plane_family(scene.radius_squared);
+    const auto across =
+        std::ranges::count_if(family, [](const nmbc::PlaneOffset& bond) { return bond.y > 0; });
+    constexpr double nearly = 0.9;  // a crack may leave a bond or two
+    cracked_above_ = nearly * double(across) / double(family.size());
     for (const auto& line : lines_) {
         for (const std::array<double, 2>& end :
              {std::array{line[0], line[1]}, std::array{line[2], line[3]}}) {
             const auto is_inside = [&](std::size_t axis) {
-                return end[axis] > spacing_ && end[axis] < double(nodes_[axis]) * spacing_;
+                return end[axis] > spacing_ / 2 &&
+                       end[axis] < (double(nodes_[axis]) + 0.5) * spacing_;
             };
             if (is_inside(0) && is_inside(1)) {
                 ends_.push_back(end);
@@ -47,28 +54,75 @@ CrackFront::CrackFront(const PlaneScene& scene)
 
 std::vector<CrackGrowth> CrackFront::look(
     const std::function<double(std::size_t, std::size_t)>& damage) const {
-    std::vector<std::vector<CrackedNode>> cracked(ends_.size());
+    std::vector<bool> cracked(nodes_[0] * nodes_[1], false);
     for (std::size_t y = 0; y < nodes_[1] && !ends_.empty(); ++y) {
         for (std::size_t x = 0; x < nodes_[0]; ++x) {
-            if (damage(x, y) <= is_cracked) {
-                continue;
-            }
-            const std::array<double, 2> X{double(x + 1) * spacing_, double(y + 1) * spacing_};
-            if (std::ranges::any_of(
-                    lines_, [&](const auto& line) { return is_beside(line, X, horizon_); })) {
-                continue;
-            }
-            const auto nearest = std::ranges::min_element(
-                ends_, {}, [&](const auto& end) { return distance(end, X); });
-            cracked[std::size_t(nearest - ends_.begin())].push_back(
-                {{x, y}, X, distance(*nearest, X)});
+            cracked[y * nodes_[0] + x] =
+                damage(x, y) > cracked_above_ &&
+                !is_beside_a_line({double(x + 1) * spacing_, double(y + 1) * spacing_});
         }
     }
     std::vector<CrackGrowth> growth;
     for (std::size_t end = 0; end < ends_.size(); ++end) {
-        growth.push_back(growth_of(cracked[end], end));
+        growth.push_back(growth_of(connected_to(ends_[end], cracked), end));
     }
     return growth;
+}
+
+bool CrackFront::is_beside_a_line(const std::array<double, 2>& X) const {
+    const auto turns = [this](std::size_t axis) { return is_periodic_[axis] ? 1 : 0; };
+    for (int j = -turns(1); j <= turns(1); ++j) {
+        for (int i = -turns(0); i <= turns(0); ++i) {
+            const std::array<double, 2> image{X[0] + i * double(nodes_[0]) * spacing_,
+                                              X[1] + j * double(nodes_[1]) * spacing_};
+            if (std::ranges::any_of(
+                    lines_, [&](const auto& line) { return is_beside(line, image, horizon_); })) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// From the nodes within two horizons of the end on, from node to node. Places go on beyond a
+/// periodic side.
+std::vector<CrackedNode> CrackFront::connected_to(const std::array<double, 2>& end,
+                                                  const std::vector<bool>& cracked) const {
+    using Place = std::array<long, 2>;
+    std::vector<bool> is_known(cracked.size(), false);
+    std::vector<CrackedNode> nodes;
+    const auto visit = [&](const Place& place) {
+        std::array<std::size_t, 2> node{};
+        for (const std::size_t axis : {0U, 1U}) {
+            const auto count = long(nodes_[axis]);
+            const long inside =
+                is_periodic_[axis] ? (place[axis] % count + count) % count : place[axis];
+            if (inside < 0 || inside >= count) {
+                return;
+            }
+            node[axis] = std::size_t(inside);
+        }
+        const std::size_t index = node[1] * nodes_[0] + node[0];
+        if (cracked[index] && !is_known[index]) {
+            is_known[index] = true;
+            const std::array<double, 2> X{double(place[0] + 1) * spacing_,
+                                          double(place[1] + 1) * spacing_};
+            nodes.push_back({place, X, distance(end, X)});
+        }
+    };
+    const auto visit_around = [&](const Place& middle, long reach) {
+        for (long dy = -reach; dy <= reach; ++dy) {
+            for (long dx = -reach; dx <= reach; ++dx) {
+                visit({middle[0] + dx, middle[1] + dy});
+            }
+        }
+    };
+    const auto near = std::lround(2 * horizon_ / spacing_);
+    visit_around({std::lround(end[0] / spacing_) - 1, std::lround(end[1] / spacing_) - 1}, near);
+    for (std::size_t next = 0; next < nodes.size(); ++next) {
+        visit_around(nodes[next].place, CrackPieces::gap);
+    }
+    return nodes;
 }
 
 CrackGrowth CrackFront::growth_of(const std::vector<CrackedNode>& nodes, std::size_t end) const {
@@ -83,17 +137,20 @@ CrackGrowth CrackFront::growth_of(const std::vector<CrackedNode>& nodes, std::si
     return growth;
 }
 
-/// (2 - c^2/c_S^2)^2 = 4 sqrt(1 - c^2/c_P^2) sqrt(1 - c^2/c_S^2), between 0.6 and 1 of c_S.
-double rayleigh_speed(double speed_P, double speed_S) {
-    const double ratio = speed_S / speed_P;
-    const auto equation = [&](double x) {
-        return std::pow(2 - x * x, 2) -
-               4 * std::sqrt(1 - ratio * ratio * x * x) * std::sqrt(1 - x * x);
+/// With x = c^2/c_S^2 and r = c_S^2/c_P^2: x^3 - 8 x^2 + (24 - 16 r) x = 16 (1 - r), which has one
+/// root between 0 and 1.
+std::optional<double> rayleigh_speed(double speed_P, double speed_S) {
+    const double ratio = speed_S * speed_S / (speed_P * speed_P);
+    if (!(ratio > 0 && ratio < 1)) {
+        return std::nullopt;
+    }
+    const auto equation = [ratio](double x) {
+        return ((x - 8) * x + 24 - 16 * ratio) * x - 16 * (1 - ratio);
     };
     std::uintmax_t iterations = 100;
     const auto [low, high] = boost::math::tools::toms748_solve(
-        equation, 0.6, 1.0, boost::math::tools::eps_tolerance<double>(40), iterations);
-    return (low + high) / 2 * speed_S;
+        equation, 0.0, 1.0, boost::math::tools::eps_tolerance<double>(40), iterations);
+    return std::sqrt((low + high) / 2) * speed_S;
 }
 
 }  // namespace nmbcrun

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "tools/nmbcrun/plane/crack_pieces.hpp"
@@ -15,7 +16,7 @@ namespace nmbcrun {
 /// Of a crack that grows from an end of a line of fracture.cracks. A node is cracked where more
 /// than 0.35 of its bonds do not hold: beside a straight cut along an axis, 11 of 28 at radius 3.
 struct CrackGrowth {
-    double reach = 0;             ///< from that end to the farthest of its cracked nodes [length]
+    double reach = 0;  ///< to the farthest of the cracked nodes that hang together with it [length]
     std::array<double, 2> tip{};  ///< that node
     /// Where it goes on in two ways or more, of at least five horizons each; the nearest first.
     std::vector<std::array<double, 2>> branches{};
@@ -34,16 +35,21 @@ class CrackFront {
         const std::function<double(std::size_t, std::size_t)>& damage) const;
 
   private:
+    bool is_beside_a_line(const std::array<double, 2>& X) const;
+    std::vector<CrackedNode> connected_to(const std::array<double, 2>& end,
+                                          const std::vector<bool>& cracked) const;
     CrackGrowth growth_of(const std::vector<CrackedNode>& nodes, std::size_t end) const;
 
     std::array<std::size_t, 2> nodes_;
     double spacing_;
     double horizon_;  // [length]
+    double cracked_above_ = 0;
+    std::array<bool, 2> is_periodic_;
     std::vector<std::array<double, 4>> lines_;
     std::vector<std::array<double, 2>> ends_{};
 };
 
-/// The speed of Rayleigh waves on a solid with these two.
-double rayleigh_speed(double speed_P, double speed_S);
+/// The speed of Rayleigh waves on a solid with these two; none where c_S is 0 or not below c_P.
+std::optional<double> rayleigh_speed(double speed_P, double speed_S);
 
 }  // namespace nmbcrun

@@ -25,10 +25,8 @@ std::size_t CrackPieces::band_of(std::size_t node) const {
     return std::size_t((*nodes_)[node].distance / horizon_);
 }
 
-/// Cracks are two nodes wide, and ragged: a node between two others may be whole.
 void CrackPieces::find_neighbours() {
-    constexpr long gap = 2;
-    std::map<std::array<std::size_t, 2>, std::size_t> number;
+    std::map<std::array<long, 2>, std::size_t> number;
     for (std::size_t i = 0; i < nodes_->size(); ++i) {
         number[(*nodes_)[i].place] = i;
     }
@@ -36,7 +34,7 @@ void CrackPieces::find_neighbours() {
         const auto& [x, y] = (*nodes_)[i].place;
         for (long dy = -gap; dy <= gap; ++dy) {
             for (long dx = -gap; dx <= gap; ++dx) {
-                const auto found = number.find({x + std::size_t(dx), y + std::size_t(dy)});
+                const auto found = number.find({x + dx, y + dy});
                 if (found != number.end()) {
                     neighbours_[i].push_back(found->second);
                 }

@@ -10,15 +10,18 @@
 namespace nmbcrun {
 
 struct CrackedNode {
-    std::array<std::size_t, 2> place{};  ///< its numbers along x and y
-    std::array<double, 2> X{};           ///< [length]
-    double distance = 0;                 ///< from where the crack begins [length]
+    std::array<long, 2> place{};  ///< its numbers along x and y, beyond periodic sides, too
+    std::array<double, 2> X{};    ///< [length]
+    double distance = 0;          ///< from where the crack begins [length]
 };
 
 /// Cracked nodes in bands of distance, a horizon wide each. The nodes of a band that hang together
 /// are a piece.
 class CrackPieces {
   public:
+    /// Cracks are two nodes wide, and ragged: a node between two others may be whole.
+    static constexpr long gap = 2;
+
     CrackPieces(const std::vector<CrackedNode>& nodes, double horizon);
 
     /// Where a piece goes on in two of the next band or more, which go on for at least five

@@ -47,12 +47,14 @@ std::string probes_header(const PlaneScene& scene) {
     return header + "\n";
 }
 
-std::string cracks_header(const CrackFront& front) {
-    std::string header = "time,broken";
+std::vector<std::string> crack_columns(const CrackFront& front) {
+    std::vector<std::string> names{"time", "broken"};
     for (std::size_t end = 1; end <= front.ends().size(); ++end) {
-        header += fmt::format(",reach_{0},X_{0},Y_{0},branches_{0}", end);
+        for (const char* const name : {"reach", "X", "Y", "branches"}) {
+            names.push_back(fmt::format("{}_{}", name, end));
+        }
     }
-    return header + "\n";
+    return names;
 }
 
 }  // namespace
@@ -81,7 +83,7 @@ PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path 
     }
     if (front_) {
         cracked_ = std::make_unique<Journal>(path("_cracks.csv"));
-        cracked_->append(cracks_header(*front_));
+        cracked_->append(fmt::format("{}\n", fmt::join(crack_columns(*front_), ",")));
     }
     for (Journal* const journal : journals()) {
         journal->source();  // what cannot be written is known before the first step
@@ -167,22 +169,22 @@ std::vector<std::vector<double>> PlaneFiles::rows(std::size_t wanted) const {
     return some;
 }
 
-std::vector<std::vector<double>> PlaneFiles::crack_rows() const {
-    const std::filesystem::path file = cracked_->source();
-    std::vector<std::string> names{"time", "broken"};
-    for (std::size_t end = 1; end <= front_->ends().size(); ++end) {
-        for (const char* const name : {"reach", "X", "Y", "branches"}) {
-            names.push_back(fmt::format("{}_{}", name, end));
-        }
-    }
-    const std::vector<std::vector<double>> columns = read_columns(file, names);
-    std::vector<std::vector<double>> rows(columns[0].size());
-    for (const std::vector<double>& column : columns) {
-        for (std::size_t row = 0; row < rows.size(); ++row) {
-            rows[row].push_back(column[row]);
+std::vector<PlaneFiles::CrackRow> PlaneFiles::crack_rows() const {
+    const auto columns = read_columns(cracked_->source(), crack_columns(*front_));
+    std::vector<CrackRow> rows(columns[0].size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].time = columns[0][i];
+        rows[i].broken = columns[1][i];
+        for (std::size_t end = 0; end < front_->ends().size(); ++end) {
+            rows[i].reach.push_back(columns[2 + 4 * end][i]);
+            rows[i].branches.push_back(columns[5 + 4 * end][i]);
         }
     }
     return rows;
+}
+
+std::vector<CrackGrowth> PlaneFiles::growth(const PlaneSimulation& simulation) const {
+    return front_->look([&](std::size_t x, std::size_t y) { return simulation.damage(x, y); });
 }
 
 /// Relative to the folder.
@@ -200,9 +202,9 @@ void PlaneFiles::record(const PlaneSimulation& simulation, const nmbc::PlaneEner
                                   balance.left[3], balance.fracture, balance.drift));
     if (cracked_) {
         std::string row = fmt::format("{:.10g},{:.0f}", plane.time(), plane.broken());
-        for (const CrackGrowth& growth : crack_growth(simulation)) {
-            row += fmt::format(",{:.9g},{:.9g},{:.9g},{}", growth.reach, growth.tip[0],
-                               growth.tip[1], growth.branches.size());
+        for (const CrackGrowth& of_end : growth(simulation)) {
+            row += fmt::format(",{:.9g},{:.9g},{:.9g},{}", of_end.reach, of_end.tip[0],
+                               of_end.tip[1], of_end.branches.size());
         }
         cracked_->append(row + "\n");
     }
@@ -290,12 +292,6 @@ std::string PlaneFiles::listed() const {
         lines += fmt::format("field        {}\n", path("_field.vti").string());
     }
     return lines;
-}
-
-std::vector<CrackGrowth> crack_growth(const PlaneSimulation& simulation) {
-    return CrackFront(simulation.scene()).look([&](std::size_t x, std::size_t y) {
-        return simulation.damage(x, y);
-    });
 }
 
 std::string vti_text(const PlaneSimulation& simulation) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -55,9 +56,16 @@ class PlaneFiles {
     /// time, kinetic, strain, stabilisation, total, .. of about so many of the rows, and the last.
     std::vector<std::vector<double>> rows(std::size_t wanted) const;
 
-    /// time, broken and, of each end of a crack, reach, X, Y, branches; all rows. Of a scene with
-    /// fracture.
-    std::vector<std::vector<double>> crack_rows() const;
+    // Of a scene with fracture:
+    const CrackFront& front() const { return *front_; }
+    std::vector<CrackGrowth> growth(const PlaneSimulation& simulation) const;
+    struct CrackRow {
+        double time = 0;
+        double broken = 0;
+        std::vector<double> reach{};     ///< of each end of a crack
+        std::vector<double> branches{};  ///< likewise
+    };
+    std::vector<CrackRow> crack_rows() const;
 
     /// A line each.
     std::string listed() const;
@@ -81,9 +89,6 @@ class PlaneFiles {
     bool is_kept_ = false;
     std::vector<std::pair<double, std::filesystem::path>> snapshots_{};  // time, relative path
 };
-
-/// Of each end of a line of fracture.cracks, now.
-std::vector<CrackGrowth> crack_growth(const PlaneSimulation& simulation);
 
 /// The scene's nodes as VTK image data (.vti): displacement and velocity, three components in
 /// doubles, z = 0.

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "generator/exact/rational.hpp"
 #include "tools/nmbcrun/scene/printable.hpp"
@@ -16,6 +18,54 @@ std::string words_of(const PlaneSimulation& simulation, std::size_t side) {
     return choice.kind == SideKind::extended
                ? fmt::format("extended by {} nodes", simulation.extension()[side])
                : heading_of(choice);
+}
+
+/// The frequency 2 pi f at which the spectrum of a force is largest; 0 where it is none above 0.
+double largest_frequency(const ForceHistory& force) {
+    switch (force.history) {
+        case History::ricker:
+            return 2 / force.duration;
+        case History::sine:
+            return 2 * std::numbers::pi * force.frequency;
+        case History::gaussian:
+        case History::file:
+            break;
+    }
+    return 0;
+}
+
+/// Where S waves of that frequency are far from those of the solid; empty where they are not.
+std::string warning_of_short_waves(const PlaneScene& scene) {
+    const double frequency = scene.force ? largest_frequency(scene.force->history) : 0;
+    if (frequency == 0) {
+        return "";
+    }
+    const nmbc::PlaneModel model = model_of(scene);
+    const double xi = frequency / (rate_of(scene) * model.speed_S());  // of the solid
+    constexpr double tolerable = 0.1;
+    if (xi < std::numbers::pi) {
+        const double of_lattice = std::sqrt(nmbc::plane_wave(model, {xi, 0}, false).omega_squared);
+        if (std::abs(of_lattice / (xi * model.speed_S()) - 1) < tolerable) {
+            return "";
+        }
+    }
+    return fmt::format(
+        "the force is strongest where the solid's S waves are {:.3g} dX long; this lattice carries "
+        "such waves at another speed, or not at all, and their energy may stay: a longer "
+        "duration, or a finer lattice",
+        2 * std::numbers::pi / xi);
+}
+
+/// Where a load that sets in at once pulls bonds apart within one step.
+std::string warning_of_jumps(const PlaneSimulation& simulation) {
+    const auto longest = longest_step_of_loads(simulation.scene());
+    return longest && simulation.plan().time_step > *longest
+               ? fmt::format(
+                     "a load sets in so hard that in one step its nodes move by the critical "
+                     "stretch times dX: bonds may break for that alone. Give it a rise, or "
+                     "time.step below {:.3g}",
+                     *longest)
+               : "";
 }
 
 }  // namespace
@@ -40,6 +90,14 @@ std::string heading_of(const PlaneSimulation& simulation) {
             fmt::format("sides     left {}, right {}, bottom {}, top {}\n", words_of(simulation, 0),
                         words_of(simulation, 1), words_of(simulation, 2), words_of(simulation, 3));
     }
+    if (const auto stretch = critical_stretch(scene)) {
+        const double energy =
+            nmbc::fracture_energy(nmbc::bond2d(scene.radius_squared, scene.weights), *stretch);
+        text += fmt::format(
+            "fracture  bonds break at a stretch of {:.6g}: {:.4g} per area along an "
+            "axis\n",
+            *stretch, energy * scene.youngs_modulus * scene.spacing);
+    }
     const double speed = rate_of(scene) * scene.spacing;
     return text + fmt::format("plane     {} x {} nodes, dX = {}, c_P = {:.6g}, c_S = {:.6g}\n",
                               scene.nodes[0], scene.nodes[1], scene.spacing,
@@ -52,8 +110,12 @@ std::string heading_of(const PlanePlan& plan) {
 }
 
 void print_warning(const PlaneSimulation& simulation) {
-    if (!simulation.warning().empty()) {
-        fmt::print(stderr, "nmbcrun: warning: {}\n", printable(simulation.warning()));
+    for (const std::string& warning :
+         {simulation.warning(), warning_of_short_waves(simulation.scene()),
+          warning_of_jumps(simulation)}) {
+        if (!warning.empty()) {
+            fmt::print(stderr, "nmbcrun: warning: {}\n", printable(warning));
+        }
     }
 }
 

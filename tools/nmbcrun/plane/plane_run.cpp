@@ -4,9 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,6 +19,7 @@
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/checkpoint.hpp"
+#include "tools/nmbcrun/output/checksum.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
@@ -22,6 +27,7 @@
 #include "tools/nmbcrun/output/sample.hpp"
 #include "tools/nmbcrun/plane/plane_files.hpp"
 #include "tools/nmbcrun/plane/plane_report.hpp"
+#include "tools/nmbcrun/scene/regular_file.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -29,24 +35,58 @@ namespace {
 constexpr std::size_t look_every = 10;  // steps; whatever is written, the peak is the same
 
 std::map<std::string, std::string> identity(const PlaneSimulation& simulation) {
-    return identity_of(simulation.scene().given, has_open_layer(simulation.scene()),
-                       simulation.plan().steps, simulation.plan().time_step);
+    const PlaneScene& scene = simulation.scene();
+    auto keys = identity_of(scene.given, has_open_layer(scene), simulation.plan().steps,
+                            simulation.plan().time_step);
+    const auto add = [&keys](const std::filesystem::path& path) {
+        constexpr std::uintmax_t most_bytes = 1'000'000'000;
+        std::ifstream file = open_regular_file(path, most_bytes);
+        const std::string text(std::istreambuf_iterator<char>(file), {});
+        keys["the checksum of " + path.string()] = fmt::format("{:x}", checksum(text));
+    };
+    if (scene.force && scene.force->history.history == History::file) {
+        add(scene.force->history.file);
+    }
+    for (const PlaneLoad& load : scene.loads) {
+        if (!load.file.empty()) {
+            add(load.file);
+        }
+    }
+    return keys;
 }
 
-/// The largest mean rate at which a column grows within so much time.
-double fastest_growth(const std::vector<std::vector<double>>& rows, std::size_t column,
-                      double duration) {
-    double fastest = 0;
-    for (std::size_t first = 0, last = 0; last < rows.size(); ++last) {
-        while (rows[last][0] - rows[first + 1][0] >= duration) {
+/// The largest mean rate at which the reach from an end grows within so much time; none where the
+/// rows are shorter.
+std::optional<double> fastest_growth(const std::vector<PlaneFiles::CrackRow>& rows, std::size_t end,
+                                     double duration) {
+    std::optional<double> fastest;
+    std::size_t first = 0;
+    for (const PlaneFiles::CrackRow& last : rows) {
+        while (first + 1 < rows.size() && last.time - rows[first + 1].time >= duration) {
             ++first;
         }
-        const double time = rows[last][0] - rows[first][0];
+        const double time = last.time - rows[first].time;
         if (time >= duration) {
-            fastest = std::max(fastest, (rows[last][column] - rows[first][column]) / time);
+            const double rate = (last.reach[end] - rows[first].reach[end]) / time;
+            fastest = std::max(fastest.value_or(0), rate);
         }
     }
     return fastest;
+}
+
+/// How fast, of c_R; empty where either is not known.
+std::string speed_of_growth(const PlaneScene& scene, const PlaneFiles& files,
+                            const std::vector<PlaneFiles::CrackRow>& rows, std::size_t end) {
+    const nmbc::PlaneModel model = model_of(scene);
+    const auto of_unit = rayleigh_speed(model.speed_P(), model.speed_S());
+    if (!of_unit) {
+        return "";
+    }
+    const double rayleigh = rate_of(scene) * scene.spacing * *of_unit;
+    constexpr double horizons = 10;
+    const auto fastest = fastest_growth(rows, end, horizons * files.front().horizon() / rayleigh);
+    return fastest ? fmt::format(", fastest {:.4g}, {:.2f} of c_R", *fastest, *fastest / rayleigh)
+                   : std::string();
 }
 
 class PlaneRun {
@@ -181,8 +221,9 @@ void PlaneRun::look(bool is_row) {
     } else if (driven_peak > 0 && total > 10 * driven_peak && simulation_.times_supplied() > 10) {
         const PlaneScene& scene = simulation_.scene();
         throw unstable(fmt::format("the energy has grown to {:.3g} times {},", total / driven_peak,
-                                   scene.force || scene.drive ? "its peak before its sources ended"
-                                                              : "what it was at the start"));
+                                   scene.force || scene.drive || !scene.loads.empty()
+                                       ? "its peak before its sources ended"
+                                       : "what it was at the start"));
     }
     if (is_row) {
         const PlaneBalance balance = simulation_.balance();
@@ -258,10 +299,10 @@ void PlaneRun::advance() {
 void PlaneRun::print() const {
     const double peak = highlights_.peak;
     if (peak == 0) {
-        throw Unstable(
-            fmt::format("there was no energy at any time, so nothing to compare with. "
-                        "Energies: {}",
-                        files_->energies().string()));
+        throw Unstable(fmt::format(
+            "nothing moved at any time: no source acts before time.end, or they cancel. "
+            "Energies: {}",
+            files_->energies().string()));
     }
     constexpr std::size_t printed = 12;
     const std::vector<std::vector<double>> rows = files_->rows(printed);
@@ -304,34 +345,32 @@ void PlaneRun::print_cracks() const {
     if (!scene.fracture) {
         return;
     }
-    const std::vector<std::vector<double>> rows = files_->crack_rows();
+    const std::vector<PlaneFiles::CrackRow> rows = files_->crack_rows();
     const PlaneBalance balance = simulation_.balance();
-    fmt::print("bonds        {:.0f} broken, which had {:.4g}, {:.3g} of the work done\n",
-               rows.back()[1], balance.fracture, balance.fracture / balance.work);
-    const nmbc::PlaneModel model = model_of(scene);
-    const double rayleigh =
-        rate_of(scene) * scene.spacing * rayleigh_speed(model.speed_P(), model.speed_S());
-    const std::vector<CrackGrowth> growth = crack_growth(simulation_);
-    const CrackFront front(scene);
+    fmt::print("bonds        {:.0f} broken, which had {:.4g}", rows.back().broken,
+               balance.fracture);
+    if (balance.work > 0) {
+        fmt::print(", {:.3g} of the work done", balance.fracture / balance.work);
+    }
+    fmt::print("\n");
+    const std::vector<CrackGrowth> growth = files_->growth(simulation_);
     for (std::size_t end = 0; end < growth.size(); ++end) {
         const CrackGrowth& of_end = growth[end];
-        const std::size_t column = 2 + 4 * end;
-        std::string text = fmt::format("crack        from ({:.6g}, {:.6g}): ", front.ends()[end][0],
-                                       front.ends()[end][1]);
+        const std::array<double, 2>& from = files_->front().ends()[end];
+        std::string text = fmt::format("crack        from ({:.6g}, {:.6g}): ", from[0], from[1]);
         if (of_end.reach == 0) {
             fmt::print("{}has not grown\n", text);
             continue;
         }
-        const double fastest = fastest_growth(rows, column, 10 * front.horizon() / rayleigh);
-        text +=
-            fmt::format("{:.4g} long, tip at ({:.6g}, {:.6g}), fastest {:.4g}, {:.2f} of c_R",
-                        of_end.reach, of_end.tip[0], of_end.tip[1], fastest, fastest / rayleigh);
+        text += fmt::format("{:.4g} long, tip at ({:.6g}, {:.6g}){}", of_end.reach, of_end.tip[0],
+                            of_end.tip[1], speed_of_growth(scene, *files_, rows, end));
         for (std::size_t k = 0; k < of_end.branches.size(); ++k) {
-            const auto first = std::ranges::find_if(
-                rows, [&](const std::vector<double>& row) { return row[column + 3] > double(k); });
+            const auto first = std::ranges::find_if(rows, [&](const PlaneFiles::CrackRow& row) {
+                return row.branches[end] > double(k);
+            });
             text += fmt::format("\n             branches at ({:.6g}, {:.6g}), seen at t = {:.4g}",
                                 of_end.branches[k][0], of_end.branches[k][1],
-                                first == rows.end() ? simulation_.plane().time() : (*first)[0]);
+                                first == rows.end() ? simulation_.plane().time() : first->time);
         }
         fmt::print("{}\n", text);
     }

@@ -5,17 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <span>
 #include <stdexcept>
-#include <utility>
 
 #include "generator/exact/rational.hpp"
 #include "tools/nmbcrun/plane/read_plane_sides.hpp"
 #include "tools/nmbcrun/plane/read_plane_sources.hpp"
-#include "tools/nmbcrun/scene/key_group.hpp"
 #include "tools/nmbcrun/scene/printable.hpp"
-#include "tools/nmbcrun/scene/read_sources.hpp"
+#include "tools/nmbcrun/scene/read_choice.hpp"
 #include "tools/nmbcrun/scene/scene_reader.hpp"
 
 namespace nmbcrun {
@@ -44,16 +40,32 @@ void read_bonds(SceneReader& reader, PlaneScene& scene) {
     }
     scene.weights = reader.numbers("model.weights", any_number);
     std::vector<double> alpha = reader.numbers("model.alpha", any_number);
-    if (scene.weights.empty() == alpha.empty()) {
+    if (!scene.weights.empty() && !alpha.empty()) {
+        reader.fail("model.alpha", "and model.weights say the same: give one");
+    }
+    if (scene.weights.empty() && alpha.empty()) {
         reader.fail("model",
                     "of \"bond2d\" needs one of alpha and weights, a number for each class "
                     "of bonds (nmbcgen bonds --dimension 2 makes them)");
+    }
+    const std::vector<double>& given = alpha.empty() ? scene.weights : alpha;
+    const auto classes = nmbc::plane_bond_classes(scene.radius_squared);
+    if (given.size() != classes.size() || std::ranges::count(given, 0.0) > 0) {
+        std::string list;
+        for (const nmbc::PlaneOffset& bond : classes) {
+            list += fmt::format("{}({}, {})", list.empty() ? "" : ", ", bond.x, bond.y);
+        }
+        reader.fail(alpha.empty() ? "model.weights" : "model.alpha",
+                    fmt::format("has {} numbers; {} are needed, none of them 0: of the bonds {}",
+                                given.size(), classes.size(), list));
     }
     try {
         if (!alpha.empty()) {
             scene.weights = nmbc::bond_weights(scene.radius_squared, alpha);
         }
-        nmbc::bond2d(scene.radius_squared, scene.weights);
+        if (nmbc::bond2d(scene.radius_squared, scene.weights).speed_S() == 0) {
+            throw std::invalid_argument("bonds of radius 1 do not resist shear");
+        }
     } catch (const std::invalid_argument& error) {
         reader.fail("model", "is no lattice: " + std::string(error.what()));
     }
@@ -99,6 +111,10 @@ void require_nodes_within(const SceneReader& reader, const std::string& key,
     for (const std::size_t axis : {0U, 1U}) {
         const auto last = double(scene.nodes[axis]);
         constexpr double roundings = 1e-9;
+        if (rectangle[axis] > rectangle[axis + 2]) {
+            reader.fail(key, fmt::format("has [{}], whose first point is not the lower left one",
+                                         fmt::join(rectangle, ", ")));
+        }
         const double low = std::ceil(rectangle[axis] / scene.spacing - roundings);
         const double high = std::floor(rectangle[axis + 2] / scene.spacing + roundings);
         if (!(std::max(low, 1.0) <= std::min(high, last))) {
@@ -123,6 +139,12 @@ void read_fracture(SceneReader& reader, PlaneScene& scene) {
     if (!scene.is_bond_based()) {
         reader.fail("fracture", "needs bonds that can break: model.family = \"bond2d\"");
     }
+    if (fracture.energy &&
+        !(nmbc::fracture_energy(nmbc::bond2d(scene.radius_squared, scene.weights), 1) > 0)) {
+        reader.fail("fracture.energy",
+                    "has no meaning for this lattice: with its weights below 0, "
+                    "a crack would set energy free. Give critical_stretch");
+    }
     if (fracture.critical_stretch && fracture.energy) {
         reader.fail("fracture.energy", "and fracture.critical_stretch say the same: give one");
     }
@@ -130,6 +152,10 @@ void read_fracture(SceneReader& reader, PlaneScene& scene) {
         reader.fail("fracture", "needs critical_stretch, energy or cracks");
     }
     for (const auto& crack : fracture.cracks) {
+        constexpr double far = 1e100;
+        if (std::ranges::any_of(crack, [](double number) { return std::abs(number) > far; })) {
+            reader.fail("fracture.cracks", "has a number beyond 1e100");
+        }
         if (crack[0] == crack[2] && crack[1] == crack[3]) {
             reader.fail("fracture.cracks", "has a line from a point to itself");
         }

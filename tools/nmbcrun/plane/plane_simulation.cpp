@@ -220,6 +220,12 @@ PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
                 plan.limit = fmt::format("1/{} of {}", per_time, key);
             }
         };
+        constexpr double part = 0.3;
+        if (const auto longest = longest_step_of_loads(scene);
+            longest && part * *longest < plan.time_step) {
+            plan.time_step = part * *longest;
+            plan.limit = "short enough for loads that set in at once";
+        }
         if (scene.force && scene.force->history.duration > 0) {
             limit(scene.force->history.duration, "force.duration");
         }
@@ -304,6 +310,11 @@ PlaneSimulation::PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides
     let_break();
     sources_.start(plane_);
     at_start_ = plane_.energies().staggered;
+    if (scene_.initial && at_start_ == 0) {
+        throw SceneError(
+            fmt::format("initial moves no node: its width is {:g}, and nodes are {:g} apart",
+                        scene_.initial->width, scene_.spacing));
+    }
 }
 
 /// Among the nodes of the interior [dX].
@@ -321,8 +332,8 @@ void PlaneSimulation::cut() {
 }
 
 void PlaneSimulation::let_break() {
-    const double stretch = critical_stretch(scene_);
-    if (stretch == 0) {
+    const std::optional<double> stretch = critical_stretch(scene_);
+    if (!stretch) {
         return;
     }
     const PlaneFracture& fracture = *scene_.fracture;
@@ -332,7 +343,7 @@ void PlaneSimulation::let_break() {
         return node < 0 || node >= std::ptrdiff_t(axis == 0 ? p.nx : p.ny);
     };
     const auto is_kept = [&](std::ptrdiff_t x, std::ptrdiff_t y) {
-        // The layers of passive sides are no material: their stretches mean nothing.
+        // Layers and ghosts of sides are no material: their stretches mean nothing.
         return is_outside(0, x) || is_outside(1, y) ||
                std::ranges::any_of(fracture.kept, [&](const std::array<double, 4>& rectangle) {
                    const nmbc::PlanePoint low = node_at(rectangle[0], rectangle[1]);
@@ -343,11 +354,11 @@ void PlaneSimulation::let_break() {
                });
     };
     if (fracture.allow_unstable) {
-        plane_.break_above(stretch, is_kept, nmbc::allow_unstable);
+        plane_.break_above(*stretch, is_kept, nmbc::allow_unstable);
         return;
     }
     try {
-        plane_.break_above(stretch, is_kept);
+        plane_.break_above(*stretch, is_kept);
     } catch (const std::invalid_argument& error) {
         throw Unstable(
             fmt::format("fracture: {}. Take a set above 0 (nmbcgen bonds --positive), or "
@@ -377,22 +388,18 @@ PlaneBalance PlaneSimulation::balance() const {
         }
         left += balance.left[i];
     }
-    balance.fracture = plane_.released();
+    balance.fracture = scene_.is_bond_based() ? plane_.released() : 0;
     balance.drift = balance.energy - (at_start_ + balance.work - left - balance.fracture);
     return balance;
 }
 
 std::vector<std::vector<double>> PlaneSimulation::state() const {
     nmbc::PlaneState<double> plane = plane_.state();
-    return {std::move(plane.displacement[0]),
-            std::move(plane.displacement[1]),
-            std::move(plane.velocity[0]),
-            std::move(plane.velocity[1]),
-            std::move(plane.ghosts),
-            {plane.gone.begin(), plane.gone.end()},
-            {sources_.work(), at_start_},
-            {plane.bonds.begin(), plane.bonds.end()},
-            {plane.broken.begin(), plane.broken.end()}};
+    return {std::move(plane.displacement[0]), std::move(plane.displacement[1]),
+            std::move(plane.velocity[0]),     std::move(plane.velocity[1]),
+            std::move(plane.ghosts),          {plane.gone.begin(), plane.gone.end()},
+            {sources_.work(), at_start_},     {plane.bonds.begin(), plane.bonds.end()},
+            {plane.broken, plane.released}};
 }
 
 void PlaneSimulation::resume(std::size_t steps, const std::vector<std::vector<double>>& state) {
@@ -406,7 +413,8 @@ void PlaneSimulation::resume(std::size_t steps, const std::vector<std::vector<do
                        .ghosts = state[4],
                        .gone = {state[5][0], state[5][1], state[5][2], state[5][3]},
                        .bonds = {state[7].begin(), state[7].end()},
-                       .broken = {state[8][0], state[8][1]}});
+                       .broken = state[8][0],
+                       .released = state[8][1]});
     } catch (const std::invalid_argument& error) {
         throw FileError(fmt::format("the checkpoint is {}", error.what()));
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/plane/plane_sources.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <utility>
 
-#include "generator/exact/rational.hpp"
 #include "tools/nmbcrun/errors.hpp"
 
 namespace nmbcrun {
@@ -16,27 +16,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 }  // namespace
-
-nmbc::PlaneModel model_of(const PlaneScene& scene) {
-    if (scene.is_bond_based()) {
-        return nmbc::bond2d(scene.radius_squared, scene.weights);
-    }
-    return nmbc::nopd2d(scene.radius_squared, nmbcgen::nearest_double(scene.nu), scene.G,
-                        scene.state);
-}
-
-double critical_stretch(const PlaneScene& scene) {
-    if (!scene.fracture || !scene.fracture->energy) {
-        return scene.fracture ? scene.fracture->critical_stretch.value_or(0) : 0;
-    }
-    const double of_one =
-        nmbc::fracture_energy(nmbc::bond2d(scene.radius_squared, scene.weights), 1);
-    return std::sqrt(*scene.fracture->energy / (of_one * scene.youngs_modulus * scene.spacing));
-}
-
-double rate_of(const PlaneScene& scene) {
-    return std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
-}
 
 PlaneInitialField::PlaneInitialField(const PlaneScene& scene)
     : initial_(*scene.initial), spacing_(scene.spacing) {
@@ -84,15 +63,7 @@ PlaneStart PlaneInitialField::at(const std::array<double, 2>& point) const {
     return start;
 }
 
-PlaneSources::Source PlaneSources::source_of(const ForceInTime& force) {
-    return {.at = [force](double time) { return force.at(time); }, .last = force.last()};
-}
-
 PlaneSources::Source PlaneSources::source_of(const PlaneLoad& load) {
-    if (!load.file.empty()) {
-        return source_of(ForceInTime(
-            {.history = History::file, .amplitude = load.amplitude, .file = load.file}));
-    }
     return {.at =
                 [load](double time) {
                     return time > load.until  ? 0
@@ -112,9 +83,9 @@ PlaneSources::Source PlaneSources::source_of(const PlaneDrive& drive) {
 }
 
 void PlaneSources::add(Source source, std::size_t component, const Entries& entries,
-                       const std::string& keys) {
+                       const std::string& table) {
     if (entries.empty()) {
-        throw SceneError(keys + " select no node");
+        throw SceneError(table + " acts on no node of the scene");
     }
     for (const std::size_t entry : entries) {
         const auto [found, is_new] = places_.try_emplace({component, entry}, moved_.size());
@@ -122,6 +93,14 @@ void PlaneSources::add(Source source, std::size_t component, const Entries& entr
             moved_.push_back({.component = component, .entry = entry});
         }
         source.nodes.push_back(found->second);
+        if (source.gives != Source::Gives::force) {
+            std::string& course = moved_[found->second].course;
+            if (!course.empty()) {
+                throw SceneError(fmt::format("{} and {} both say how one and the same node moves",
+                                             course, table));
+            }
+            course = table;
+        }
     }
     sources_.push_back(std::move(source));
 }
@@ -151,31 +130,32 @@ PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
                    std::abs(X[1] - centre[1]) <= half_width[1] + more;
         });
     };
-    const auto warn_of = [&](const ForceHistory& history) {
-        warning_ = warning_.empty() ? ForceInTime(history).warning(time_step) : warning_;
+    const auto source_of_history = [&](const ForceHistory& history) {
+        const ForceInTime force(history);
+        warning_ = warning_.empty() ? force.warning(time_step) : warning_;
+        return Source{.at = [force](double time) { return force.at(time); }, .last = force.last()};
     };
     if (scene.force) {
-        warn_of(scene.force->history);
         const auto is_near = [&](const std::array<double, 2>& X) {
             return std::hypot(X[0] - scene.force->centre[0], X[1] - scene.force->centre[1]) <=
                    scene.force->half_width + more;
         };
-        add(source_of(ForceInTime(scene.force->history)), scene.force->component,
-            entries_where(is_near), "force.centre and force.half_width");
+        add(source_of_history(scene.force->history), scene.force->component, entries_where(is_near),
+            "force");
     }
     for (const PlaneLoad& load : scene.loads) {
-        if (!load.file.empty()) {
-            warn_of({.history = History::file, .file = load.file});
-        }
-        Source source = source_of(load);
+        Source source =
+            load.file.empty()
+                ? source_of(load)
+                : source_of_history(
+                      {.history = History::file, .amplitude = load.amplitude, .file = load.file});
         source.gives = load.is_velocity ? Source::Gives::velocity : Source::Gives::force;
         add(std::move(source), load.component, entries_around(load.centre, load.half_width),
-            load.name + ".centre and " + load.name + ".half_width");
+            load.name);
     }
     if (scene.drive) {
         add(source_of(*scene.drive), scene.drive->component,
-            entries_around(scene.drive->centre, scene.drive->half_width),
-            "drive.centre and drive.half_width");
+            entries_around(scene.drive->centre, scene.drive->half_width), "drive");
     }
 }
 

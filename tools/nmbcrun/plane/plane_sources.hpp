@@ -10,20 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "tools/nmbcrun/plane/plane_lattice.hpp"
 #include "tools/nmbcrun/plane/plane_scene.hpp"
 #include "tools/nmbcrun/sources/force_in_time.hpp"
 
 namespace nmbcrun {
-
-/// The scene's lattice, without what belongs to its sides.
-nmbc::PlaneModel model_of(const PlaneScene& scene);
-
-/// At which the scene's bonds break; 0 where none does. Of a fracture energy: that of a crack along
-/// an axis whose bonds break.
-double critical_stretch(const PlaneScene& scene);
-
-/// sqrt(E/rho)/dX [1/time].
-double rate_of(const PlaneScene& scene);
 
 /// u and v of the start at a point [length].
 struct PlaneStart {
@@ -75,8 +66,9 @@ class PlaneSources {
     struct Moved {
         std::size_t component = 0;
         std::size_t entry = 0;
-        double before = 0;  ///< its velocity after the last step
-        double kicked = 0;  ///< and after the kick of this one
+        double before = 0;     ///< its velocity after the last step
+        double kicked = 0;     ///< and after the kick of this one
+        std::string course{};  ///< the table of the scene that gives its course
     };
     /// What acts on some of them.
     struct Source {
@@ -89,12 +81,12 @@ class PlaneSources {
 
     using Entries = std::vector<std::size_t>;
 
-    static Source source_of(const ForceInTime& force);
-    static Source source_of(const PlaneLoad& load);
+    static Source source_of(const PlaneLoad& load);  ///< without a file
     static Source source_of(const PlaneDrive& drive);
-    /// keys: of the scene, that select these entries of a field. Throws SceneError where there are
-    /// none.
-    void add(Source source, std::size_t component, const Entries& entries, const std::string& keys);
+    /// table: of the scene, that acts on these entries of a field. Throws SceneError where there
+    /// are none, or another table gives a course to one of them.
+    void add(Source source, std::size_t component, const Entries& entries,
+             const std::string& table);
 
     std::vector<Source> sources_{};  // later ones have the last word
     std::string warning_{};

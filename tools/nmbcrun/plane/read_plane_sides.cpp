@@ -7,6 +7,7 @@
 #include <array>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,9 @@ const std::vector<std::pair<std::string_view, SideKind>> side_kinds{
     {"passive", SideKind::passive},   {"fixed", SideKind::fixed},       {"free", SideKind::free},
     {"periodic", SideKind::periodic}, {"extended", SideKind::extended}, {"nmbc", SideKind::nmbc},
     {"higdon", SideKind::higdon},     {"sponge", SideKind::sponge}};
+
+/// In the order of nmbc::plane_sides.
+constexpr std::array<std::string_view, 4> side_names{"left", "right", "bottom", "top"};
 
 /// The keys that count for it, `kind` aside.
 std::vector<std::string_view> keys_of(SideKind kind) {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 
 #include "tools/nmbcrun/scene/key_group.hpp"
@@ -110,6 +110,9 @@ PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneS
             load.amplitude *= *side % 2 == 0 ? 1 : -1;
         }
     } else {
+        if (!reader.has(group.key("centre"))) {
+            reader.fail(group.key("kind"), "needs a side, or a centre and a half_width");
+        }
         load.centre = read_point(group, "centre", any_number);
         load.half_width = read_point(group, "half_width", not_negative);
     }
@@ -118,7 +121,10 @@ PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneS
         load.file = group.file();
     }
     load.rise = group.number_or("rise", not_negative, 0);
-    load.until = group.number_or("until", positive, scene.end);
+    load.until = group.number_or("until", positive, std::numeric_limits<double>::infinity());
+    if (load.until < load.rise) {
+        reader.fail(group.key("until"), "is before rise, so that the load never has its amplitude");
+    }
     return load;
 }
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/plane/plane_lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/exact/rational.hpp"
+
+namespace nmbcrun {
+
+nmbc::PlaneModel model_of(const PlaneScene& scene) {
+    if (scene.is_bond_based()) {
+        return nmbc::bond2d(scene.radius_squared, scene.weights);
+    }
+    return nmbc::nopd2d(scene.radius_squared, nmbcgen::nearest_double(scene.nu), scene.G,
+                        scene.state);
+}
+
+std::optional<double> critical_stretch(const PlaneScene& scene) {
+    if (!scene.fracture || !scene.fracture->energy) {
+        return scene.fracture ? scene.fracture->critical_stretch : std::nullopt;
+    }
+    const double of_one =
+        nmbc::fracture_energy(nmbc::bond2d(scene.radius_squared, scene.weights), 1);
+    return std::sqrt(*scene.fracture->energy / (of_one * scene.youngs_modulus * scene.spacing));
+}
+
+std::optional<double> longest_step_of_loads(const PlaneScene& scene) {
+    const auto stretch = critical_stretch(scene);
+    std::optional<double> longest;
+    for (const PlaneLoad& load : scene.loads) {
+        if (stretch && !load.is_velocity && load.rise == 0 && load.file.empty()) {
+            const double acceleration = std::abs(load.amplitude) / scene.density;
+            const double step = std::sqrt(*stretch * scene.spacing / acceleration);
+            longest = std::min(longest.value_or(step), step);
+        }
+    }
+    return longest;
+}
+
+double rate_of(const PlaneScene& scene) {
+    return std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+/// The lattice of a plane scene.
+#pragma once
+
+#include <nmbc/plane_model.hpp>
+#include <optional>
+
+#include "tools/nmbcrun/plane/plane_scene.hpp"
+
+namespace nmbcrun {
+
+/// The scene's lattice, without what belongs to its sides.
+nmbc::PlaneModel model_of(const PlaneScene& scene);
+
+/// At which the scene's bonds break; nothing where none does. Of a fracture energy: that of a crack
+/// along an axis whose bonds break.
+std::optional<double> critical_stretch(const PlaneScene& scene);
+
+/// In longer steps the nodes of a body force without rise move by more than the critical stretch
+/// times dX within the first of them; nothing where there is none.
+std::optional<double> longest_step_of_loads(const PlaneScene& scene);
+
+/// sqrt(E/rho)/dX [1/time].
+double rate_of(const PlaneScene& scene);
+
+}  // namespace nmbcrun
