@@ -176,8 +176,12 @@ struct IsAlike {
                                              is_near(bond.weight, alike.weight);
                                   });
     }
-    bool operator()(const CorrespondenceModel&, const BondModel&) const { return false; }
-    bool operator()(const BondModel&, const CorrespondenceModel&) const { return false; }
+    bool operator()(const CorrespondenceModel& /*one*/, const BondModel& /*other*/) const {
+        return false;
+    }
+    bool operator()(const BondModel& /*one*/, const CorrespondenceModel& /*other*/) const {
+        return false;
+    }
 };
 
 /// Throws std::invalid_argument where a passive side was designed for another lattice.

@@ -337,7 +337,8 @@ TEST_CASE("bonds of kept nodes never break, and a state goes on bit for bit") {
     CHECK_THROWS_AS(of_nodes.released(), std::logic_error);
     CHECK_THROWS_AS(plane.damage(0, 20), std::invalid_argument);
     CHECK_THROWS_AS(plane.cut({1, 1}, {1, 1}), std::invalid_argument);
-    CHECK_THROWS_AS(plane.cut({-INFINITY, 1}, {1, 1}), std::invalid_argument);
+    CHECK_THROWS_AS(plane.cut({-std::numeric_limits<double>::infinity(), 1}, {1, 1}),
+                    std::invalid_argument);
     PlaneState<double> wrong = state;
     std::ranges::fill(wrong.bonds, ~0U);
     CHECK_THROWS_AS(other.resume(wrong), std::invalid_argument);

@@ -119,8 +119,10 @@ std::vector<CrackedNode> CrackFront::connected_to(const std::array<double, 2>& e
     };
     const auto near = std::lround(2 * horizon_ / spacing_);
     visit_around({std::lround(end[0] / spacing_) - 1, std::lround(end[1] / spacing_) - 1}, near);
-    for (std::size_t next = 0; next < nodes.size(); ++next) {
-        visit_around(nodes[next].place, CrackPieces::gap);
+    std::size_t next = 0;
+    while (next < nodes.size()) {
+        const Place place = nodes[next++].place;  // a copy: more nodes come
+        visit_around(place, CrackPieces::gap);
     }
     return nodes;
 }

@@ -198,6 +198,36 @@ std::array<std::size_t, 4> extension_of(const PlaneScene& scene) {
     return layers;
 }
 
+/// Steps below `stable` that are short enough for what moves the scene.
+void choose_step(const PlaneScene& scene, double stable, PlanePlan& plan) {
+    plan.time_step = of_stable_by_default * stable;
+    plan.limit = fmt::format("{} of what is stable between these sides", of_stable_by_default);
+    constexpr double part = 0.3;
+    if (const auto longest = longest_step_of_loads(scene);
+        longest && part * *longest < plan.time_step) {
+        plan.time_step = part * *longest;
+        plan.limit = "short enough for loads that set in at once";
+    }
+    constexpr double per_time = 20;
+    const auto limit = [&](double time, const char* key) {
+        if (time > 0 && time / per_time < plan.time_step) {
+            plan.time_step = time / per_time;
+            plan.limit = fmt::format("1/{} of {}", per_time, key);
+        }
+    };
+    if (scene.force) {
+        const ForceHistory& history = scene.force->history;
+        limit(history.duration, "force.duration");
+        limit(history.frequency > 0 ? 1 / history.frequency : 0, "the period of force.frequency");
+    }
+    if (scene.drive) {
+        limit(scene.drive->duration, "drive.duration");
+    }
+    for (const PlaneLoad& load : scene.loads) {
+        limit(load.rise, "a load's rise");
+    }
+}
+
 PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
                   const std::array<std::size_t, 4>& extension) {
     const nmbc::PlaneModel model = model_of(scene);
@@ -211,35 +241,7 @@ PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
     if (scene.step || scene.cfl) {
         plan.time_step = scene.step ? *scene.step : *scene.cfl * interior;
     } else {
-        plan.time_step = of_stable_by_default * stable;
-        plan.limit = fmt::format("{} of what is stable between these sides", of_stable_by_default);
-        constexpr double per_time = 20;
-        const auto limit = [&](double time, const char* key) {
-            if (time / per_time < plan.time_step) {
-                plan.time_step = time / per_time;
-                plan.limit = fmt::format("1/{} of {}", per_time, key);
-            }
-        };
-        constexpr double part = 0.3;
-        if (const auto longest = longest_step_of_loads(scene);
-            longest && part * *longest < plan.time_step) {
-            plan.time_step = part * *longest;
-            plan.limit = "short enough for loads that set in at once";
-        }
-        if (scene.force && scene.force->history.duration > 0) {
-            limit(scene.force->history.duration, "force.duration");
-        }
-        if (scene.force && scene.force->history.frequency > 0) {
-            limit(1 / scene.force->history.frequency, "the period of force.frequency");
-        }
-        if (scene.drive) {
-            limit(scene.drive->duration, "drive.duration");
-        }
-        for (const PlaneLoad& load : scene.loads) {
-            if (load.rise > 0) {
-                limit(load.rise, "a load's rise");
-            }
-        }
+        choose_step(scene, stable, plan);
     }
     plan.cfl = plan.time_step / interior;
     plan.of_stable = plan.time_step / stable;
