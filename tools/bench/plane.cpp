@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// plane_bench: how fast a plane is stepped, beside STREAM's triad on the bytes that a step moves, in
-/// one run. tools/bench/plane makes a table of it.
+/// plane_bench: how fast a plane is stepped, beside STREAM's triad on the bytes that a step moves,
+/// in one run. tools/bench/plane makes a table of it.
 #include <benchmark/benchmark.h>
 
 #include <boost/math/statistics/univariate_statistics.hpp>
