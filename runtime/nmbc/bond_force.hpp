@@ -78,20 +78,29 @@ class BondForce {
         kick_rows({.scale = scale, .u = u, .v = v, .breaks = may_break_});
     }
 
-    /// Of the nodes first .. last-1 of a row: half of each of their bonds.
+    /// Of the nodes of the body among first .. last-1 of a row: half of each of their bonds, and
+    /// all of one to a ghost.
     PlanePotential potential_of_row(std::ptrdiff_t y, std::ptrdiff_t first, std::ptrdiff_t last,
                                     PlaneField<const Real> u) const {
         PlanePotential sum;
+        if (y < 0 || y >= axis(1).nodes()) {
+            return sum;
+        }
         const std::ptrdiff_t nodes = axis(0).nodes();
-        const bool has_body = y >= 0 && y < axis(1).nodes();
-        for (std::ptrdiff_t x = first; x < last;) {
-            if (has_body && x >= 0 && x < nodes) {
-                const std::ptrdiff_t count = std::min({block, last - x, nodes - x});
-                sum.strain += energy_of_block(x, y, count, u);
-                x += count;
-            } else {
+        const bool is_beside_ghosts =
+            axis(1).is_ghost(y - horizon_) || axis(1).is_ghost(y + horizon_);
+        const std::ptrdiff_t begin = std::max<std::ptrdiff_t>(first, 0);
+        const std::ptrdiff_t end = std::min(last, nodes);
+        const std::ptrdiff_t plain_begin = axis(0).is_ghost(-1) ? horizon_ : 0;
+        const std::ptrdiff_t plain_end = axis(0).is_ghost(nodes) ? nodes - horizon_ : nodes;
+        for (std::ptrdiff_t x = begin; x < end;) {
+            if (is_beside_ghosts || x < plain_begin || x >= plain_end) {
                 sum.strain += energy_of_node(x, y, u);
                 ++x;
+            } else {
+                const std::ptrdiff_t count = std::min({block, end - x, plain_end - x});
+                sum.strain += energy_of_block(x, y, count, u);
+                x += count;
             }
         }
         return sum;
@@ -181,13 +190,14 @@ class BondForce {
 
     double energy_of_node(std::ptrdiff_t x, std::ptrdiff_t y, PlaneField<const Real> u) const {
         double sum = 0;
-        for_each_held(x, y, u, [&](const PlaneOffset& /*bond*/, double weight, double e) {
-            sum += weight * e * e / 4;
+        for_each_held(x, y, u, [&](const PlaneOffset& bond, double weight, double e) {
+            const bool is_shared = !axis(0).is_ghost(x + bond.x) && !axis(1).is_ghost(y + bond.y);
+            sum += weight * e * e / (is_shared ? 4 : 2);
         });
         return sum;
     }
 
-    /// Of nodes of the body.
+    /// Of nodes of the body whose neighbours are no ghosts.
     double energy_of_block(std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t count,
                            PlaneField<const Real> u) const {
         const std::ptrdiff_t at = y * pitch_ + x;

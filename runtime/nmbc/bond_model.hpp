@@ -28,6 +28,16 @@ inline std::vector<PlaneOffset> plane_bond_classes(unsigned radius_squared) {
     return classes;
 }
 
+/// "(1, 0), (1, 1)"
+inline std::string listed(const std::vector<PlaneOffset>& bonds) {
+    std::string list;
+    for (const PlaneOffset& bond : bonds) {
+        list += (list.empty() ? "(" : ", (") + std::to_string(bond.x) + ", " +
+                std::to_string(bond.y) + ")";
+    }
+    return list;
+}
+
 /// 2D bond-based peridynamics, linear in the stretch R.(u_J - u_I)/|R|^2 of a bond R, whose energy
 /// is w (R.(u_J - u_I))^2/2, where E = density = dX = 1. bond2d() makes it.
 class BondModel {
@@ -103,14 +113,9 @@ inline BondModel bond2d(unsigned radius_squared, const std::vector<double>& weig
     const auto classes = plane_bond_classes(radius_squared);
     if (weights.size() != classes.size() ||
         !std::ranges::all_of(weights, [](double one) { return std::isfinite(one) && one != 0; })) {
-        std::string list;
-        for (const PlaneOffset& bond : classes) {
-            list += (list.empty() ? "(" : ", (") + std::to_string(bond.x) + ", " +
-                    std::to_string(bond.y) + ")";
-        }
         throw std::invalid_argument(std::to_string(classes.size()) +
                                     " finite weights are needed, none of them 0: of the bonds " +
-                                    list);
+                                    listed(classes));
     }
     std::vector<BondModel::Bond> bonds;
     for (const PlaneOffset& bond : plane_family(radius_squared)) {

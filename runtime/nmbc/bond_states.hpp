@@ -104,7 +104,6 @@ class BondStates {
 
     const std::array<PlaneAxis, 2>& axes() const { return axes_; }
     const std::vector<BondGroup>& groups() const { return groups_; }
-    std::size_t words() const { return held_.size(); }
     static Word bit(const BondGroup& group, unsigned member) {
         return Word{1} << (group.first_bit + member);
     }
@@ -128,14 +127,14 @@ class BondStates {
         return node[0] >= 0 && node[0] < nodes_[0] && node[1] >= 0 && node[1] < nodes_[1];
     }
 
-    /// Of any node: a ghost's bonds are known at their other ends; between ghosts there are none.
+    /// Of this body or, beyond a halo, of another block.
+    bool is_material(const std::array<std::ptrdiff_t, 2>& node) const {
+        return axes_[0].is_material(node[0]) && axes_[1].is_material(node[1]);
+    }
+
+    /// Of a node of the body.
     bool holds(std::ptrdiff_t x, std::ptrdiff_t y, const BondGroup& group, unsigned member) const {
-        if (is_in_body({x, y})) {
-            return (held_[group.word][index(x, y)] & bit(group, member)) != 0;
-        }
-        const auto other = in_period(x + group.members[member].x, y + group.members[member].y);
-        return is_in_body(other) && (held_[group.word][index(other[0], other[1])] &
-                                     bit(group, group.size - 1 - member)) != 0;
+        return (held_[group.word][index(x, y)] & bit(group, member)) != 0;
     }
 
     /// The part of a node's bonds that no longer hold.

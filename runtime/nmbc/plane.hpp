@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <nmbc/bond_force.hpp>
 #include <nmbc/bond_states.hpp>
@@ -18,6 +17,7 @@
 #include <nmbc/plane_model.hpp>
 #include <nmbc/plane_potential.hpp>
 #include <nmbc/plane_sides.hpp>
+#include <nmbc/plane_state.hpp>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -26,47 +26,6 @@
 #include <vector>
 
 namespace nmbc {
-
-/// Physical set-up, in any one consistent system of units.
-struct PlaneParameters {
-    std::size_t nx = 0;         ///< interior nodes along x
-    std::size_t ny = 0;         ///< and along y
-    double spacing = 1;         ///< dX [length]
-    double youngs_modulus = 1;  ///< E [stress]
-    double density = 1;         ///< rho [mass/volume]
-    double time_step = 0;       ///< dt [time]
-
-    /// sqrt(E/rho)/dX [1/time]: waves are a little faster than a node per 1/rate.
-    double rate() const { return std::sqrt(youngs_modulus / density) / spacing; }
-};
-
-/// Energies [per thickness] at t - dt/2, where the velocity is known; the displacement there is the
-/// mean of its two neighbours in time.
-struct PlaneEnergies {
-    double kinetic = 0;
-    double strain = 0;         ///< of the stress sigma that belongs to the strain: sigma:e/2
-    double stabilisation = 0;  ///< (s/2) sum |z|^2
-    /// Kinetic energy plus the potential one, that of the null Lagrangian included, with u^k and
-    /// u^{k+1} in its two places: of the whole body, a step lowers it by what leaves through
-    /// passive sides and sponges, and by nothing else unless ghosts move. `total` differs by
-    /// O(dt^2).
-    double staggered = 0;
-
-    double total() const { return kinetic + strain + stabilisation; }
-};
-
-/// All that a run goes on from.
-template <class Real>
-struct PlaneState {
-    std::size_t steps = 0;
-    std::array<std::vector<Real>, 2> displacement{};
-    std::array<std::vector<Real>, 2> velocity{};
-    std::vector<Real> ghosts{};          ///< what the conditions of ghosts remember
-    std::array<double, 4> gone{};        ///< sums of what left() counts
-    std::vector<std::uint32_t> bonds{};  ///< which hold, of a bond-based plane
-    double broken = 0;
-    double released = 0;  ///< over E
-};
 
 /// The state: u at t and v at t - dt/2, two components each, on grid(): ghosts, the layers of
 /// passive sides, the interior.
@@ -230,8 +189,9 @@ class BasicPlane {
     /// Whatever the weights are.
     template <class Keep>
     void break_above(double stretch, const Keep& keep, AllowUnstable tag);
-    /// Breaks the bonds that the line from one point to the other meets: those of a node on it,
-    /// too, but for bonds along the line.
+    /// Breaks, before start(), the bonds that the line from one point to the other meets: those of
+    /// a node on it, too, but for bonds along the line. They count neither as broken nor as
+    /// released. Throws std::invalid_argument unless the points are finite and differ.
     void cut(const PlanePoint& from, const PlanePoint& to);
     /// The part of a node's bonds that no longer hold. Throws std::invalid_argument of a node
     /// outside.
@@ -248,14 +208,10 @@ class BasicPlane {
         return parameters_.youngs_modulus * released_;
     }
 
-    /// Of the whole body, and of the ghosts of fixed sides, which are strained, too.
+    /// Of the whole body, and of the ghosts of fixed sides, which are strained, too; with halo
+    /// sides, of this block, whose halos need velocities then.
     PlaneEnergies energies() const {
-        const auto whole = [](const PlaneSide& low, const detail::PlaneAxis& axis) {
-            return std::holds_alternative<PeriodicSide>(low)
-                       ? detail::PlaneAxis::Range{0, axis.nodes()}
-                       : axis.with_energy();
-        };
-        return energies_of({whole(sides_.left, axis_of(0)), whole(sides_.bottom, axis_of(1))});
+        return energies_of({axis_of(0).with_own_energy(), axis_of(1).with_own_energy()});
     }
     /// Of the interior nodes with first_x <= x < last_x, likewise y. Throws std::invalid_argument
     /// where there are none, or others.
@@ -306,14 +262,11 @@ class BasicPlane {
         return with;
     }
 
-    std::array<detail::PlaneAxis, 2> axes() const {
-        return {detail::PlaneAxis{sides_.left, sides_.right, 0, nx_, model_.horizon()},
-                detail::PlaneAxis{sides_.bottom, sides_.top, 1, ny_, model_.horizon()}};
-    }
     using Force = std::variant<detail::PlaneForce<Real>, detail::BondForce<Real>>;
     Force force_of(const std::variant<CorrespondenceModel, BondModel>& law) const {
         const auto pitch = static_cast<std::ptrdiff_t>(grid().nx);
-        auto [x, y] = axes();
+        detail::PlaneAxis x(sides_.left, sides_.right, 0, nx_, model_.horizon());
+        detail::PlaneAxis y(sides_.bottom, sides_.top, 1, ny_, model_.horizon());
         if (const auto* const correspondence = std::get_if<CorrespondenceModel>(&law)) {
             return detail::PlaneForce<Real>(
                 detail::PlaneNodes(*correspondence, std::move(x), std::move(y), pitch));
@@ -357,10 +310,16 @@ class BasicPlane {
             [=](const auto& force) -> const detail::PlaneAxis& { return force.axis(number); },
             force_);
     }
+    /// From units E = density = dX = 1: of a change of velocity in so much time.
+    double kick_scale(double duration) const {
+        return duration * parameters_.rate() * parameters_.rate();
+    }
     void kick_by_forces(double duration, Fields& v) {
-        const double scale = duration * parameters_.rate() * parameters_.rate();
-        std::visit([&](auto& force) { force.kick(scale, field(std::as_const(u_)), field(v)); },
-                   force_);
+        std::visit(
+            [&](auto& force) {
+                force.kick(kick_scale(duration), field(std::as_const(u_)), field(v));
+            },
+            force_);
     }
 
     /// Node (0, 0) of the interior, among those of the body.
@@ -396,7 +355,7 @@ class BasicPlane {
         }
         return *bonds;
     }
-    void count_broken();
+    void break_and_kick(detail::BondForce<Real>& bonds);
 
     void clear_ghosts();
     void close_ghosts(Fields& fields) const;
@@ -445,9 +404,7 @@ void BasicPlane<Real>::kick() {
     }
     friction_.keep(field(std::as_const(v_)));
     if (auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_)) {
-        bonds->break_and_kick(parameters_.time_step * parameters_.rate() * parameters_.rate(),
-                              field(std::as_const(u_)), field(v_));
-        count_broken();
+        break_and_kick(*bonds);
     } else {
         kick_by_forces(parameters_.time_step, v_);
     }
@@ -487,12 +444,16 @@ void BasicPlane<Real>::drift() {
 
 template <class Real>
 void BasicPlane<Real>::clear_ghosts() {
+    const auto is_kept = [&](std::size_t axis, std::size_t place) {
+        return axis_of(axis).is_material(static_cast<std::ptrdiff_t>(place) -
+                                         static_cast<std::ptrdiff_t>(ghosts_));
+    };
     for (Fields* const fields : {&u_, &v_}) {
         for (std::vector<Real>& component : *fields) {
             for (std::size_t i = 0; i < component.size(); ++i) {
                 const std::size_t x = i % grid().nx;
                 const std::size_t y = i / grid().nx;
-                if (x < ghosts_ || x >= ghosts_ + nx_ || y < ghosts_ || y >= ghosts_ + ny_) {
+                if (!is_kept(0, x) || !is_kept(1, y)) {
                     component[i] = 0;
                 }
             }

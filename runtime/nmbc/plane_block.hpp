@@ -28,6 +28,7 @@ class PlaneAxis {
           horizon_(static_cast<std::ptrdiff_t>(horizon)),
           is_cut_{is_cut(low), is_cut(high)},
           is_periodic_(std::holds_alternative<PeriodicSide>(low)),
+          is_halo_{std::holds_alternative<HaloSide>(low), std::holds_alternative<HaloSide>(high)},
           strain_(nodes + 4 * horizon, 1),
           stabilisation_(strain_),
           mass_{strain_, strain_} {
@@ -62,6 +63,17 @@ class PlaneAxis {
 
     bool is_periodic() const { return is_periodic_; }
 
+    /// Whether the node is beyond a side that holds u, or moves it by a condition.
+    bool is_ghost(std::ptrdiff_t node) const {
+        const std::size_t end = node < 0 ? 0 : 1;
+        return (node < 0 || node >= nodes_) && !is_cut_[end] && !is_periodic_ && !is_halo_[end];
+    }
+
+    /// Whether the node is one of the body's or, beyond a halo, of another block's.
+    bool is_material(std::ptrdiff_t node) const {
+        return (node >= 0 || is_halo_[0]) && (node < nodes_ || is_halo_[1]);
+    }
+
     /// Nodes from first to last - 1 have what is asked for.
     struct Range {
         std::ptrdiff_t first = 0;
@@ -70,6 +82,10 @@ class PlaneAxis {
     /// T is not 0 there: beyond sides that are not cut off, too.
     Range with_energy() const {
         return {is_cut_[0] ? 0 : -horizon_, is_cut_[1] ? nodes_ : nodes_ + horizon_};
+    }
+    /// Those of them whose energy is this body's: beyond sides with ghosts, too.
+    Range with_own_energy() const {
+        return {is_ghost(-1) ? -horizon_ : 0, is_ghost(nodes_) ? nodes_ + horizon_ : nodes_};
     }
     // Empty, or from last to first, in a thin body:
     Range plain_stress() const { return stressed_; }  ///< whole families, weights 1
@@ -126,6 +142,7 @@ class PlaneAxis {
     std::ptrdiff_t horizon_;
     std::array<bool, 2> is_cut_;
     bool is_periodic_;
+    std::array<bool, 2> is_halo_;
     std::vector<double> strain_;
     std::vector<double> stabilisation_;
     std::array<std::vector<double>, 2> mass_;

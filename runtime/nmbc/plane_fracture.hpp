@@ -62,45 +62,40 @@ double BasicPlane<Real>::damage(std::size_t x, std::size_t y) const {
                                             static_cast<std::ptrdiff_t>(y) + first[1]);
 }
 
-/// The body's energy had w e- e/2 of such a bond, e- and e its extensions before and now: e- = e -
-/// dt de/dt, the velocities v of the step that led here. The kick has changed them since, by what
-/// it can be asked for again.
+/// The body's energy had w e- e/2 of a bond that breaks, e- and e its extensions before and now: e-
+/// = e - dt de/dt, the velocities v of the step that led here. The kick has changed them when its
+/// breaks are known, by what it can be asked for again.
 template <class Real>
-void BasicPlane<Real>::count_broken() {
-    auto* const force = std::get_if<detail::BondForce<Real>>(&force_);
-    if (force == nullptr) {
-        return;
-    }
-    const double rate = parameters_.rate();
-    const double scale = parameters_.time_step * rate * rate;
+void BasicPlane<Real>::break_and_kick(detail::BondForce<Real>& bonds) {
+    const double scale = kick_scale(parameters_.time_step);
     const auto u = field(std::as_const(u_));
     const auto v = field(std::as_const(v_));
+    bonds.break_and_kick(scale, u, field(v_));
     const auto before_kick = [&](const std::array<std::ptrdiff_t, 2>& node) {
         const auto [x, y] = node;
         const std::ptrdiff_t at = y * static_cast<std::ptrdiff_t>(grid().nx) + x;
         std::array<double, 2> velocity{static_cast<double>(v[0][at]),
                                        static_cast<double>(v[1][at])};
-        if (force->states().is_in_body(node)) {
-            const std::array<double, 2> kick = force->acceleration(x, y, u);
+        if (bonds.states().is_in_body(node)) {
+            const std::array<double, 2> kick = bonds.acceleration(x, y, u);
             velocity[0] -= scale * kick[0];
             velocity[1] -= scale * kick[1];
         }
         return velocity;
     };
-    force->take_broken([&](const auto& bond) {
-        const detail::BondGroup& group = force->states().groups()[bond.group];
+    bonds.take_broken([&](const auto& bond) {
+        const detail::BondGroup& group = bonds.states().groups()[bond.group];
         const auto [i, j] = group.members[bond.member];
-        const auto other = force->states().in_period(bond.x + i, bond.y + j);
-        // Both ends in the body count it.
-        const double share = force->states().is_in_body(other) ? 0.5 : 1;
+        const auto other = bonds.states().in_period(bond.x + i, bond.y + j);
+        // Both ends in a body count it.
+        const double share = bonds.states().is_material(other) ? 0.5 : 1;
         const std::array<double, 2> here = before_kick({bond.x, bond.y});
         const std::array<double, 2> there = before_kick(other);
-        const double e = force->extension(bond.x, bond.y, bond.group, bond.member, u);
+        const double e = bonds.extension(bond.x, bond.y, bond.group, bond.member, u);
         const double grown =
             parameters_.time_step * (i * (there[0] - here[0]) + j * (there[1] - here[1]));
         broken_ += share;
-        released_ +=
-            share * force->weight(bond.x, bond.y, group, bond.member) / 2 * e * (e - grown);
+        released_ += share * bonds.weight(bond.x, bond.y, group, bond.member) / 2 * e * (e - grown);
     });
 }
 

@@ -63,8 +63,13 @@ struct SpongeSide {
     std::vector<double> friction{};  ///< gamma [sqrt(E/density)/dX] of each, from the outermost
 };
 
+/// More of the same lattice beyond the side, which the program keeps elsewhere: another block of a
+/// larger body. Before start() and after each step it copies ghosts() layers of displacements from
+/// there, where bonds break those of velocities, too.
+struct HaloSide {};
+
 using PlaneSide = std::variant<FixedSide, FreeSide, PeriodicSide, PassiveSide, MatchingSide,
-                               HigdonSide, SpongeSide>;
+                               HigdonSide, SpongeSide, HaloSide>;
 
 /// The sides of a rectangle.
 struct PlaneSides {

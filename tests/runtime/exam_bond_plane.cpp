@@ -14,11 +14,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tests/runtime/plane_bodies.hpp"
+
 using namespace nmbc;
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr auto none = [](auto, auto) { return false; };  // no node is kept whole
 
 /// Weights that differ, all above 0.
@@ -30,35 +31,11 @@ BondModel some_bonds(unsigned radius_squared) {
     return bond2d(radius_squared, weights);
 }
 
-PassiveSide some_passive_side() {
-    return {.strain = {0.4, 0.95},
-            .stabilisation = {1, 1},
-            .mass = {std::vector<double>{0.53, 0.87}, {0.46, 0.956}},
-            .dashpots = {std::vector<double>{0.92, 0.03, 0.03, 0.01}, {0.43, 0.04, 0.04, 0.004}}};
-}
-
 PlaneParameters parameters(std::size_t nx, std::size_t ny, const PlaneModel& model,
                            const PlaneSides& sides) {
     PlaneParameters p{.nx = nx, .ny = ny, .spacing = 0.5, .youngs_modulus = 7, .density = 3};
     p.time_step = 0.9 * 2 / std::sqrt(highest_eigenvalue(model, sides, nx, ny)) / p.rate();
     return p;
-}
-
-void fill_at_random(Plane& plane, unsigned seed) {
-    std::mt19937 engine(seed);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    for (std::size_t y = 0; y < plane.parameters().ny; ++y) {
-        for (std::size_t x = 0; x < plane.parameters().nx; ++x) {
-            for (const std::size_t a : {0U, 1U}) {
-                plane.displacement(a)[plane.entry(x, y)] = uniform(engine);
-                plane.velocity(a)[plane.entry(x, y)] = uniform(engine);
-            }
-        }
-    }
-}
-
-double sum_of(const std::array<double, 4>& values) {
-    return values[0] + values[1] + values[2] + values[3];
 }
 
 }  // namespace
@@ -112,7 +89,7 @@ TEST_CASE("forces of a free rectangle are the gradient of the energy of its bond
 TEST_CASE("bonds: what leaves through passive sides is what a body loses, to rounding") {
     for (const unsigned radius_squared : {1U, 2U, 4U, 9U}) {
         const BondModel model = some_bonds(radius_squared);
-        const PassiveSide passive = some_passive_side();
+        const PassiveSide passive = some_passive_side(0);
         for (const PlaneSides& sides :
              {PlaneSides::all(passive), PlaneSides{passive, FreeSide{}, passive, FreeSide{}},
               PlaneSides{FixedSide{}, passive, passive, FixedSide{}},
@@ -138,42 +115,14 @@ TEST_CASE("bonds: what leaves through passive sides is what a body loses, to rou
 TEST_CASE("bonds: plane waves of a periodic body have the frequencies of the lattice") {
     for (const unsigned radius_squared : {2U, 4U, 9U}) {
         const BondModel model = some_bonds(radius_squared);
-        constexpr std::size_t n = 16;
         const PlaneSides sides = PlaneSides::all(PeriodicSide{});
-        const PlaneParameters p = parameters(n, n, model, sides);
-        Plane plane(model, sides, p);
-        const double xi_x = 2 * std::numbers::pi * 2 / n;
-        const double xi_y = 2 * std::numbers::pi * 3 / n;
-        for (const bool is_P : {true, false}) {
-            const PlaneWave wave = plane_wave(model, {xi_x, xi_y}, is_P);
-            for (std::size_t y = 0; y < n; ++y) {
-                for (std::size_t x = 0; x < n; ++x) {
-                    for (const std::size_t a : {0U, 1U}) {
-                        plane.displacement(a)[plane.entry(x, y)] =
-                            wave.direction[a] * std::cos(xi_x * double(x) + xi_y * double(y));
-                        plane.velocity(a)[plane.entry(x, y)] = 0;
-                    }
-                }
-            }
-            plane.start();
-            constexpr std::size_t steps = 40;
-            plane.advance(steps);
-            // A standing wave: cos(k theta) after k steps, omega = (2/dt) sin(theta/2).
-            const double theta =
-                2 * std::asin(p.rate() * std::sqrt(wave.omega_squared) * p.time_step / 2);
-            for (const std::size_t a : {0U, 1U}) {
-                CHECK(plane.displacement(a)[plane.entry(0, 0)] ==
-                      doctest::Approx(wave.direction[a] * std::cos(steps * theta))
-                          .epsilon(1000 * eps)  // the roundings of 40 steps
-                          .scale(1));
-            }
-        }
+        check_standing_waves(model, parameters(16, 16, model, sides));
     }
 }
 
 TEST_CASE("the energy of a body whose bonds break goes down by what these had, to rounding") {
     const BondModel model = some_bonds(9);
-    const PassiveSide passive = some_passive_side();
+    const PassiveSide passive = some_passive_side(0);
     for (const PlaneSides& sides :
          {PlaneSides::all(FreeSide{}), PlaneSides::all(passive), PlaneSides::all(PeriodicSide{}),
           PlaneSides{FixedSide{}, passive, PeriodicSide{}, PeriodicSide{}}}) {
@@ -253,7 +202,7 @@ TEST_CASE("what is symmetric stays so bit for bit while bonds break") {
     const BondModel model = some_bonds(9);
     constexpr std::size_t nx = 41;
     constexpr std::size_t ny = 40;
-    const PassiveSide passive = some_passive_side();
+    const PassiveSide passive = some_passive_side(0);
     for (const PlaneSides& sides :
          {PlaneSides::all(FreeSide{}), PlaneSides{FreeSide{}, passive, passive, passive}}) {
         Plane plane(model, sides, parameters(nx, ny, model, sides));
@@ -381,7 +330,7 @@ TEST_CASE("models of bonds that there are not") {
     for (const double stretch : {0.0, -1.0, std::nan("")}) {
         CHECK_THROWS_AS(plane.break_above(stretch, none), std::invalid_argument);
     }
-    PassiveSide passive = some_passive_side();
+    PassiveSide passive = some_passive_side(0);
     passive.made_for = bond2d(2, {1, 0.6});
     CHECK_THROWS_AS(Plane(model, PlaneSides::all(passive), plane.parameters()),
                     std::invalid_argument);

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <nmbc/chain.hpp>
 #include <nmbc/ends.hpp>
 #include <nmbc/plane.hpp>
@@ -14,44 +13,21 @@
 #include <nmbc/tables/nopd2d_r1_nu1o4_P_n1_order1.hpp>
 #include <nmbc/tables/nopd2d_r1_nu1o4_S_n1_order1.hpp>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "tests/runtime/plane_bodies.hpp"
+
 using namespace nmbc;
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-
-/// Numbers as a designed side has them, of two layers.
-PassiveSide some_passive_side(double beta) {
-    return {.strain = {0.4, 0.95},
-            .stabilisation = {0.5, 1.1},
-            .mass = {std::vector<double>{0.53, 0.87}, {0.46, 0.956}},
-            .dashpots = {std::vector<double>{0.92, 0.03, 0.03, 0.01}, {0.43, 0.04, 0.04, 0.004}},
-            .null_lagrangian = beta};
-}
 
 PlaneParameters parameters(std::size_t nx, std::size_t ny, const PlaneModel& model,
                            double cfl = 0.5) {
     PlaneParameters p{.nx = nx, .ny = ny, .spacing = 0.5, .youngs_modulus = 7, .density = 3};
     p.time_step = cfl * 2 / std::sqrt(highest_eigenvalue(model)) / p.rate();
     return p;
-}
-
-void fill_at_random(Plane& plane, unsigned seed) {
-    std::mt19937 engine(seed);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    for (std::size_t y = 0; y < plane.parameters().ny; ++y) {
-        for (std::size_t x = 0; x < plane.parameters().nx; ++x) {
-            for (const std::size_t a : {0U, 1U}) {
-                plane.displacement(a)[plane.entry(x, y)] = uniform(engine);
-                plane.velocity(a)[plane.entry(x, y)] = uniform(engine);
-            }
-        }
-    }
 }
 
 /// The potential energy of a free rectangle of nodes at E = dX = 1, from the definitions: the
@@ -127,10 +103,6 @@ class LiteralEnergy {
     double bulk_ = 0;
     double bond_weight_ = 0;
 };
-
-double sum_of(const std::array<double, 4>& values) {
-    return values[0] + values[1] + values[2] + values[3];
-}
 
 }  // namespace
 
@@ -237,38 +209,7 @@ TEST_CASE("sides that take nothing keep the energy; a free body at rest may move
 TEST_CASE("plane waves of a periodic body have the frequencies of the lattice") {
     for (const unsigned radius_squared : {1U, 4U, 9U}) {
         const PlaneModel model = nopd2d(radius_squared, 0.25, 0.4);
-        constexpr std::size_t n = 16;
-        const PlaneParameters p = parameters(n, n, model, 0.7);
-        Plane plane(model, PlaneSides::all(PeriodicSide{}), p);
-        const double xi_x = 2 * std::numbers::pi * 2 / n;
-        const double xi_y = 2 * std::numbers::pi * 3 / n;
-        for (const bool is_P : {true, false}) {
-            CAPTURE(is_P);
-            const PlaneWave wave = plane_wave(model, {xi_x, xi_y}, is_P);
-            const double omega = p.rate() * std::sqrt(wave.omega_squared);
-            const std::array<double, 2>& direction = wave.direction;
-            for (std::size_t y = 0; y < n; ++y) {
-                for (std::size_t x = 0; x < n; ++x) {
-                    const double phase = xi_x * double(x) + xi_y * double(y);
-                    for (const std::size_t a : {0U, 1U}) {
-                        plane.displacement(a)[plane.entry(x, y)] = direction[a] * std::cos(phase);
-                        plane.velocity(a)[plane.entry(x, y)] = 0;
-                    }
-                }
-            }
-            plane.start();
-            constexpr std::size_t steps = 40;
-            plane.advance(steps);
-            // A standing wave: cos(k theta) after k steps, omega = (2/dt) sin(theta/2).
-            const double theta = 2 * std::asin(omega * p.time_step / 2);
-            for (const std::size_t a : {0U, 1U}) {
-                // The roundings of 40 steps.
-                CHECK(plane.displacement(a)[plane.entry(0, 0)] ==
-                      doctest::Approx(direction[a] * std::cos(steps * theta))
-                          .epsilon(1000 * eps)
-                          .scale(1));
-            }
-        }
+        check_standing_waves(model, parameters(16, 16, model, 0.7));
     }
 }
 

@@ -8,9 +8,13 @@
 
 namespace nmbcrun {
 
+nmbc::BondModel bonds_of(const PlaneScene& scene) {
+    return nmbc::bond2d(scene.radius_squared, scene.weights);
+}
+
 nmbc::PlaneModel model_of(const PlaneScene& scene) {
     if (scene.is_bond_based()) {
-        return nmbc::bond2d(scene.radius_squared, scene.weights);
+        return bonds_of(scene);
     }
     return nmbc::nopd2d(scene.radius_squared, nmbcgen::nearest_double(scene.nu), scene.G,
                         scene.state);
@@ -20,8 +24,7 @@ std::optional<double> critical_stretch(const PlaneScene& scene) {
     if (!scene.fracture || !scene.fracture->energy) {
         return scene.fracture ? scene.fracture->critical_stretch : std::nullopt;
     }
-    const double of_one =
-        nmbc::fracture_energy(nmbc::bond2d(scene.radius_squared, scene.weights), 1);
+    const double of_one = nmbc::fracture_energy(bonds_of(scene), 1);
     return std::sqrt(*scene.fracture->energy / (of_one * scene.youngs_modulus * scene.spacing));
 }
 

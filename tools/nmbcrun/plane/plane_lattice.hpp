@@ -12,6 +12,9 @@ namespace nmbcrun {
 /// The scene's lattice, without what belongs to its sides.
 nmbc::PlaneModel model_of(const PlaneScene& scene);
 
+/// That of a scene of bonds: is_bond_based().
+nmbc::BondModel bonds_of(const PlaneScene& scene);
+
 /// At which the scene's bonds break; nothing where none does. Of a fracture energy: that of a crack
 /// along an axis whose bonds break.
 std::optional<double> critical_stretch(const PlaneScene& scene);

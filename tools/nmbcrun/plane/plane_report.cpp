@@ -91,8 +91,7 @@ std::string heading_of(const PlaneSimulation& simulation) {
                         words_of(simulation, 1), words_of(simulation, 2), words_of(simulation, 3));
     }
     if (const auto stretch = critical_stretch(scene)) {
-        const double energy =
-            nmbc::fracture_energy(nmbc::bond2d(scene.radius_squared, scene.weights), *stretch);
+        const double energy = nmbc::fracture_energy(bonds_of(scene), *stretch);
         text += fmt::format(
             "fracture  bonds break at a stretch of {:.6g}: {:.4g} per area along an "
             "axis\n",

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
+#include "tools/nmbcrun/plane/plane_lattice.hpp"
 #include "tools/nmbcrun/plane/read_plane_sides.hpp"
 #include "tools/nmbcrun/plane/read_plane_sources.hpp"
 #include "tools/nmbcrun/scene/printable.hpp"
@@ -51,19 +52,15 @@ void read_bonds(SceneReader& reader, PlaneScene& scene) {
     const std::vector<double>& given = alpha.empty() ? scene.weights : alpha;
     const auto classes = nmbc::plane_bond_classes(scene.radius_squared);
     if (given.size() != classes.size() || std::ranges::count(given, 0.0) > 0) {
-        std::string list;
-        for (const nmbc::PlaneOffset& bond : classes) {
-            list += fmt::format("{}({}, {})", list.empty() ? "" : ", ", bond.x, bond.y);
-        }
         reader.fail(alpha.empty() ? "model.weights" : "model.alpha",
                     fmt::format("has {} numbers; {} are needed, none of them 0: of the bonds {}",
-                                given.size(), classes.size(), list));
+                                given.size(), classes.size(), nmbc::listed(classes)));
     }
     try {
         if (!alpha.empty()) {
             scene.weights = nmbc::bond_weights(scene.radius_squared, alpha);
         }
-        if (nmbc::bond2d(scene.radius_squared, scene.weights).speed_S() == 0) {
+        if (bonds_of(scene).speed_S() == 0) {
             throw std::invalid_argument("bonds of radius 1 do not resist shear");
         }
     } catch (const std::invalid_argument& error) {
@@ -139,8 +136,7 @@ void read_fracture(SceneReader& reader, PlaneScene& scene) {
     if (!scene.is_bond_based()) {
         reader.fail("fracture", "needs bonds that can break: model.family = \"bond2d\"");
     }
-    if (fracture.energy &&
-        !(nmbc::fracture_energy(nmbc::bond2d(scene.radius_squared, scene.weights), 1) > 0)) {
+    if (fracture.energy && !(nmbc::fracture_energy(bonds_of(scene), 1) > 0)) {
         reader.fail("fracture.energy",
                     "has no meaning for this lattice: with its weights below 0, "
                     "a crack would set energy free. Give critical_stretch");
