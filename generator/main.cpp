@@ -235,7 +235,7 @@ int main(int argc, char** argv) {
     } catch (const nmbcgen::NoSuchBoundary& reason) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::no_such_boundary;
-    } catch (const nmbcgen::BoundsNotMet& reason) {
+    } catch (const nmbcgen::NoSuchBonds& reason) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::no_such_boundary;
     } catch (const nmbcgen::NoSuchModel& reason) {

@@ -57,20 +57,22 @@ class Equations {
   public:
     Equations(unsigned horizon, Cosine cosine) : bonds_(int(horizon)), cosine_(cosine) {}
 
-    Rows<T> of(ChainMethod method) {
+    Rows<T> of(BondMethod method) {
         switch (method) {
-            case ChainMethod::point:
+            case BondMethod::point:
                 return points();
-            case ChainMethod::subdomain:
+            case BondMethod::subdomain:
                 return subdomains();
-            case ChainMethod::galerkin:
+            case BondMethod::galerkin:
                 return galerkin();
-            case ChainMethod::least_squares:
+            case BondMethod::least_squares:
                 return least_squares();
-            case ChainMethod::taylor:
+            case BondMethod::taylor:
+                return taylor();
+            case BondMethod::bz_ls:
                 break;
         }
-        return taylor();
+        throw std::invalid_argument("not a method for chains");
     }
 
   private:
@@ -178,7 +180,7 @@ class Equations {
 
 /// The coefficients, as the factors of the powers of pi.
 template <class T, class Cosine, class Better>
-std::vector<std::vector<T>> solved(ChainMethod method, unsigned horizon, Cosine cosine,
+std::vector<std::vector<T>> solved(BondMethod method, unsigned horizon, Cosine cosine,
                                    Better better) {
     Rows<T> rows = Equations<T, Cosine>(horizon, cosine).of(method);
     const std::size_t unknowns = rows.size();
@@ -196,10 +198,10 @@ std::vector<std::vector<T>> solved(ChainMethod method, unsigned horizon, Cosine 
     return alpha;
 }
 
-bool is_exact(ChainMethod method, unsigned horizon) {
+bool is_exact(BondMethod method, unsigned horizon) {
     const unsigned parts = horizon - 1;
-    return (method != ChainMethod::point && method != ChainMethod::subdomain) || parts < 5 ||
-           parts == 6 || (method == ChainMethod::point && parts == 5);
+    return (method != BondMethod::point && method != BondMethod::subdomain) || parts < 5 ||
+           parts == 6 || (method == BondMethod::point && parts == 5);
 }
 
 constexpr int steps = 20'000;
@@ -219,7 +221,7 @@ BondCoefficient rational_coefficient(const Rational& alpha) {
     return {nearest_double(alpha), PiPolynomial{Quadratic(alpha)}};
 }
 
-std::vector<BondCoefficient> chain_bonds(ChainMethod method, unsigned horizon) {
+std::vector<BondCoefficient> chain_bonds(BondMethod method, unsigned horizon) {
     if (horizon < 1 || horizon > most_chain_bonds) {
         throw std::invalid_argument("no such number of bonds");
     }

@@ -10,44 +10,23 @@
 #include "generator/exact/echelon.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/families/bond_lattice.hpp"
-#include "generator/families/vector_family.hpp"
 
 namespace nmbcgen {
 namespace {
 
-using Class = std::array<int, 2>;
-
-const Rational speed_P_squared(6, 5);
-const Rational speed_S_squared(2, 5);
-
-std::vector<Offset> members(const Class& bonds) {
-    return members_of_class({bonds[0], bonds[1], 0});
-}
-
-int sign_of_power(int k) {
-    return k % 2 == 0 ? 1 : -1;
-}
-
-/// Means over -pi .. pi, over the Brillouin zone in two dimensions.
-/// k^2 cos(i k), as the factors of 1 and pi^2.
-std::array<Rational, 2> mean_of_square_times_cosine(int i) {
-    return i == 0 ? std::array<Rational, 2>{0, Rational(1, 3)}
-                  : std::array<Rational, 2>{Rational(2 * sign_of_power(i), i * i), 0};
-}
-
-/// k sin(i k)
+/// The mean of k sin(i k) on 0 .. pi.
 Rational mean_of_sine(int i) {
-    return i == 0 ? Rational(0) : Rational(-sign_of_power(i)) / i;
+    return i == 0 ? Rational(0) : Rational(i % 2 == 0 ? -1 : 1) / i;
 }
 
 /// (1 - cos k.b) b.T b over the zone, T = V_S^2 k^2 I + (V_P^2 - V_S^2) k k^T: factors of 1, pi^2.
-std::array<Rational, 2> wanted_along(const Class& bond) {
+std::array<Rational, 2> wanted_along(const BondClass& bond) {
     const auto [i, j] = bond;
-    const Rational extra = speed_P_squared - speed_S_squared;
+    const Rational extra = squared_speeds[0] - squared_speeds[1];
     const Rational length = i * i + j * j;
     // b.T b = f_x k_x^2 + f_y k_y^2 + f_xy k_x k_y
-    const Rational f_x = speed_S_squared * length + extra * (i * i);
-    const Rational f_y = speed_S_squared * length + extra * (j * j);
+    const Rational f_x = squared_speeds[1] * length + extra * (i * i);
+    const Rational f_y = squared_speeds[1] * length + extra * (j * j);
     const Rational f_xy = 2 * extra * (i * j);
     std::array<Rational, 2> mean{0, (f_x + f_y) / 3};
     // cos k.b = cos i k_x cos j k_y - sin i k_x sin j k_y
@@ -67,7 +46,7 @@ struct Quadrature {
     std::array<std::vector<Rational>, 2> speeds;  ///< sum speeds[.] w = V_P^2, V_S^2
 };
 
-Quadrature quadrature_of(const std::vector<Class>& classes) {
+Quadrature quadrature_of(const std::vector<BondClass>& classes) {
     const std::size_t count = classes.size();
     Quadrature all;
     all.gram.assign(count, std::vector<Rational>(count));
@@ -76,14 +55,15 @@ Quadrature quadrature_of(const std::vector<Class>& classes) {
         speed.resize(count);
     }
     for (std::size_t a = 0; a < count; ++a) {
-        for (const auto& [i, j, none] : members(classes[a])) {
+        const std::array<Rational, 2> speeds = speeds_of_unit_weight(classes[a]);
+        all.speeds[0][a] = speeds[0];
+        all.speeds[1][a] = speeds[1];
+        for (const auto& [i, j] : members(classes[a])) {
             const std::array<Rational, 2> wanted = wanted_along({i, j});
             all.wanted[a][0] += wanted[0];
             all.wanted[a][1] += wanted[1];
-            all.speeds[0][a] += Rational(i * i * i * i, 2);
-            all.speeds[1][a] += Rational(i * i * j * j, 2);
             for (std::size_t b = 0; b < count; ++b) {
-                for (const auto& [x, y, flat] : members(classes[b])) {
+                for (const auto& [x, y] : members(classes[b])) {
                     const bool is_same = (x == i && y == j) || (x == -i && y == -j);
                     const int inner = i * x + j * y;
                     all.gram[a][b] += inner * inner * (is_same ? Rational(3, 2) : Rational(1));
@@ -94,20 +74,8 @@ Quadrature quadrature_of(const std::vector<Class>& classes) {
     return all;
 }
 
-/// 48/(5 pi N^3 r^3) times alpha is the weight; without the pi, and with r^3 = r^2 sqrt(r^2) apart.
-Quadratic alpha_over_weight(unsigned horizon, const Class& bond) {
-    const int square = bond[0] * bond[0] + bond[1] * bond[1];
-    Quadratic factor = square_root(unsigned(square));
-    factor *= Rational(5 * square * int(horizon * horizon * horizon), 48);
-    return factor;
-}
-
-Real alpha_of_unit_weight(unsigned horizon, const Class& bond) {
-    return value_of({Quadratic(0), alpha_over_weight(horizon, bond)});
-}
-
 /// The optimum without a bound, in closed form.
-SquareBonds unbounded(unsigned horizon, const std::vector<Class>& classes) {
+SquareBonds unbounded(unsigned horizon, const std::vector<BondClass>& classes) {
     const Quadrature all = quadrature_of(classes);
     const std::size_t count = classes.size();
     Rows<Rational> rows;
@@ -119,7 +87,7 @@ SquareBonds unbounded(unsigned horizon, const std::vector<Class>& classes) {
     }
     for (const std::size_t speed : {0U, 1U}) {
         std::vector<Rational> row = all.speeds[speed];
-        row.insert(row.end(), {0, 0, speed == 0 ? speed_P_squared : speed_S_squared, 0});
+        row.insert(row.end(), {0, 0, squared_speeds[speed], 0});
         rows.push_back(row);
     }
     if (reduce(rows, count + 2, nonzero).size() < count + 2) {
@@ -127,13 +95,9 @@ SquareBonds unbounded(unsigned horizon, const std::vector<Class>& classes) {
     }
     SquareBonds bonds{classes, {}, {}};
     for (std::size_t a = 0; a < count; ++a) {
-        const Rational& constant = rows[a][count + 2];
-        const Rational& of_pi_squared = rows[a][count + 3];
-        const Quadratic factor = alpha_over_weight(horizon, classes[a]);
-        const PiPolynomial alpha{Quadratic(0), factor * Quadratic(constant), Quadratic(0),
-                                 factor * Quadratic(of_pi_squared)};
-        bonds.alpha.push_back({double(value_of(alpha)), alpha});
-        bonds.weights.push_back(double(Real(constant) + Real(of_pi_squared) * pi() * pi()));
+        const std::array<Quadratic, 2> factors{rows[a][count + 2], rows[a][count + 3]};
+        bonds.alpha.push_back(coefficient_of_weight(horizon, classes[a], factors));
+        bonds.weights.push_back(double(weight_of(factors)));
     }
     return bonds;
 }
@@ -208,7 +172,7 @@ class BoundedSquares {
             for (std::size_t a = 0; a < count(); ++a) {
                 row[a] = speeds_[a][speed];
             }
-            row.back() = T(speed == 0 ? speed_P_squared : speed_S_squared);
+            row.back() = T(squared_speeds[speed]);
             rows.push_back(row);
         }
         return rows;
@@ -224,25 +188,26 @@ class BoundedSquares {
 /// makes at most as much of V_S^2 as of V_P^2, (1, 0) none of it and (1, 1) as much.
 void require_speeds_within(const Quadrature& all, const std::vector<Real>& bounds,
                            const Rational& bound) {
-    std::array<Real, 2> left{Real(speed_P_squared), Real(speed_S_squared)};
+    std::array<Real, 2> left{Real(squared_speeds[0]), Real(squared_speeds[1])};
     for (const std::size_t speed : {0U, 1U}) {
         for (std::size_t a = 0; a < bounds.size(); ++a) {
             left[speed] -= Real(all.speeds[speed][a]) * bounds[a];
         }
     }
     if (left[1] < 0 || left[0] < left[1]) {
-        throw BoundsNotMet(
+        throw NoSuchBonds(
             fmt::format("no coefficients of {} or more have the speeds of long waves of the solid",
                         to_string(bound)));
     }
 }
 
 /// Every set of bonds at the bound is tried, in doubles first: the optimum is one of them.
-SquareBonds bounded(unsigned horizon, const std::vector<Class>& classes, const Rational& bound) {
+SquareBonds bounded(unsigned horizon, const std::vector<BondClass>& classes,
+                    const Rational& bound) {
     const Quadrature all = quadrature_of(classes);
     std::vector<Real> bounds;
     std::vector<double> rounded;
-    for (const Class& bond : classes) {
+    for (const BondClass& bond : classes) {
         bounds.push_back(Real(bound) / alpha_of_unit_weight(horizon, bond));
         rounded.push_back(double(bounds.back()));
     }
@@ -274,19 +239,8 @@ SquareBonds bounded(unsigned horizon, const std::vector<Class>& classes, const R
 
 }  // namespace
 
-std::vector<Class> square_bond_classes(unsigned horizon) {
-    if (horizon < 2 || horizon > most_square_bonds) {
-        throw std::invalid_argument("no such number of bonds");
-    }
-    std::vector<Class> classes;
-    for (const Offset& bond : bond_classes_in_plane(horizon * horizon)) {
-        classes.push_back({bond[0], bond[1]});
-    }
-    return classes;
-}
-
 SquareBonds square_bonds(unsigned horizon, const std::optional<Rational>& bound) {
-    const std::vector<Class> classes = square_bond_classes(horizon);
+    const std::vector<BondClass> classes = square_bond_classes(horizon);
     return bound ? bounded(horizon, classes, *bound) : unbounded(horizon, classes);
 }
 
@@ -310,8 +264,8 @@ SquareFigures figures_of(const SquareBonds& bonds) {
         classes.push_back({i, j, 0});
     }
     const BondLattice lattice(classes, bonds.weights);
-    const double P = nearest_double(speed_P_squared);
-    const double S = nearest_double(speed_S_squared);
+    const double P = nearest_double(squared_speeds[0]);
+    const double S = nearest_double(squared_speeds[1]);
     SquareFigures figures;
     for (const std::size_t i : {0U, 1U}) {
         const auto [fast, slow] =

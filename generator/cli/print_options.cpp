@@ -17,15 +17,12 @@
 namespace nmbcgen {
 namespace {
 
-constexpr std::string_view of_the_square_lattice = "bz-ls";
-
-/// Nothing for bz-ls.
-std::optional<ChainMethod> parse_bonds_method(const std::string& text) {
-    const auto method = chain_method(text);
-    if (!method && text != of_the_square_lattice) {
-        throw std::invalid_argument(fmt::format("'{}' is not a method; allowed: {}, {}",
-                                                text.substr(0, 60), chain_method_names(),
-                                                of_the_square_lattice));
+std::optional<BondMethod> parse_bond_method(const std::string& text) {
+    const auto method = bond_method(text);
+    if (!method) {
+        throw std::invalid_argument(
+            fmt::format("'{}' is not a method; allowed: of a chain {}; of a square lattice {}",
+                        text.substr(0, 60), bond_method_names(1), bond_method_names(2)));
     }
     return method;
 }
@@ -65,21 +62,14 @@ void require_fit(const BondsTask& task) {
         }
         return;
     }
-    if (is_chain && !task.method) {
-        throw CLI::ValidationError("--method",
-                                   fmt::format("{} is of the square lattice; of a chain: {}",
-                                               of_the_square_lattice, chain_method_names()));
-    }
-    if (!is_chain && task.method) {
+    if (!has_method(task.dimension, *task.method)) {
         throw CLI::ValidationError(
-            "--method",
-            fmt::format("of the square lattice it is {}: the published equations of the others do "
-                        "not have the published coefficients (docs/how-to/optimised-bonds.md)",
-                        of_the_square_lattice));
+            "--method", fmt::format("not in {} dimension{}; there: {}", task.dimension,
+                                    is_chain ? "" : "s", bond_method_names(task.dimension)));
     }
-    if (is_chain && task.bound) {
-        throw CLI::ValidationError("--positive",
-                                   fmt::format("is of --method {}", of_the_square_lattice));
+    if (task.bound && *task.method != BondMethod::bz_ls) {
+        throw CLI::ValidationError(
+            "--positive", "is of --method bz-ls: the equations of the others leave no room for it");
     }
 }
 
@@ -108,9 +98,9 @@ CLI::App* add_bonds(CLI::App& app, Request& request) {
                            most_chain_bonds, most_square_bonds))
         ->required();
     CLI::Option* const method =
-        add_parsed(*bonds, "--method", request.bonds.method, parse_bonds_method,
-                   fmt::format("of a chain: {}; of a square lattice: {}", chain_method_names(),
-                               of_the_square_lattice));
+        add_parsed(*bonds, "--method", request.bonds.method, parse_bond_method,
+                   fmt::format("of a chain: {}; of a square lattice: {}", bond_method_names(1),
+                               bond_method_names(2)));
     CLI::Option* const alpha =
         add_parsed(*bonds, "--alpha", request.bonds.alpha, parse_alpha,
                    "in place of a method: coefficients of your own, exact numbers with commas "
@@ -118,8 +108,7 @@ CLI::App* add_bonds(CLI::App& app, Request& request) {
                    "bond first, of the square lattice those of (1, 0), (1, 1), (2, 0), (2, 1), ..");
     method->excludes(alpha);
     add_parsed(*bonds, "--positive", request.bonds.bound, parse_rational,
-               fmt::format("with {}: no coefficient below this, an exact number such as 1/2 or 0.3",
-                           of_the_square_lattice))
+               "with bz-ls: no coefficient below this, an exact number such as 1/2 or 0.3")
         ->excludes(alpha);
     add_format(*bonds, request);
     bonds->parse_complete_callback([&request, method, alpha] {

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "generator/bonds/chain_bonds.hpp"
+#include "generator/bonds/contour_bonds.hpp"
 #include "generator/bonds/square_bonds.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/families/bond_lattice.hpp"
@@ -20,23 +22,40 @@ namespace {
 
 struct NamedMethod {
     std::string_view name;
-    ChainMethod method;
-    std::string_view equation;
+    BondMethod method;
+    /// What it solves, in one dimension and in two; empty where it is none.
+    std::array<std::string_view, 2> equation;
 };
 
 constexpr const char* given = "given";
 
 constexpr std::array methods{
-    NamedMethod{"point", ChainMethod::point, "point collocation, (40)"},
-    NamedMethod{"subdomain", ChainMethod::subdomain, "sub-domain collocation, (42) signed"},
-    NamedMethod{"galerkin", ChainMethod::galerkin, "Galerkin, (46) signed"},
-    NamedMethod{"least-squares", ChainMethod::least_squares,
-                "least squares over 0 .. pi, (44) as one problem"},
-    NamedMethod{"taylor", ChainMethod::taylor, "Taylor series at xi = 0"},
+    NamedMethod{"point",
+                BondMethod::point,
+                {"point collocation, (40)", "point collocation on the contour, (41) signed"}},
+    NamedMethod{"subdomain",
+                BondMethod::subdomain,
+                {"sub-domain collocation, (42) signed",
+                 "sub-domain collocation on the contour, (43) signed"}},
+    NamedMethod{"galerkin",
+                BondMethod::galerkin,
+                {"Galerkin, (46) signed", "Galerkin on the contour, (47) signed"}},
+    NamedMethod{"least-squares",
+                BondMethod::least_squares,
+                {"least squares over 0 .. pi, (44) as one problem",
+                 "least squares on the contour, (45) as one problem"}},
+    NamedMethod{"taylor", BondMethod::taylor, {"Taylor series at xi = 0", ""}},
+    NamedMethod{"bz-ls",
+                BondMethod::bz_ls,
+                {"", "least squares of the dynamical matrix over the Brillouin zone"}},
 };
 
-const NamedMethod& named(ChainMethod method) {
+const NamedMethod& named(BondMethod method) {
     return *std::ranges::find(methods, method, &NamedMethod::method);
+}
+
+std::string_view equation(unsigned dimension, BondMethod method) {
+    return named(method).equation[dimension - 1];
 }
 
 /// Coefficients that were given.
@@ -123,7 +142,7 @@ Report chain_report(const BondsTask& task) {
     const auto alpha = is_given ? as_given(task.alpha) : chain_bonds(*task.method, task.horizon);
     Report report{.lattice = fmt::format("chain, horizon {} dX", task.horizon),
                   .method_name = is_given ? given : named(*task.method).name,
-                  .method = is_given ? "as given" : std::string(named(*task.method).equation),
+                  .method = is_given ? "as given" : std::string(equation(1, *task.method)),
                   .model = "omega^2 = sum_j 4 alpha_j/(N^2 j) (1 - cos(j xi)), (10)",
                   .family = fmt::format("--family bond1d --horizon {}", task.horizon)};
     std::vector<double> values;
@@ -150,16 +169,18 @@ Report chain_report(const BondsTask& task) {
 Report square_report(const BondsTask& task) {
     const bool is_given = !task.alpha.empty();
     const SquareBonds bonds = is_given ? given_square_bonds(task.horizon, task.alpha)
-                                       : square_bonds(task.horizon, task.bound);
+                              : task.method == BondMethod::bz_ls
+                                  ? square_bonds(task.horizon, task.bound)
+                                  : contour_bonds(*task.method, task.horizon);
     const unsigned radius_squared = task.horizon * task.horizon;
     Report report{
         .lattice =
             fmt::format("square lattice, horizon {} dX, nu = 1/4 in plane strain", task.horizon),
-        .method_name = is_given ? given : std::string_view("bz-ls"),
+        .method_name = is_given ? given : named(*task.method).name,
         .method =
             is_given
                 ? "as given"
-                : "least squares of the dynamical matrix over the Brillouin zone" +
+                : std::string(equation(2, *task.method)) +
                       (task.bound ? fmt::format(", all alpha >= {}", to_string(*task.bound)) : ""),
         .model = "D = sum over bonds b of 48 alpha/(5 pi N^3 |b|^3) b b^T (1 - cos k.b), (13)",
         .family = fmt::format("--family bond2d --radius2 {}", radius_squared)};
@@ -192,6 +213,8 @@ bool has_mixed_sign(const Report& report) {
     return std::ranges::any_of(report.bonds, [](const Bond& bond) { return bond.alpha.value < 0; });
 }
 
+constexpr std::size_t widest_closed_form = 100;
+
 /// So that a step below it is below the limit.
 double rounded_down(double value) {
     constexpr double places = 1e4;
@@ -200,15 +223,21 @@ double rounded_down(double value) {
 
 }  // namespace
 
-std::optional<ChainMethod> chain_method(std::string_view name) {
+std::optional<BondMethod> bond_method(std::string_view name) {
     const auto* const found = std::ranges::find(methods, name, &NamedMethod::name);
     return found == methods.end() ? std::nullopt : std::optional(found->method);
 }
 
-std::string chain_method_names() {
+bool has_method(unsigned dimension, BondMethod method) {
+    return !equation(dimension, method).empty();
+}
+
+std::string bond_method_names(unsigned dimension) {
     std::string names;
     for (const NamedMethod& method : methods) {
-        names += (names.empty() ? "" : ", ") + std::string(method.name);
+        if (has_method(dimension, method.method)) {
+            names += (names.empty() ? "" : ", ") + std::string(method.name);
+        }
     }
     return names;
 }
@@ -219,8 +248,11 @@ std::string bonds_text(const BondsTask& task) {
         fmt::format("lattice   {}\nmethod    {}\nmodel     {}\n\n{:<8}  {:>12}  {}\n",
                     report.lattice, report.method, report.model, "bond", "alpha", "closed form");
     for (const auto& [name, key, alpha, weight] : report.bonds) {
-        text += fmt::format("{:<8}  {:>12.6f}  {}\n", name, alpha.value,
-                            alpha.closed_form ? to_text(*alpha.closed_form) : "-");
+        std::string closed_form = alpha.closed_form ? to_text(*alpha.closed_form) : "-";
+        if (closed_form.size() > widest_closed_form) {
+            closed_form = "in JSON";
+        }
+        text += fmt::format("{:<8}  {:>12.6f}  {}\n", name, alpha.value, closed_form);
     }
     text += fmt::format("\nresidual  {:.4f} of that of alpha = 1, ({})\n",
                         report.residual_over_original, task.dimension == 1 ? 49 : 51);
@@ -257,6 +289,7 @@ std::string bonds_json(const BondsTask& task) {
     for (const auto& [name, key, alpha, weight] : report.bonds) {
         Json entry = key;
         entry["value"] = alpha.value;
+        entry["weight"] = std::stod(weight);
         entry["closed_form"] =
             alpha.closed_form ? Json(to_text(*alpha.closed_form)) : Json(nullptr);
         bonds.push_back(entry);

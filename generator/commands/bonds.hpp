@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/bonds/chain_bonds.hpp"
+#include "generator/bonds/bond_method.hpp"
 #include "generator/table/exact.hpp"
 
 namespace nmbcgen {
@@ -16,19 +16,20 @@ namespace nmbcgen {
 struct BondsTask {
     unsigned dimension = 1;
     unsigned horizon = 0;
-    std::optional<ChainMethod> method{};  ///< of a chain; none: bz-ls, of the square lattice
-    std::optional<Rational> bound{};      ///< of bz-ls
-    std::vector<Rational> alpha{};        ///< in place of a method; shortest first
+    std::optional<BondMethod> method{};
+    std::optional<Rational> bound{};  ///< of bz-ls
+    std::vector<Rational> alpha{};    ///< in place of a method; shortest first
 };
 
-/// The method of this name; nothing where it is none of a chain's.
-std::optional<ChainMethod> chain_method(std::string_view name);
+/// Nothing where there is none of this name.
+std::optional<BondMethod> bond_method(std::string_view name);
+bool has_method(unsigned dimension, BondMethod method);
 
 /// "point, subdomain, .."
-std::string chain_method_names();
+std::string bond_method_names(unsigned dimension);
 
-/// A table for people, or JSON (docs/reference/json.md). Throws BoundsNotMet (bonds/
-/// square_bonds.hpp).
+/// A table for people, or JSON (docs/reference/json.md). Throws NoSuchBonds (bonds/
+/// square_lattice.hpp).
 std::string bonds_text(const BondsTask& task);
 std::string bonds_json(const BondsTask& task);
 

@@ -14,10 +14,10 @@ using namespace nmbcgen;
 
 namespace {
 
-constexpr std::array all_methods{ChainMethod::point, ChainMethod::subdomain, ChainMethod::galerkin,
-                                 ChainMethod::least_squares, ChainMethod::taylor};
+constexpr std::array all_methods{BondMethod::point, BondMethod::subdomain, BondMethod::galerkin,
+                                 BondMethod::least_squares, BondMethod::taylor};
 
-std::vector<std::string> texts(ChainMethod method, unsigned horizon) {
+std::vector<std::string> texts(BondMethod method, unsigned horizon) {
     std::vector<std::string> texts;
     for (const BondCoefficient& alpha : chain_bonds(method, horizon)) {
         texts.push_back(alpha.closed_form ? to_text(*alpha.closed_form) : "-");
@@ -25,7 +25,7 @@ std::vector<std::string> texts(ChainMethod method, unsigned horizon) {
     return texts;
 }
 
-std::vector<double> values(ChainMethod method, unsigned horizon) {
+std::vector<double> values(BondMethod method, unsigned horizon) {
     std::vector<double> values;
     for (const BondCoefficient& alpha : chain_bonds(method, horizon)) {
         values.push_back(alpha.value);
@@ -47,28 +47,28 @@ using Texts = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("closed forms, worked out with an algebra system") {
-    for (const ChainMethod method : all_methods) {
+    for (const BondMethod method : all_methods) {
         CHECK(texts(method, 1) == Texts{"1/2"});
     }
-    CHECK(texts(ChainMethod::point, 2) == Texts{"1/2*pi^2", "1 - 1/4*pi^2"});
-    CHECK(texts(ChainMethod::subdomain, 2) == Texts{"-2/3 + 4/9*pi^2", "4/3 - 2/9*pi^2"});
-    CHECK(texts(ChainMethod::galerkin, 2) == Texts{"6/5 + 4/15*pi^2", "2/5 - 2/15*pi^2"});
-    CHECK(texts(ChainMethod::least_squares, 2) == Texts{"58/35 + 8/35*pi^2", "6/35 - 4/35*pi^2"});
-    CHECK(texts(ChainMethod::taylor, 2) == Texts{"8/3", "-1/3"});
-    CHECK(texts(ChainMethod::point, 3) == Texts{"-9/16 + 9/8*pi^2", "-9/16*pi^2", "27/16"});
-    CHECK(texts(ChainMethod::subdomain, 3) == Texts{"3/8 - 1/4*pi^2 + 45/128*pi^3",
-                                                    "-3 + 7/2*pi^2 - 9/8*pi^3",
-                                                    "27/8 - 9/4*pi^2 + 81/128*pi^3"});
-    CHECK(texts(ChainMethod::galerkin, 3) ==
+    CHECK(texts(BondMethod::point, 2) == Texts{"1/2*pi^2", "1 - 1/4*pi^2"});
+    CHECK(texts(BondMethod::subdomain, 2) == Texts{"-2/3 + 4/9*pi^2", "4/3 - 2/9*pi^2"});
+    CHECK(texts(BondMethod::galerkin, 2) == Texts{"6/5 + 4/15*pi^2", "2/5 - 2/15*pi^2"});
+    CHECK(texts(BondMethod::least_squares, 2) == Texts{"58/35 + 8/35*pi^2", "6/35 - 4/35*pi^2"});
+    CHECK(texts(BondMethod::taylor, 2) == Texts{"8/3", "-1/3"});
+    CHECK(texts(BondMethod::point, 3) == Texts{"-9/16 + 9/8*pi^2", "-9/16*pi^2", "27/16"});
+    CHECK(texts(BondMethod::subdomain, 3) == Texts{"3/8 - 1/4*pi^2 + 45/128*pi^3",
+                                                   "-3 + 7/2*pi^2 - 9/8*pi^3",
+                                                   "27/8 - 9/4*pi^2 + 81/128*pi^3"});
+    CHECK(texts(BondMethod::galerkin, 3) ==
           Texts{"369/70 + 27/70*pi^2", "-837/70 + 27/35*pi^2", "54/7 - 9/14*pi^2"});
-    CHECK(texts(ChainMethod::least_squares, 3) ==
+    CHECK(texts(BondMethod::least_squares, 3) ==
           Texts{"137/28 + 3/7*pi^2", "-125/14 + 3/7*pi^2", "163/28 - 3/7*pi^2"});
-    CHECK(texts(ChainMethod::taylor, 3) == Texts{"27/4", "-27/20", "3/20"});
+    CHECK(texts(BondMethod::taylor, 3) == Texts{"27/4", "-27/20", "3/20"});
 }
 
 TEST_CASE("alpha of Taylor series in closed form at every horizon") {
     for (unsigned N = 1; N <= most_chain_bonds; ++N) {
-        const auto coefficients = chain_bonds(ChainMethod::taylor, N);
+        const auto coefficients = chain_bonds(BondMethod::taylor, N);
         // N^2 (-1)^(j+1) (N!)^2/(j (N-j)! (N+j)!), from j = 1 on.
         Rational binomial(N, N + 1);
         for (unsigned j = 1; j <= N; ++j) {
@@ -81,7 +81,7 @@ TEST_CASE("alpha of Taylor series in closed form at every horizon") {
 }
 
 TEST_CASE("every set has long waves of speed 1, (34)") {
-    for (const ChainMethod method : all_methods) {
+    for (const BondMethod method : all_methods) {
         for (unsigned N = 1; N <= most_chain_bonds; ++N) {
             const std::vector<double> alpha = values(method, N);
             double sum = 0;
@@ -100,9 +100,9 @@ TEST_CASE("the residual vanishes where the methods say, with and without a close
     constexpr double pi = std::numbers::pi;
     for (unsigned N = 2; N <= most_chain_bonds; ++N) {
         const unsigned parts = N - 1;
-        const std::vector<double> at_points = values(ChainMethod::point, N);
-        const std::vector<double> of_parts = values(ChainMethod::subdomain, N);
-        const std::vector<double> galerkin = values(ChainMethod::galerkin, N);
+        const std::vector<double> at_points = values(BondMethod::point, N);
+        const std::vector<double> of_parts = values(BondMethod::subdomain, N);
+        const std::vector<double> galerkin = values(BondMethod::galerkin, N);
         // Roundings of some 1e3 in alpha's sums at N = 20.
         constexpr double roundings = 1e-12;
         for (unsigned m = 1; m <= parts; ++m) {
@@ -124,7 +124,7 @@ TEST_CASE("the residual vanishes where the methods say, with and without a close
 
 TEST_CASE("no other set of long waves of speed 1 has a smaller mean square than least squares") {
     for (const unsigned N : {2U, 3U, 5U, 10U}) {
-        const std::vector<double> best = values(ChainMethod::least_squares, N);
+        const std::vector<double> best = values(BondMethod::least_squares, N);
         const auto mean_square = [](const std::vector<double>& alpha) {
             double sum = 0;
             constexpr int steps = 2000;
@@ -148,30 +148,30 @@ TEST_CASE("no other set of long waves of speed 1 has a smaller mean square than 
 
 TEST_CASE("closed forms are there where they are promised") {
     for (unsigned N = 1; N <= most_chain_bonds; ++N) {
-        const auto has = [N](ChainMethod method) {
+        const auto has = [N](BondMethod method) {
             return chain_bonds(method, N).front().closed_form.has_value();
         };
-        CHECK(has(ChainMethod::galerkin));
-        CHECK(has(ChainMethod::least_squares));
-        CHECK(has(ChainMethod::point) == (N <= 7));
-        CHECK(has(ChainMethod::subdomain) == (N <= 5 || N == 7));
+        CHECK(has(BondMethod::galerkin));
+        CHECK(has(BondMethod::least_squares));
+        CHECK(has(BondMethod::point) == (N <= 7));
+        CHECK(has(BondMethod::subdomain) == (N <= 5 || N == 7));
     }
     // In Q[pi, sqrt(d)] the value is that of the equations in numbers: alpha_5 of point
     // collocation.
-    CHECK(texts(ChainMethod::point, 5).back().find("sqrt(2)") != std::string::npos);
+    CHECK(texts(BondMethod::point, 5).back().find("sqrt(2)") != std::string::npos);
 }
 
 TEST_CASE("Table 1 of Alebrahim 2022, but for its least squares") {
     using Column = std::vector<double>;
-    const std::map<std::pair<ChainMethod, unsigned>, Column> printed{
-        {{ChainMethod::point, 3}, {10.5, -5.5, 1.7}},
-        {{ChainMethod::point, 5}, {26.3, -15.4, 12.2, -7.7, 2.2}},
-        {{ChainMethod::point, 10}, {101, -52.1, 36.5, -29.5, 25.9, -24.3, 24.1, -22.1, 13.7, -3.7}},
-        {{ChainMethod::subdomain, 3}, {8.8, -3.3, 0.8}},
-        {{ChainMethod::subdomain, 5}, {25, -12.1, 6.8, -3.0, 0.7}},
-        {{ChainMethod::subdomain, 10}, {100, -50, 33.1, -24.5, 19.0, -14.7, 10.7, -6.5, 2.7, -0.5}},
-        {{ChainMethod::galerkin, 3}, {9.1, -4.3, 1.4}},
-        {{ChainMethod::galerkin, 5}, {25.0, -12.4, 8.4, -6.1, 2.3}},
+    const std::map<std::pair<BondMethod, unsigned>, Column> printed{
+        {{BondMethod::point, 3}, {10.5, -5.5, 1.7}},
+        {{BondMethod::point, 5}, {26.3, -15.4, 12.2, -7.7, 2.2}},
+        {{BondMethod::point, 10}, {101, -52.1, 36.5, -29.5, 25.9, -24.3, 24.1, -22.1, 13.7, -3.7}},
+        {{BondMethod::subdomain, 3}, {8.8, -3.3, 0.8}},
+        {{BondMethod::subdomain, 5}, {25, -12.1, 6.8, -3.0, 0.7}},
+        {{BondMethod::subdomain, 10}, {100, -50, 33.1, -24.5, 19.0, -14.7, 10.7, -6.5, 2.7, -0.5}},
+        {{BondMethod::galerkin, 3}, {9.1, -4.3, 1.4}},
+        {{BondMethod::galerkin, 5}, {25.0, -12.4, 8.4, -6.1, 2.3}},
     };
     for (const auto& [set, column] : printed) {
         const std::vector<double> alpha = values(set.first, set.second);
@@ -184,12 +184,12 @@ TEST_CASE("Table 1 of Alebrahim 2022, but for its least squares") {
 }
 
 TEST_CASE("errors (49) over that of alpha = 1") {
-    const std::map<ChainMethod, std::vector<double>> expected{
-        {ChainMethod::taylor, {.422, .228, .124, .0600}},
-        {ChainMethod::point, {.487, .186, .0643, .0177}},
-        {ChainMethod::subdomain, {.200, .0855, .0312, .00795}},
-        {ChainMethod::least_squares, {.214, .0832, .0310, .00908}},
-        {ChainMethod::galerkin, {.206, .0783, .0284, .00812}},
+    const std::map<BondMethod, std::vector<double>> expected{
+        {BondMethod::taylor, {.422, .228, .124, .0600}},
+        {BondMethod::point, {.487, .186, .0643, .0177}},
+        {BondMethod::subdomain, {.200, .0855, .0312, .00795}},
+        {BondMethod::least_squares, {.214, .0832, .0310, .00908}},
+        {BondMethod::galerkin, {.206, .0783, .0284, .00812}},
     };
     constexpr std::array horizons{2U, 3U, 5U, 10U};
     for (const auto& [method, errors] : expected) {
@@ -210,6 +210,6 @@ TEST_CASE("bands") {
 }
 
 TEST_CASE("horizons that there are not") {
-    CHECK_THROWS_AS(chain_bonds(ChainMethod::point, 0), std::invalid_argument);
-    CHECK_THROWS_AS(chain_bonds(ChainMethod::point, most_chain_bonds + 1), std::invalid_argument);
+    CHECK_THROWS_AS(chain_bonds(BondMethod::point, 0), std::invalid_argument);
+    CHECK_THROWS_AS(chain_bonds(BondMethod::point, most_chain_bonds + 1), std::invalid_argument);
 }

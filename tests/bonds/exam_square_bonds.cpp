@@ -173,7 +173,7 @@ TEST_CASE("a bound below all coefficients changes nothing, one between them is k
 }
 
 TEST_CASE("bounds that cannot be kept, sets of another size") {
-    CHECK_THROWS_AS(square_bonds(3, Rational(3)), BoundsNotMet);
+    CHECK_THROWS_AS(square_bonds(3, Rational(3)), NoSuchBonds);
     CHECK_THROWS_AS(square_bonds(1, std::nullopt), std::invalid_argument);
     CHECK_THROWS_AS(square_bonds(most_square_bonds + 1, std::nullopt), std::invalid_argument);
     CHECK_THROWS_AS(given_square_bonds(2, {Rational(1)}), std::invalid_argument);

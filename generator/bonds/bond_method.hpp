@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+/// How the coefficients of bonds are chosen.
+#pragma once
+
+namespace nmbcgen {
+
+/// The residual R is omega^2 - xi^2 of a chain; of a square lattice (36), the sum over both waves
+/// of omega^2 - V^2 k^2, on the contour of the irreducible Brillouin zone. Signed, where the paper
+/// writes |R|: of a sum of moduli no equation of these has a solution.
+enum class BondMethod {
+    point,          ///< (40), (41): R = 0 at equally spaced places
+    subdomain,      ///< (42), (43): the mean of R vanishes on equal parts
+    galerkin,       ///< (46), (47): R is orthogonal to what each bond adds to omega^2
+    least_squares,  ///< (44), (45): the least mean square, of each wave
+    taylor,         ///< of a chain: R is of the order 2N + 2 in xi
+    bz_ls           ///< of a square lattice: the least squares of the dynamical matrix
+};
+
+}  // namespace nmbcgen
