@@ -19,7 +19,7 @@ struct CrackGrowth {
     double reach = 0;  ///< to the farthest of the cracked nodes that hang together with it [length]
     std::array<double, 2> tip{};  ///< that node
     /// Where it goes on in two ways or more, of at least five horizons each; the nearest first.
-    std::vector<std::array<double, 2>> branches{};
+    std::vector<CrackBranch> branches{};
 };
 
 class CrackFront {

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <utility>
 
 namespace nmbcrun {
 namespace {
 
-constexpr double shortest_branch = 5;  // horizons
+constexpr int shortest_branch = 5;  // horizons
 constexpr std::size_t none = SIZE_MAX;
 
 }  // namespace
@@ -93,24 +94,64 @@ void CrackPieces::join_pieces() {
     }
 }
 
-std::vector<std::array<double, 2>> CrackPieces::branches() const {
-    std::vector<std::array<double, 2>> branches;
+std::array<double, 2> CrackPieces::far_along(std::size_t way) const {
+    std::vector<std::size_t> front{way};
+    for (int band = 0; band < shortest_branch; ++band) {
+        std::vector<std::size_t> next;
+        for (const std::size_t piece : front) {
+            for (const std::size_t further : pieces_[piece].further) {
+                if (std::ranges::find(next, further) == next.end()) {
+                    next.push_back(further);
+                }
+            }
+        }
+        if (next.empty()) {
+            break;
+        }
+        front = next;
+    }
+    std::array<double, 2> sum{};
+    double count = 0;
+    for (const std::size_t piece : front) {
+        for (const std::size_t node : pieces_[piece].nodes) {
+            sum[0] += (*nodes_)[node].X[0];
+            sum[1] += (*nodes_)[node].X[1];
+            count += 1;
+        }
+    }
+    return {sum[0] / count, sum[1] / count};
+}
+
+std::vector<CrackBranch> CrackPieces::branches() const {
+    std::vector<CrackBranch> branches;
     for (const Piece& piece : pieces_) {
-        std::array<double, 2> sum{};
-        double ways = 0;
+        std::vector<std::size_t> ways;
+        CrackBranch branch;
         for (const std::size_t further : piece.further) {
             const Piece& way = pieces_[further];
             if (way.deepest - way.from >= shortest_branch * horizon_) {
-                ways += 1;
-                sum[0] += way.nearest[0];
-                sum[1] += way.nearest[1];
+                ways.push_back(further);
+                branch.X[0] += way.nearest[0];
+                branch.X[1] += way.nearest[1];
             }
         }
-        if (ways > 1) {
-            branches.push_back({sum[0] / ways, sum[1] / ways});
+        if (ways.size() < 2) {
+            continue;
         }
+        for (double& one : branch.X) {
+            one /= double(ways.size());
+        }
+        for (const std::size_t way : ways) {
+            branch.directions.push_back(direction(branch.X, far_along(way)));
+        }
+        std::ranges::sort(branch.directions);
+        branches.push_back(branch);
     }
     return branches;
+}
+
+long direction(const std::array<double, 2>& from, const std::array<double, 2>& to) {
+    return std::lround(std::atan2(to[1] - from[1], to[0] - from[0]) * 180 / std::numbers::pi);
 }
 
 }  // namespace nmbcrun

@@ -15,6 +15,16 @@ struct CrackedNode {
     double distance = 0;          ///< from where the crack begins [length]
 };
 
+/// From one point to another, from the x axis [degrees].
+long direction(const std::array<double, 2>& from, const std::array<double, 2>& to);
+
+/// Where a crack goes on in several ways.
+struct CrackBranch {
+    std::array<double, 2> X{};  ///< [length]
+    /// Of each way over its first five horizons, from the x axis [degrees].
+    std::vector<long> directions{};
+};
+
 /// Cracked nodes in bands of distance, a horizon wide each. The nodes of a band that hang together
 /// are a piece.
 class CrackPieces {
@@ -26,7 +36,7 @@ class CrackPieces {
 
     /// Where a piece goes on in two of the next band or more, which go on for at least five
     /// horizons; the nearest first.
-    std::vector<std::array<double, 2>> branches() const;
+    std::vector<CrackBranch> branches() const;
 
   private:
     struct Piece {
@@ -41,6 +51,8 @@ class CrackPieces {
     void find_neighbours();
     void find_pieces();
     void join_pieces();
+    /// The middle of the nodes that the way has five horizons on.
+    std::array<double, 2> far_along(std::size_t way) const;
 
     const std::vector<CrackedNode>* nodes_;
     double horizon_;

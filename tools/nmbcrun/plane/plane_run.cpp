@@ -362,15 +362,20 @@ void PlaneRun::print_cracks() const {
             fmt::print("{}has not grown\n", text);
             continue;
         }
-        text += fmt::format("{:.4g} long, tip at ({:.6g}, {:.6g}){}", of_end.reach, of_end.tip[0],
-                            of_end.tip[1], speed_of_growth(scene, *files_, rows, end));
+        text += fmt::format("{:.4g} long towards {} degrees, tip at ({:.6g}, {:.6g}){}",
+                            of_end.reach, direction(from, of_end.tip), of_end.tip[0], of_end.tip[1],
+                            speed_of_growth(scene, *files_, rows, end));
         for (std::size_t k = 0; k < of_end.branches.size(); ++k) {
             const auto first = std::ranges::find_if(rows, [&](const PlaneFiles::CrackRow& row) {
                 return row.branches[end] > double(k);
             });
-            text += fmt::format("\n             branches at ({:.6g}, {:.6g}), seen at t = {:.4g}",
-                                of_end.branches[k][0], of_end.branches[k][1],
-                                first == rows.end() ? simulation_.plane().time() : first->time);
+            const CrackBranch& branch = of_end.branches[k];
+            text += fmt::format(
+                "\n             branches at ({:.6g}, {:.6g}), seen at t = {:.4g}, towards "
+                "{} degrees",
+                branch.X[0], branch.X[1],
+                first == rows.end() ? simulation_.plane().time() : first->time,
+                fmt::join(branch.directions, ", "));
         }
         fmt::print("{}\n", text);
     }
