@@ -82,10 +82,27 @@ first = open(f"{folder}/{files[0][1]}", "rb").read().partition(b'raw">\n_')[2]
 u = struct.unpack_from("<3d", first, 8 + (136 * 150 + 74) * 24)  # node (75, 137), r = 1/2
 assert u[0] == 0 and abs(u[1] - 0.0009998286624877785) < 1e-18 and u[2] == 0, u
 PYTHON
+try run "$scene" --quiet --set time.end=1 --set output.field=true --set output.snapshots=5 --set output.format=hdf5 --out out --plot
+expect_exit 0
+expect_no_stderr
+expect_stdout_with 'no picture   of the snapshots: their format is not "vtk"'
+expect "no fields of the run before" test ! -e out/plane_pulse.pvd -a ! -e out/plane_pulse_field.vti
+expect "node (75, 137) by its link" bash -c 'h5dump -d /displacement/000000000 -s 136,74,0 -c 1,1,3 -m %.17g out/plane_pulse.h5 |
+    grep -q "(136,74,1): 0.00099982866248777[0-9]*,"'
+expect "an XDMF of files that are there" python3 - out <<'PYTHON'
+import os, sys, xml.etree.ElementTree as xml
+folder = sys.argv[1]
+grids = xml.parse(f"{folder}/plane_pulse.xdmf").getroot().findall("Domain/Grid/Grid")
+assert [float(grid.find("Time").get("Value")) for grid in grids][0] == 0 and len(grids) > 1
+for grid in grids:
+    assert grid.find("Topology").get("Dimensions") == "1 275 150"
+    for item in grid.findall("Attribute/DataItem"):
+        assert os.path.exists(f"{folder}/{item.text.split(':')[0]}"), item.text
+PYTHON
 rm -r out results
 
 # A run that is killed, and one that is stopped, go on byte for byte.
-kept=(--set output.snapshots=300 --set output.field=true --set 'output.probes=[[10, 10]]' --set output.checkpoint=0.1
+kept=(--set output.format=hdf5 --set output.snapshots=300 --set output.field=true --set 'output.probes=[[10, 10]]' --set output.checkpoint=0.1
     --set model.G=1 --set time.step=0.04 --set boundary.left.kind=higdon --set boundary.allow_unstable=true
     --set time.end=40 --quiet)
 try run "$scene" "${kept[@]}" --out whole

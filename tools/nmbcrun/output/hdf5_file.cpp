@@ -85,6 +85,13 @@ void Hdf5File::add(const std::string& name, const std::vector<std::size_t>& exte
     attach(dataset, attributes);
 }
 
+void Hdf5File::link(const std::string& name, const std::string& file, const std::string& dataset) {
+    const Closing properties(checked(H5Pcreate(H5P_LINK_CREATE)), H5Pclose);
+    checked(H5Pset_create_intermediate_group(*properties, 1));
+    checked(H5Lcreate_external(file.c_str(), dataset.c_str(), file_, name.c_str(), *properties,
+                               H5P_DEFAULT));
+}
+
 void Hdf5File::write(const std::string& name, std::size_t row, std::span<const double> values) {
     const hid_t dataset = datasets_.at(name);
     const Closing space(checked(H5Dget_space(dataset)), H5Sclose);

@@ -31,9 +31,12 @@ class Hdf5File {
     /// Of the file as a whole.
     void describe(const Attributes& attributes);
 
-    /// A dataset of one extent or two (rows, columns).
+    /// A dataset of so many rows, columns, ..
     void add(const std::string& name, const std::vector<std::size_t>& extents,
              const Attributes& attributes);
+
+    /// Makes a name, "GROUP/NAME", of a dataset in another file; relative to this one's folder.
+    void link(const std::string& name, const std::string& file, const std::string& dataset);
 
     /// Writes one row, or one value of a dataset of one extent.
     void write(const std::string& name, std::size_t row, std::span<const double> values);

@@ -5,9 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cstdint>
-#include <cstring>
 #include <utility>
 
 #include "generator/support/files.hpp"
@@ -21,23 +18,6 @@ namespace {
 constexpr std::string_view plane_energies_header =
     "time,kinetic,strain,stabilisation,total,ledger,work,left_side,right_side,bottom_side,top_side,"
     "fracture,drift";
-
-/// Of a folder that has snapshots, and of nothing else in it.
-void remove_snapshots(const std::filesystem::path& folder) {
-    if (!std::filesystem::is_directory(folder)) {
-        return;
-    }
-    constexpr std::size_t digits = 9;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const std::string stem = entry.path().stem().string();
-        if (entry.path().extension() == ".vti" && stem.size() >= digits &&
-            stem.find_first_not_of("0123456789") == std::string::npos) {
-            std::filesystem::remove(entry.path());
-        }
-    }
-    std::error_code not_empty;
-    std::filesystem::remove(folder, not_empty);
-}
 
 std::string probes_header(const PlaneScene& scene) {
     std::string header = "time";
@@ -62,8 +42,8 @@ std::vector<std::string> crack_columns(const CrackFront& front) {
 PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path folder)
     : folder_(std::move(folder)),
       name_(simulation.scene().name),
-      has_field_(simulation.scene().field) {
-    for (const char* const ending : {".csv", "_probes.csv", "_cracks.csv", "_field.vti", ".pvd"}) {
+      snapshots_(simulation.scene(), folder_) {
+    for (const char* const ending : {".csv", "_probes.csv", "_cracks.csv"}) {
         nmbcgen::require_replaceable(path(ending));
     }
     if (simulation.scene().fracture) {
@@ -74,7 +54,7 @@ PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path 
 PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path folder,
                        std::string_view about)
     : PlaneFiles(simulation, std::move(folder)) {
-    remove_snapshots(growing());  // of a run that was killed
+    snapshots_.start_anew();
     energies_ = std::make_unique<Journal>(path(".csv"));
     energies_->append(energies_head(about, plane_energies_header));
     if (!simulation.scene().probes.empty()) {
@@ -104,22 +84,7 @@ PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path 
     if (front_) {
         cracked_ = std::make_unique<Journal>(path("_cracks.csv"), marks.back());
     }
-    if (!std::filesystem::exists(growing()) && std::filesystem::exists(path("_snapshots"))) {
-        std::filesystem::rename(path("_snapshots"), growing());  // of a run that was stopped
-    }
-    const std::size_t every = simulation.scene().snapshots;
-    for (std::size_t step = 0; every > 0 && step <= simulation.plane().steps(); step += every) {
-        snapshots_.emplace_back(double(step) * simulation.plan().time_step, snapshot_name(step));
-    }
-}
-
-PlaneFiles::~PlaneFiles() {
-    if (!is_kept_) {
-        try {
-            remove_snapshots(growing());
-        } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): it stays then
-        }
-    }
+    snapshots_.go_on(simulation.plane().steps(), simulation.plan().time_step);
 }
 
 std::vector<Journal*> PlaneFiles::journals() const {
@@ -148,7 +113,7 @@ void PlaneFiles::sync() {
 }
 
 void PlaneFiles::keep(bool kept) {
-    is_kept_ = kept;
+    snapshots_.keep(kept);
     for (Journal* const journal : journals()) {
         journal->keep(kept);
     }
@@ -187,11 +152,6 @@ std::vector<CrackGrowth> PlaneFiles::growth(const PlaneSimulation& simulation) c
     return front_->look([&](std::size_t x, std::size_t y) { return simulation.damage(x, y); });
 }
 
-/// Relative to the folder.
-std::filesystem::path PlaneFiles::snapshot_name(std::size_t step) const {
-    return std::filesystem::path(name_ + "_snapshots") / fmt::format("{:09}.vti", step);
-}
-
 void PlaneFiles::record(const PlaneSimulation& simulation, const nmbc::PlaneEnergies& e,
                         const PlaneBalance& balance) {
     const nmbc::Plane& plane = simulation.plane();
@@ -221,12 +181,6 @@ void PlaneFiles::record(const PlaneSimulation& simulation, const nmbc::PlaneEner
     probed_->append(row + "\n");
 }
 
-void PlaneFiles::take_snapshot(const PlaneSimulation& simulation) {
-    const std::filesystem::path relative = snapshot_name(simulation.plane().steps());
-    nmbcgen::write_files({{growing() / relative.filename(), vti_text(simulation)}});
-    snapshots_.emplace_back(simulation.plane().time(), relative);
-}
-
 void PlaneFiles::publish(const PlaneSimulation& simulation, bool at_end) {
     std::vector<nmbcgen::NewFile> files;
     files.push_back(energies_->copy());
@@ -243,24 +197,7 @@ void PlaneFiles::publish(const PlaneSimulation& simulation, bool at_end) {
     if (!cracked_) {
         std::filesystem::remove(path("_cracks.csv"));
     }
-    remove_snapshots(path("_snapshots"));
-    std::filesystem::remove(path(".pvd"));
-    if (!snapshots_.empty()) {
-        std::filesystem::rename(growing(), path("_snapshots"));
-        std::string text =
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" "
-            "version=\"0.1\">\n<Collection>\n";
-        for (const auto& [time, file] : snapshots_) {
-            text += fmt::format("<DataSet timestep=\"{:.10g}\" file=\"{}\"/>\n", time,
-                                file.generic_string());
-        }
-        nmbcgen::write_files({{path(".pvd"), text + "</Collection>\n</VTKFile>\n"}});
-    }
-    if (!at_end || !has_field_) {
-        std::filesystem::remove(path("_field.vti"));
-    } else {
-        nmbcgen::write_files({{path("_field.vti"), vti_text(simulation)}});
-    }
+    snapshots_.publish(simulation, at_end);
 }
 
 void PlaneFiles::remove_leftovers() const {
@@ -285,64 +222,7 @@ std::string PlaneFiles::listed() const {
     if (cracked_) {
         lines += fmt::format("cracks       {}\n", cracked_->path().string());
     }
-    if (!snapshots_.empty()) {
-        lines += fmt::format("snapshots    {}\n", path(".pvd").string());
-    }
-    if (has_field_) {
-        lines += fmt::format("field        {}\n", path("_field.vti").string());
-    }
-    return lines;
-}
-
-std::string vti_text(const PlaneSimulation& simulation) {
-    static_assert(std::endian::native == std::endian::little);
-    const PlaneScene& scene = simulation.scene();
-    const nmbc::Plane& plane = simulation.plane();
-    const std::size_t nx = scene.nodes[0];
-    const std::size_t ny = scene.nodes[1];
-    std::string arrays;  // their descriptions
-    std::string data;
-    const auto append = [&](const auto& value) {
-        std::array<char, sizeof(value)> raw{};
-        std::memcpy(raw.data(), &value, sizeof(value));
-        data.append(raw.data(), raw.size());
-    };
-    const auto add = [&](const char* name, std::size_t components, const auto& append_node) {
-        arrays += fmt::format(
-            "<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" "
-            "format=\"appended\" offset=\"{}\"/>\n",
-            name, components, data.size());
-        append(std::uint64_t(nx * ny * components * sizeof(double)));
-        for (std::size_t y = 0; y < ny; ++y) {
-            for (std::size_t x = 0; x < nx; ++x) {
-                append_node(x, y);
-            }
-        }
-    };
-    for (const bool is_velocity : {false, true}) {
-        add(is_velocity ? "velocity" : "displacement", 3, [&](std::size_t x, std::size_t y) {
-            const std::size_t entry = simulation.entry(x, y);
-            for (const std::size_t a : {0U, 1U}) {
-                append(is_velocity ? plane.velocity(a)[entry] : plane.displacement(a)[entry]);
-            }
-            append(0.0);
-        });
-    }
-    if (scene.fracture) {
-        add("damage", 1, [&](std::size_t x, std::size_t y) { append(simulation.damage(x, y)); });
-    }
-    return fmt::format(
-               "<?xml version=\"1.0\"?>\n"
-               "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-               "header_type=\"UInt64\">\n"
-               "<ImageData WholeExtent=\"0 {0} 0 {1} 0 0\" Origin=\"{2} {2} 0\" "
-               "Spacing=\"{2} {2} {2}\">\n"
-               "<FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-               "format=\"ascii\">{3:.10g}</DataArray></FieldData>\n"
-               "<Piece Extent=\"0 {0} 0 {1} 0 0\">\n<PointData Vectors=\"displacement\">\n{4}"
-               "</PointData>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_",
-               nx - 1, ny - 1, scene.spacing, plane.time(), arrays) +
-           data + "\n</AppendedData>\n</VTKFile>\n";
+    return lines + snapshots_.listed();
 }
 
 }  // namespace nmbcrun

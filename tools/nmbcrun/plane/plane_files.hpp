@@ -7,18 +7,17 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "tools/nmbcrun/output/journal.hpp"
 #include "tools/nmbcrun/plane/crack_front.hpp"
 #include "tools/nmbcrun/plane/plane_simulation.hpp"
+#include "tools/nmbcrun/plane/plane_snapshots.hpp"
 
 namespace nmbcrun {
 
-/// FOLDER/NAME.csv, the energies; NAME_probes.csv; NAME_cracks.csv; NAME_field.vti, the end;
-/// NAME.pvd and the snapshots that it lists, NAME_snapshots/T.vti, T the step. Every member throws
-/// FileError.
+/// FOLDER/NAME.csv, the energies; NAME_probes.csv; NAME_cracks.csv; those of PlaneSnapshots. Every
+/// member throws FileError.
 class PlaneFiles {
   public:
     /// Throws FileError where something else than a file is in the way of one.
@@ -29,17 +28,10 @@ class PlaneFiles {
     PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path folder,
                const std::vector<Journal::Mark>& marks);
 
-    /// Removes snapshots that are not published, unless they are kept.
-    ~PlaneFiles();
-    PlaneFiles(const PlaneFiles&) = delete;
-    PlaneFiles& operator=(const PlaneFiles&) = delete;
-    PlaneFiles(PlaneFiles&&) = delete;
-    PlaneFiles& operator=(PlaneFiles&&) = delete;
-
     /// A row of energies and of the probes.
     void record(const PlaneSimulation& simulation, const nmbc::PlaneEnergies& energies,
                 const PlaneBalance& balance);
-    void take_snapshot(const PlaneSimulation& simulation);
+    void take_snapshot(const PlaneSimulation& simulation) { snapshots_.take(simulation); }
     void flush() { energies_->flush(); }
     /// Where to go on from, once all of it is on the disk.
     std::vector<Journal::Mark> marks() const;
@@ -74,9 +66,6 @@ class PlaneFiles {
   private:
     PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path folder);
     std::vector<Journal*> journals() const;
-    /// Where snapshots wait for their run's end.
-    std::filesystem::path growing() const { return path("_snapshots.part"); }
-    std::filesystem::path snapshot_name(std::size_t step) const;
     std::filesystem::path path(const char* ending) const { return folder_ / (name_ + ending); }
 
     std::filesystem::path folder_;
@@ -85,13 +74,7 @@ class PlaneFiles {
     std::unique_ptr<Journal> probed_{};   // none without probes
     std::unique_ptr<Journal> cracked_{};  // none without fracture
     std::optional<CrackFront> front_{};   // likewise
-    bool has_field_;
-    bool is_kept_ = false;
-    std::vector<std::pair<double, std::filesystem::path>> snapshots_{};  // time, relative path
+    PlaneSnapshots snapshots_;
 };
-
-/// The scene's nodes as VTK image data (.vti): displacement and velocity, three components in
-/// doubles, z = 0.
-std::string vti_text(const PlaneSimulation& simulation);
 
 }  // namespace nmbcrun

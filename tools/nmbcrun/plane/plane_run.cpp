@@ -403,10 +403,15 @@ void draw_plane(const PlaneScene& scene, const std::filesystem::path& folder) {
     const auto file = [&](const char* ending) { return (folder / (scene.name + ending)).string(); };
     draw("energy.gp", {file("_energy"), file(".csv"), scene.title},
          {file("_energy.svg"), file("_energy.png")});
-    if (scene.fracture && scene.field) {
+    const bool is_drawn = scene.field_format == FieldFormat::vtk;
+    if (scene.fracture && scene.field && is_drawn) {
         draw("cracks.gp", {file("_cracks.png"), scene.title, file("")}, {file("_cracks.png")});
+    } else if (scene.fracture) {
+        fmt::print("no picture   of the cracks: it takes output.field in the format \"vtk\"\n");
     }
-    if (scene.snapshots > 0) {
+    if (scene.snapshots > 0 && !is_drawn) {
+        fmt::print("no picture   of the snapshots: their format is not \"vtk\"\n");
+    } else if (scene.snapshots > 0) {
         draw("fields.gp", {file("_fields"), file(".pvd"), scene.title},
              {file("_fields.png"), file("_fields.gif")});
     }

@@ -246,6 +246,10 @@ PlaneScene read_plane_scene(const std::string& text, const std::string& path,
     scene.every =
         std::size_t(reader.whole_number("output.every", 1, most_nodes).value_or(long(scene.every)));
     scene.field = reader.truth("output.field").value_or(scene.fracture.has_value());
+    scene.field_format =
+        read_choice<FieldFormat>(reader, "output.format",
+                                 {{"vtk", FieldFormat::vtk}, {"hdf5", FieldFormat::hdf5}})
+            .value_or(scene.field_format);
     scene.probes = read_plane_probes(reader, scene);
     scene.snapshots =
         std::size_t(reader.whole_number("output.snapshots", 1, most_nodes).value_or(0));

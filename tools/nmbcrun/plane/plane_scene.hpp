@@ -106,6 +106,9 @@ struct PlaneFracture {
     bool allow_unstable = false;                  ///< weights below 0, too
 };
 
+/// Of the files of fields.
+enum class FieldFormat { vtk, hdf5 };
+
 struct PlaneScene {
     std::string title;
     std::string name;  ///< of the output files
@@ -129,8 +132,9 @@ struct PlaneScene {
     double end = 0;
     std::optional<double> step{};
     std::optional<double> cfl{};
-    std::size_t every = 10;     ///< steps between two rows of energies
-    bool field = false;         ///< u and v at the end
+    std::size_t every = 10;  ///< steps between two rows of energies
+    bool field = false;      ///< u and v at the end
+    FieldFormat field_format = FieldFormat::vtk;
     std::size_t snapshots = 0;  ///< steps between two snapshots of all nodes; 0: none
     std::vector<std::array<std::size_t, 2>> probes{};  ///< interior nodes, from 0
     double checkpoint = 60;  ///< seconds of the clock between two checkpoints

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/plane/plane_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#include "generator/support/files.hpp"
+#include "tools/nmbcrun/output/hdf5_file.hpp"
+
+namespace nmbcrun {
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+
+struct Quantity {
+    std::string name;
+    std::size_t components;
+};
+
+constexpr const char* displacement = "displacement";
+constexpr const char* velocity = "velocity";
+constexpr const char* damage = "damage";
+
+std::vector<Quantity> quantities_of(const PlaneScene& scene) {
+    std::vector<Quantity> all{{displacement, 3}, {velocity, 3}};
+    if (scene.fracture) {
+        all.push_back({damage, 1});
+    }
+    return all;
+}
+
+/// Node by node, row by row.
+std::vector<double> values_of(const PlaneSimulation& simulation, const Quantity& quantity) {
+    const auto [nx, ny] = simulation.scene().nodes;
+    std::vector<double> values;
+    values.reserve(nx * ny * quantity.components);
+    const nmbc::Plane& plane = simulation.plane();
+    for (std::size_t y = 0; y < ny; ++y) {
+        for (std::size_t x = 0; x < nx; ++x) {
+            if (quantity.name == damage) {
+                values.push_back(simulation.damage(x, y));
+                continue;
+            }
+            const std::size_t entry = simulation.entry(x, y);
+            for (const std::size_t a : {0U, 1U}) {
+                values.push_back(quantity.name == displacement ? plane.displacement(a)[entry]
+                                                               : plane.velocity(a)[entry]);
+            }
+            values.push_back(0);
+        }
+    }
+    return values;
+}
+
+std::string vti_text(const PlaneSimulation& simulation) {
+    const PlaneScene& scene = simulation.scene();
+    std::string arrays;  // their descriptions
+    std::string data;
+    for (const Quantity& quantity : quantities_of(scene)) {
+        arrays += fmt::format(
+            "<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" "
+            "format=\"appended\" offset=\"{}\"/>\n",
+            quantity.name, quantity.components, data.size());
+        const std::vector<double> values = values_of(simulation, quantity);
+        const std::uint64_t size = values.size() * sizeof(double);
+        const std::size_t at = data.size();
+        data.resize(at + sizeof(size) + size);
+        std::memcpy(&data[at], &size, sizeof(size));
+        std::memcpy(&data[at + sizeof(size)], values.data(), size);
+    }
+    return fmt::format(
+               "<?xml version=\"1.0\"?>\n"
+               "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+               "header_type=\"UInt64\">\n"
+               "<ImageData WholeExtent=\"0 {0} 0 {1} 0 0\" Origin=\"{2} {2} 0\" "
+               "Spacing=\"{2} {2} {2}\">\n"
+               "<FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+               "format=\"ascii\">{3:.10g}</DataArray></FieldData>\n"
+               "<Piece Extent=\"0 {0} 0 {1} 0 0\">\n<PointData Vectors=\"displacement\">\n{4}"
+               "</PointData>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_",
+               scene.nodes[0] - 1, scene.nodes[1] - 1, scene.spacing, simulation.plane().time(),
+               arrays) +
+           data + "\n</AppendedData>\n</VTKFile>\n";
+}
+
+Hdf5File::Attributes described_as(const PlaneScene& scene) {
+    return {{"title", scene.title},
+            {"nodes", "dataset[j, i] is of X = (i + 1) dX, Y = (j + 1) dX"},
+            {"dX", fmt::format("{}", scene.spacing)}};
+}
+
+void write_hdf5(const PlaneSimulation& simulation, const std::filesystem::path& path) {
+    const PlaneScene& scene = simulation.scene();
+    Hdf5File file(path);
+    file.describe(described_as(scene));
+    for (const Quantity& quantity : quantities_of(scene)) {
+        std::vector<std::size_t> extents{scene.nodes[1], scene.nodes[0]};
+        if (quantity.components > 1) {
+            extents.push_back(quantity.components);
+        }
+        const double half_step = quantity.name == velocity ? simulation.plan().time_step / 2 : 0;
+        file.add(quantity.name, extents,
+                 {{"time", fmt::format("{:.10g}", simulation.plane().time() - half_step)}});
+        file.write(quantity.name, values_of(simulation, quantity));
+    }
+    std::vector<nmbcgen::NewFile> files;
+    files.push_back(file.whole());
+    nmbcgen::publish(files);
+}
+
+std::string pvd_text(const std::vector<Snapshot>& snapshots) {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+    for (const auto& [time, file] : snapshots) {
+        text += fmt::format("<DataSet timestep=\"{:.10g}\" file=\"{}\"/>\n", time,
+                            file.generic_string());
+    }
+    return text + "</Collection>\n</VTKFile>\n";
+}
+
+std::string xdmf_text(const PlaneScene& scene, const std::vector<Snapshot>& snapshots) {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n"
+        "<Grid Name=\"plane\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+    for (const auto& [time, file] : snapshots) {
+        text += fmt::format(
+            "<Grid Name=\"nodes\">\n<Time Value=\"{0:.10g}\"/>\n"
+            "<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"1 {2} {1}\"/>\n"
+            "<Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n"
+            "<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\">0 {3} {3}</DataItem>\n"
+            "<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\">{3} {3} "
+            "{3}</DataItem>\n</Geometry>\n",
+            time, scene.nodes[0], scene.nodes[1], scene.spacing);
+        for (const auto& [name, components] : quantities_of(scene)) {
+            text += fmt::format(
+                "<Attribute Name=\"{0}\" AttributeType=\"{1}\" Center=\"Node\">\n"
+                "<DataItem Dimensions=\"1 {3} {2}{4}\" NumberType=\"Float\" Precision=\"8\" "
+                "Format=\"HDF\">{5}:/{0}</DataItem>\n</Attribute>\n",
+                name, components > 1 ? "Vector" : "Scalar", scene.nodes[0], scene.nodes[1],
+                components > 1 ? " 3" : "", file.generic_string());
+        }
+        text += "</Grid>\n";
+    }
+    return text + "</Grid>\n</Domain>\n</Xdmf>\n";
+}
+
+void write_links(const PlaneScene& scene, const std::filesystem::path& path,
+                 const std::vector<Snapshot>& snapshots) {
+    Hdf5File file(path);
+    file.describe(described_as(scene));
+    file.add("time", {snapshots.size()}, {{"of", "displacement"}});
+    std::vector<double> times;
+    for (const Snapshot& snapshot : snapshots) {
+        times.push_back(snapshot.time);
+        for (const Quantity& quantity : quantities_of(scene)) {
+            file.link(quantity.name + "/" + snapshot.file.stem().string(),
+                      snapshot.file.generic_string(), "/" + quantity.name);
+        }
+    }
+    file.write("time", times);
+    std::vector<nmbcgen::NewFile> files;
+    files.push_back(file.whole());
+    nmbcgen::publish(files);
+}
+
+}  // namespace
+
+std::string_view extension_of(FieldFormat format) {
+    return format == FieldFormat::vtk ? ".vti" : ".h5";
+}
+
+void write_fields(const PlaneSimulation& simulation, const std::filesystem::path& path) {
+    if (simulation.scene().field_format == FieldFormat::vtk) {
+        nmbcgen::write_files({{path, vti_text(simulation)}});
+    } else {
+        std::error_code error;  // what cannot be made cannot be written to
+        std::filesystem::create_directories(path.parent_path(), error);
+        write_hdf5(simulation, path);
+    }
+}
+
+void write_series(const PlaneScene& scene, const std::filesystem::path& folder,
+                  const std::vector<Snapshot>& snapshots) {
+    if (scene.field_format == FieldFormat::vtk) {
+        nmbcgen::write_files({{folder / series_name(scene), pvd_text(snapshots)}});
+        return;
+    }
+    write_links(scene, folder / (scene.name + ".h5"), snapshots);
+    nmbcgen::write_files({{folder / series_name(scene), xdmf_text(scene, snapshots)}});
+}
+
+std::string series_name(const PlaneScene& scene) {
+    return scene.name + (scene.field_format == FieldFormat::vtk ? ".pvd" : ".xdmf");
+}
+
+}  // namespace nmbcrun

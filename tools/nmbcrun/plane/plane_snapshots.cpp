@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/plane/plane_snapshots.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "generator/support/files.hpp"
+
+namespace nmbcrun {
+namespace {
+
+/// Of any format.
+constexpr std::array<std::string_view, 5> endings{".pvd", ".xdmf", ".h5", "_field.vti",
+                                                  "_field.h5"};
+
+/// Of a folder that has snapshots, and of nothing else in it.
+void remove_snapshots(const std::filesystem::path& folder) {
+    if (!std::filesystem::is_directory(folder)) {
+        return;
+    }
+    constexpr std::size_t digits = 9;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string stem = entry.path().stem().string();
+        const bool is_field =
+            entry.path().extension() == ".vti" || entry.path().extension() == ".h5";
+        if (is_field && stem.size() >= digits &&
+            stem.find_first_not_of("0123456789") == std::string::npos) {
+            std::filesystem::remove(entry.path());
+        }
+    }
+    std::error_code not_empty;
+    std::filesystem::remove(folder, not_empty);
+}
+
+}  // namespace
+
+PlaneSnapshots::PlaneSnapshots(const PlaneScene& scene, std::filesystem::path folder)
+    : folder_(std::move(folder)),
+      name_(scene.name),
+      format_(scene.field_format),
+      every_(scene.snapshots),
+      has_field_(scene.field),
+      series_(series_name(scene)) {
+    for (const std::string_view ending : endings) {
+        nmbcgen::require_replaceable(path(ending));
+    }
+}
+
+PlaneSnapshots::~PlaneSnapshots() {
+    if (!is_kept_) {
+        try {
+            remove_snapshots(growing());
+        } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): it stays then
+        }
+    }
+}
+
+void PlaneSnapshots::start_anew() {
+    remove_snapshots(growing());
+}
+
+void PlaneSnapshots::go_on(std::size_t step, double time_step) {
+    if (!std::filesystem::exists(growing()) && std::filesystem::exists(path("_snapshots"))) {
+        std::filesystem::rename(path("_snapshots"), growing());  // of a run that was stopped
+    }
+    for (std::size_t at = 0; every_ > 0 && at <= step; at += every_) {
+        snapshots_.push_back({double(at) * time_step, file_of(at)});
+    }
+}
+
+std::filesystem::path PlaneSnapshots::path(std::string_view ending) const {
+    return folder_ / (name_ + std::string(ending));
+}
+
+std::filesystem::path PlaneSnapshots::field() const {
+    return path(fmt::format("_field{}", extension_of(format_)));
+}
+
+/// Relative to the folder.
+std::filesystem::path PlaneSnapshots::file_of(std::size_t step) const {
+    return std::filesystem::path(name_ + "_snapshots") /
+           fmt::format("{:09}{}", step, extension_of(format_));
+}
+
+void PlaneSnapshots::take(const PlaneSimulation& simulation) {
+    const std::filesystem::path relative = file_of(simulation.plane().steps());
+    write_fields(simulation, growing() / relative.filename());
+    snapshots_.push_back({simulation.plane().time(), relative});
+}
+
+void PlaneSnapshots::publish(const PlaneSimulation& simulation, bool at_end) {
+    remove_snapshots(path("_snapshots"));
+    for (const std::string_view ending : endings) {
+        std::filesystem::remove(path(ending));
+    }
+    if (!snapshots_.empty()) {
+        std::filesystem::rename(growing(), path("_snapshots"));
+        write_series(simulation.scene(), folder_, snapshots_);
+    }
+    if (at_end && has_field_) {
+        write_fields(simulation, field());
+    }
+}
+
+std::string PlaneSnapshots::listed() const {
+    std::string lines;
+    if (!snapshots_.empty()) {
+        lines += fmt::format("snapshots    {}\n", (folder_ / series_).string());
+    }
+    if (has_field_) {
+        lines += fmt::format("field        {}\n", field().string());
+    }
+    return lines;
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+/// The fields that a plane run keeps: its snapshots, and the end.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tools/nmbcrun/plane/plane_fields.hpp"
+
+namespace nmbcrun {
+
+/// FOLDER/NAME_snapshots/T.vti or .h5, T the step, and what opens them (write_series);
+/// NAME_field.vti or .h5, the end. Snapshots wait in NAME_snapshots.part for their run's end. Every
+/// member throws FileError.
+class PlaneSnapshots {
+  public:
+    /// Throws FileError where something else than a file is in the way of one.
+    PlaneSnapshots(const PlaneScene& scene, std::filesystem::path folder);
+    /// Removes snapshots that are not published, unless they are kept.
+    ~PlaneSnapshots();
+    PlaneSnapshots(const PlaneSnapshots&) = delete;
+    PlaneSnapshots& operator=(const PlaneSnapshots&) = delete;
+    PlaneSnapshots(PlaneSnapshots&&) = delete;
+    PlaneSnapshots& operator=(PlaneSnapshots&&) = delete;
+
+    /// Removes those of a run that was killed.
+    void start_anew();
+    /// With those that a run has left up to this step.
+    void go_on(std::size_t step, double time_step);
+
+    void take(const PlaneSimulation& simulation);
+    void keep(bool kept) { is_kept_ = kept; }
+    /// In the place of what an earlier run of this name has left; at_end: the field, too.
+    void publish(const PlaneSimulation& simulation, bool at_end);
+
+    /// A line each.
+    std::string listed() const;
+
+  private:
+    std::filesystem::path growing() const { return path("_snapshots.part"); }
+    std::filesystem::path file_of(std::size_t step) const;
+    std::filesystem::path path(std::string_view ending) const;
+    std::filesystem::path field() const;
+
+    std::filesystem::path folder_;
+    std::string name_;
+    FieldFormat format_;
+    std::size_t every_;
+    bool has_field_;
+    std::string series_;
+    bool is_kept_ = false;
+    std::vector<Snapshot> snapshots_{};
+};
+
+}  // namespace nmbcrun
