@@ -123,7 +123,7 @@ std::array<Quadratic, 2> wanted(const std::vector<Branch>& branches, std::size_t
     return sum;
 }
 
-/// Rows as the methods fill them, and those of (39): unknowns, then right-hand sides.
+/// Adds the rows of (39).
 template <class T>
 void add_speeds(Rows<T>& rows, const std::vector<BondClass>& classes, std::size_t columns,
                 std::size_t unknowns) {

@@ -9,10 +9,10 @@
 namespace nmbcgen {
 
 /// With the exact speeds of long waves, (39), and as many equations more as there are classes of
-/// bonds but two: (41), (43), (45) or (47). In its symmetry a wave on the contour is longitudinal
-/// or transverse, and its omega^2 is linear in the coefficients. Places and parts are equal in arc
-/// length, in which means are taken, too. Galerkin's functions are those of all classes but the two
-/// longest.
+/// bonds but two: (41), (43), (45) or (47). By symmetry waves on the contour have the same
+/// polarisations whatever the coefficients, in which omega^2 is linear. Places and parts are equal
+/// in arc length, in which means are taken, too; (41) prints the places O, M, Y instead. Galerkin's
+/// functions are those of all classes but the two longest.
 ///
 /// Family radius N dX, 2 <= N <= most_square_bonds. Throws NoSuchBonds where the equations are
 /// singular: `point`, `subdomain` and `galerkin` from N = 5 on, as six classes there add linearly

@@ -32,7 +32,7 @@ constexpr const char* given = "given";
 constexpr std::array methods{
     NamedMethod{"point",
                 BondMethod::point,
-                {"point collocation, (40)", "point collocation on the contour, (41) signed"}},
+                {"point collocation, (40)", "point collocation on the contour, as (41), signed"}},
     NamedMethod{"subdomain",
                 BondMethod::subdomain,
                 {"sub-domain collocation, (42) signed",

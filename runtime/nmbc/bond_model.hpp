@@ -28,8 +28,10 @@ inline std::vector<PlaneOffset> plane_bond_classes(unsigned radius_squared) {
     return classes;
 }
 
+namespace detail {
+
 /// "(1, 0), (1, 1)"
-inline std::string listed(const std::vector<PlaneOffset>& bonds) {
+inline std::string list_of_bonds(const std::vector<PlaneOffset>& bonds) {
     std::string list;
     for (const PlaneOffset& bond : bonds) {
         list += (list.empty() ? "(" : ", (") + std::to_string(bond.x) + ", " +
@@ -37,6 +39,8 @@ inline std::string listed(const std::vector<PlaneOffset>& bonds) {
     }
     return list;
 }
+
+}  // namespace detail
 
 /// 2D bond-based peridynamics, linear in the stretch R.(u_J - u_I)/|R|^2 of a bond R, whose energy
 /// is w (R.(u_J - u_I))^2/2, where E = density = dX = 1. bond2d() makes it.
@@ -115,7 +119,7 @@ inline BondModel bond2d(unsigned radius_squared, const std::vector<double>& weig
         !std::ranges::all_of(weights, [](double one) { return std::isfinite(one) && one != 0; })) {
         throw std::invalid_argument(std::to_string(classes.size()) +
                                     " finite weights are needed, none of them 0: of the bonds " +
-                                    listed(classes));
+                                    detail::list_of_bonds(classes));
     }
     std::vector<BondModel::Bond> bonds;
     for (const PlaneOffset& bond : plane_family(radius_squared)) {

@@ -44,8 +44,8 @@ class BasicPlane {
           nx_(parameters.nx + layers_[0] + layers_[1]),
           ny_(parameters.ny + layers_[2] + layers_[3]),
           force_(force_of(model_.law())) {
-        if (parameters.nx < least_interior(0) || parameters.ny < least_interior(1)) {
-            throw std::invalid_argument("between periodic sides a body needs " +
+        if (nx_ < least_nodes(0) || ny_ < least_nodes(1)) {
+            throw std::invalid_argument("between periodic sides, and beside a halo, a body needs " +
                                         std::to_string(ghosts_) + " nodes");
         }
         for (std::size_t a = 0; a < 2; ++a) {
@@ -181,9 +181,9 @@ class BasicPlane {
     // (0, 0) to (nx - 1, ny - 1).
 
     /// Lets bonds break, for good, where R.(u_J - u_I) is above stretch |R|^2. keep(x, y) says
-    /// whether the bonds of a node never do; nodes of layers are outside of the interior. Throws
-    /// std::invalid_argument of a stretch that is not above 0, and of weights below 0: where other
-    /// bonds break, the energy of such a lattice has no lower bound.
+    /// whether the bonds of a node never do; nodes of layers, and those beyond a halo, are outside
+    /// of the interior. Throws std::invalid_argument of a stretch that is not above 0, and of
+    /// weights below 0: where other bonds break, the energy of such a lattice has no lower bound.
     template <class Keep>
     void break_above(double stretch, const Keep& keep);
     /// Whatever the weights are.
@@ -213,8 +213,9 @@ class BasicPlane {
     PlaneEnergies energies() const {
         return energies_of({axis_of(0).with_own_energy(), axis_of(1).with_own_energy()});
     }
-    /// Of the interior nodes with first_x <= x < last_x, likewise y. Throws std::invalid_argument
-    /// where there are none, or others.
+    /// Of the interior nodes with first_x <= x < last_x, likewise y: half of each of their bonds,
+    /// and all of one to a held ghost. Throws std::invalid_argument where there are none, or
+    /// others.
     PlaneEnergies energies(std::size_t first_x, std::size_t last_x, std::size_t first_y,
                            std::size_t last_y) const {
         if (first_x >= last_x || last_x > parameters_.nx || first_y >= last_y ||
@@ -247,7 +248,7 @@ class BasicPlane {
         detail::require_made_for(sides, model);
         const auto* const correspondence = std::get_if<CorrespondenceModel>(&model.law());
         if (correspondence == nullptr) {
-            detail::checked_null_lagrangian(sides, 0);
+            detail::checked_null_lagrangian(sides, 0, 0);
             return model;
         }
         const auto is_modulus = [](double value) { return value > 0 && std::isfinite(value); };
@@ -258,7 +259,8 @@ class BasicPlane {
                 "a plane needs a model with positive moduli, such as nopd2d() makes");
         }
         CorrespondenceModel with = *correspondence;
-        with.null_lagrangian = detail::checked_null_lagrangian(sides, 2 * with.shear);
+        with.null_lagrangian =
+            detail::checked_null_lagrangian(sides, correspondence->null_lagrangian, 2 * with.shear);
         return with;
     }
 
@@ -301,8 +303,14 @@ class BasicPlane {
         return own == 0 ? 0 : own + model_.horizon();
     }
 
-    std::size_t least_interior(std::size_t axis) const {
-        return std::holds_alternative<PeriodicSide>(sides_.at({axis, End::left})) ? ghosts_ : 1;
+    /// What is copied to the other side, or to another block.
+    std::size_t least_nodes(std::size_t axis) const {
+        const PlaneSide& low = sides_.at({axis, End::left});
+        const PlaneSide& high = sides_.at({axis, End::right});
+        const bool is_copied = std::holds_alternative<PeriodicSide>(low) ||
+                               std::holds_alternative<HaloSide>(low) ||
+                               std::holds_alternative<HaloSide>(high);
+        return is_copied ? ghosts_ : 1;
     }
 
     const detail::PlaneAxis& axis_of(std::size_t number) const {

@@ -64,8 +64,11 @@ struct SpongeSide {
 };
 
 /// More of the same lattice beyond the side, which the program keeps elsewhere: another block of a
-/// larger body. Before start() and after each step it copies ghosts() layers of displacements from
-/// there, where bonds break those of velocities, too.
+/// larger body. Before start(), after it and after each step the program copies ghosts() layers of
+/// displacements from there, along the whole side with its layers and ghosts; of velocities, too,
+/// where bonds break or energies() are asked for. All blocks take the steps of the whole, and a
+/// block without passive sides has the null Lagrangian of its model, which is to be that of the
+/// whole's passive sides.
 struct HaloSide {};
 
 using PlaneSide = std::variant<FixedSide, FreeSide, PeriodicSide, PassiveSide, MatchingSide,
@@ -223,14 +226,17 @@ inline void require_valid(const SpongeSide& side) {
 
 inline void require_valid(const auto& /*side*/) {}  // a matching side is checked by its conditions
 
-/// Throws std::invalid_argument for sides that cannot be those of one body. Returns its beta.
-inline double checked_null_lagrangian(const PlaneSides& sides, double largest) {
+/// Throws std::invalid_argument for sides that cannot be those of one body. Returns its beta: that
+/// of its passive sides; without such, in a block of a larger body, that of the model.
+inline double checked_null_lagrangian(const PlaneSides& sides, double of_model, double largest) {
     double beta = 0;
     bool is_first = true;
     bool has_free = false;
+    bool has_halo = false;
     for (const Side place : plane_sides) {
         const PlaneSide& side = sides.at(place);
         has_free = has_free || std::holds_alternative<FreeSide>(side);
+        has_halo = has_halo || std::holds_alternative<HaloSide>(side);
         std::visit([](const auto& one) { require_valid(one); }, side);
         if (const auto* const passive = std::get_if<PassiveSide>(&side)) {
             if (!(passive->null_lagrangian >= 0 && passive->null_lagrangian <= largest)) {
@@ -253,6 +259,9 @@ inline double checked_null_lagrangian(const PlaneSides& sides, double largest) {
             std::holds_alternative<PeriodicSide>(opposite)) {
             throw std::invalid_argument("a periodic side must be opposite a periodic one");
         }
+    }
+    if (is_first && has_halo && of_model >= 0 && of_model <= largest) {
+        beta = of_model;
     }
     if (has_free && beta != 0) {
         throw std::invalid_argument(

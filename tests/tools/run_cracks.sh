@@ -165,4 +165,5 @@ try run "$plate" --quiet --out plate --set time.end=28e-6
 expect_exit 0
 expect "the first branch" awk '/ branches at / { sub(/.*branches at \(/, ""); sub(/,.*/, ""); x = $0 - 0.125e-3 }
     END { exit !(x > 64.15e-3 && x < 65.65e-3) }' "$scratch/stdout"
+expect "two ways alike" grep -qE "towards -([0-9]+), \1 degrees$" "$scratch/stdout"
 finish

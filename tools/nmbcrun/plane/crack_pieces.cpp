@@ -105,10 +105,9 @@ std::array<double, 2> CrackPieces::far_along(std::size_t way) const {
                 }
             }
         }
-        if (next.empty()) {
-            break;
+        if (!next.empty()) {  // five horizons may be a band less, by roundings
+            front = next;
         }
-        front = next;
     }
     std::array<double, 2> sum{};
     double count = 0;
@@ -142,7 +141,7 @@ std::vector<CrackBranch> CrackPieces::branches() const {
             one /= double(ways.size());
         }
         for (const std::size_t way : ways) {
-            branch.directions.push_back(direction(branch.X, far_along(way)));
+            branch.directions.push_back(degrees_from_x(pieces_[way].nearest, far_along(way)));
         }
         std::ranges::sort(branch.directions);
         branches.push_back(branch);
@@ -150,8 +149,10 @@ std::vector<CrackBranch> CrackPieces::branches() const {
     return branches;
 }
 
-long direction(const std::array<double, 2>& from, const std::array<double, 2>& to) {
-    return std::lround(std::atan2(to[1] - from[1], to[0] - from[0]) * 180 / std::numbers::pi);
+long degrees_from_x(const std::array<double, 2>& from, const std::array<double, 2>& to) {
+    const long angle =
+        std::lround(std::atan2(to[1] - from[1], to[0] - from[0]) * 180 / std::numbers::pi);
+    return angle == -180 ? 180 : angle;
 }
 
 }  // namespace nmbcrun

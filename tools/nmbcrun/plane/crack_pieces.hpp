@@ -15,8 +15,8 @@ struct CrackedNode {
     double distance = 0;          ///< from where the crack begins [length]
 };
 
-/// From one point to another, from the x axis [degrees].
-long direction(const std::array<double, 2>& from, const std::array<double, 2>& to);
+/// The direction from one point to another: above -180, up to 180.
+long degrees_from_x(const std::array<double, 2>& from, const std::array<double, 2>& to);
 
 /// Where a crack goes on in several ways.
 struct CrackBranch {

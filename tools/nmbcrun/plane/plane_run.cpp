@@ -362,8 +362,11 @@ void PlaneRun::print_cracks() const {
             fmt::print("{}has not grown\n", text);
             continue;
         }
-        text += fmt::format("{:.4g} long towards {} degrees, tip at ({:.6g}, {:.6g}){}",
-                            of_end.reach, direction(from, of_end.tip), of_end.tip[0], of_end.tip[1],
+        text += fmt::format("{:.4g} long", of_end.reach);
+        if (of_end.branches.empty()) {  // else one of several tips
+            text += fmt::format(" towards {} degrees", degrees_from_x(from, of_end.tip));
+        }
+        text += fmt::format(", tip at ({:.6g}, {:.6g}){}", of_end.tip[0], of_end.tip[1],
                             speed_of_growth(scene, *files_, rows, end));
         for (std::size_t k = 0; k < of_end.branches.size(); ++k) {
             const auto first = std::ranges::find_if(rows, [&](const PlaneFiles::CrackRow& row) {

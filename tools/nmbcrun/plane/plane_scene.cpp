@@ -52,9 +52,10 @@ void read_bonds(SceneReader& reader, PlaneScene& scene) {
     const std::vector<double>& given = alpha.empty() ? scene.weights : alpha;
     const auto classes = nmbc::plane_bond_classes(scene.radius_squared);
     if (given.size() != classes.size() || std::ranges::count(given, 0.0) > 0) {
-        reader.fail(alpha.empty() ? "model.weights" : "model.alpha",
-                    fmt::format("has {} numbers; {} are needed, none of them 0: of the bonds {}",
-                                given.size(), classes.size(), nmbc::listed(classes)));
+        reader.fail(
+            alpha.empty() ? "model.weights" : "model.alpha",
+            fmt::format("has {} numbers; {} are needed, none of them 0: of the bonds {}",
+                        given.size(), classes.size(), nmbc::detail::list_of_bonds(classes)));
     }
     try {
         if (!alpha.empty()) {

@@ -189,9 +189,9 @@ void PlaneSources::operator()(nmbc::Plane& plane, double time) {
     for (const Source& source : sources_) {
         const double middle = time - time_step_ / 2;
         if (source.gives == Source::Gives::velocity && middle <= source.last) {
-            const double course = source.at(middle);
+            const double speed = source.at(middle);
             for (const std::size_t place : source.nodes) {
-                velocity(moved_[place]) = course;
+                velocity(moved_[place]) = speed;
             }
         }
         if (source.gives == Source::Gives::displacement && time <= source.last) {
