@@ -254,6 +254,10 @@ double residual_of_chain(std::span<const double> alpha) {
     return sum * std::numbers::pi / steps;
 }
 
+double speed_error_of_chain(std::span<const double> alpha, double xi) {
+    return std::abs(std::sqrt(omega_squared(alpha, xi)) / xi - 1);
+}
+
 ChainBand band_of_chain(std::span<const double> alpha) {
     ChainBand band{.least_squared_speed = HUGE_VAL};
     double largest = 0;

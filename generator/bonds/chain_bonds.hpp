@@ -3,6 +3,7 @@
 /// = dX = 1.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -31,6 +32,12 @@ inline constexpr unsigned most_chain_bonds = 20;
 /// at N - 1 > 6 and subdomain at N - 1 = 5 and N - 1 > 6. Throws std::invalid_argument for another
 /// N, and for bz_ls.
 std::vector<BondCoefficient> chain_bonds(BondMethod method, unsigned horizon);
+
+/// Of waves of 12.6 and 6.3 dX, whose phase velocities are listed [1/dX].
+inline constexpr std::array listed_wave_numbers{0.5, 1.0};
+
+/// |c/c_solid - 1| of a wave of xi.
+double speed_error_of_chain(std::span<const double> alpha, double xi);
 
 /// (49): the integral of |R| on 0 .. pi, by 20 000 equal steps, whose error is below 1e-6 of it.
 double residual_of_chain(std::span<const double> alpha);

@@ -35,7 +35,7 @@ struct Branch {
     }
 };
 
-enum class Line { OM, MY, YO };
+enum class Line { om, my, yo };
 
 /// What a bond adds: the share (1 - sign cos(m k)).
 struct Addition {
@@ -46,20 +46,20 @@ struct Addition {
 
 /// The waves' directions are (1, 0) and (0, 1) on OM and MY, (1, 1) and (1, -1) on YO.
 Addition addition(Line line, std::size_t wave, int i, int j) {
-    if (line == Line::YO) {
+    if (line == Line::yo) {
         const int along = wave == 0 ? i + j : i - j;
         return {Rational(along * along, 2), 1, std::abs(i + j)};
     }
     const int along = wave == 0 ? i : j;
-    return {Rational(along * along), line == Line::MY && i % 2 != 0 ? -1 : 1,
-            std::abs(line == Line::OM ? i : j)};
+    return {Rational(along * along), line == Line::my && i % 2 != 0 ? -1 : 1,
+            std::abs(line == Line::om ? i : j)};
 }
 
 Branch branch_of(Line line, std::size_t wave, const std::vector<BondClass>& classes) {
     const Rational& speed = squared_speeds[wave];
-    Branch branch{.is_diagonal = line == Line::YO,
-                  .constant = line == Line::MY ? speed : Rational(0),
-                  .square = line == Line::YO ? Rational(2 * speed) : speed};
+    Branch branch{.is_diagonal = line == Line::yo,
+                  .constant = line == Line::my ? speed : Rational(0),
+                  .square = line == Line::yo ? Rational(2 * speed) : speed};
     int highest = 0;
     for (const auto& [i, j] : classes) {
         highest = std::max(highest, i + j);
@@ -79,7 +79,7 @@ Branch branch_of(Line line, std::size_t wave, const std::vector<BondClass>& clas
 /// OM, MY, YO: of both waves, one after the other, or of their sum.
 std::vector<Branch> branches_of(const std::vector<BondClass>& classes, bool are_apart) {
     std::vector<Branch> branches;
-    for (const Line line : {Line::OM, Line::MY, Line::YO}) {
+    for (const Line line : {Line::om, Line::my, Line::yo}) {
         branches.push_back(branch_of(line, 0, classes));
         const Branch transverse = branch_of(line, 1, classes);
         if (are_apart) {

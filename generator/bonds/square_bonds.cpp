@@ -273,6 +273,20 @@ SquareFigures figures_of(const SquareBonds& bonds) {
         figures.speed_P[i] = std::sqrt(fast / P);
         figures.speed_S[i] = std::sqrt(slow / S);
     }
+    for (std::size_t i = 0; i < listed_wave_numbers.size(); ++i) {
+        constexpr int angles = 90;
+        const double xi = listed_wave_numbers[i];
+        for (int step = 0; step <= angles; ++step) {
+            const double angle = std::numbers::pi / 4 * step / angles;
+            const auto [fast, slow] =
+                lattice.at(xi * std::cos(angle), xi * std::sin(angle)).eigenvalues();
+            const std::array off{std::abs(std::sqrt(fast / P) / xi - 1),
+                                 std::abs(std::sqrt(slow / S) / xi - 1)};
+            for (const std::size_t wave : {0U, 1U}) {
+                figures.speed_error[i][wave] = std::max(figures.speed_error[i][wave], off[wave]);
+            }
+        }
+    }
     // O to M, M to Y, Y to O.
     constexpr int steps = 4000;
     constexpr double edge = std::numbers::pi;

@@ -31,6 +31,8 @@ struct SquareFigures {
     std::array<double, 2> speed_P{};  ///< of long waves at 0 and 45 degrees, over the solid's
     std::array<double, 2> speed_S{};
     double largest_frequency = 0;  ///< over the Brillouin zone
+    /// The largest |c/c_solid - 1| of P and S waves at any angle, at each of listed_wave_numbers.
+    std::array<std::array<double, 2>, 2> speed_error{};
 };
 
 SquareFigures figures_of(const SquareBonds& bonds);

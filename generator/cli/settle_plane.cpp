@@ -111,8 +111,8 @@ void settle_side(Request& request, const VectorFamily& family, const VectorChoic
     if (std::ranges::any_of(choice.weights, [](const Rational& w) { return w < 0; })) {
         throw CLI::ValidationError(
             "--weights",
-            "sides that are stable by construction need weights above 0; of the waves of one "
-            "--polarisation there is a recommendation");
+            "sides that are stable by construction need weights above 0. For the waves of one "
+            "polarisation at normal incidence add --polarisation P or S");
     }
     request.side = {.family = std::string(family.name),
                     .choice = choice,

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "generator/bonds/chain_bonds.hpp"
 #include "generator/bonds/contour_bonds.hpp"
@@ -86,7 +87,8 @@ struct Report {
     bool is_stable = false;
     double residual_over_original = 0;
     double largest_frequency = 0;
-    double chain_speed = 0;  ///< of long waves, of a chain
+    double chain_speed = 0;                     ///< of long waves, of a chain
+    std::array<double, 2> chain_speed_error{};  ///< at listed_wave_numbers, likewise
     std::optional<SquareFigures> square{};
 };
 
@@ -163,6 +165,8 @@ Report chain_report(const BondsTask& task) {
         speed_squared += 2 * double(j) * values[j - 1] / double(values.size() * values.size());
     }
     report.chain_speed = std::sqrt(speed_squared);
+    std::ranges::transform(listed_wave_numbers, report.chain_speed_error.begin(),
+                           [&](double xi) { return speed_error_of_chain(values, xi); });
     return report;
 }
 
@@ -271,9 +275,20 @@ std::string bonds_text(const BondsTask& task) {
             "S {:.3f} {:.3f}\n",
             P[0], P[1], S[0], S[1]);
     }
+    for (std::size_t i = 0; i < listed_wave_numbers.size(); ++i) {
+        const double xi = listed_wave_numbers[i];
+        const std::string off =
+            report.square
+                ? fmt::format("P {:.1f}, S {:.1f}", 100 * report.square->speed_error[i][0],
+                              100 * report.square->speed_error[i][1])
+                : fmt::format("{:.1f}", 100 * report.chain_speed_error[i]);
+        text += fmt::format(
+            "{:<10}{} % off the solid's phase velocity at xi = {:.1f}, {:.1f} dX long\n",
+            i == 0 ? "waves" : "", off, xi, 2 * std::numbers::pi / xi);
+    }
     text += report.refusal.empty()
                 ? fmt::format("options   {} --weights {}\n", report.family, weights_list(report))
-                : fmt::format("options   none: {}\n", report.refusal);
+                : fmt::format("refused   by other commands: {}\n", report.refusal);
     if (has_mixed_sign(report)) {
         text +=
             "warning   this set has bonds below 0: where others break, the energy may lose its "
@@ -313,6 +328,18 @@ std::string bonds_json(const BondsTask& task) {
             report.is_stable ? Json{{"P", report.square->speed_P}, {"S", report.square->speed_S}}
                              : Json(nullptr);
     }
+    Json errors = Json::array();
+    for (std::size_t i = 0; i < listed_wave_numbers.size() && report.is_stable; ++i) {
+        Json entry{{"xi", listed_wave_numbers[i]}};
+        if (report.square) {
+            entry["P"] = report.square->speed_error[i][0];
+            entry["S"] = report.square->speed_error[i][1];
+        } else {
+            entry["error"] = report.chain_speed_error[i];
+        }
+        errors.push_back(entry);
+    }
+    all["phase_velocity_errors"] = errors;
     all["options"] = report.refusal.empty()
                          ? Json(fmt::format("{} --weights {}", report.family, weights_list(report)))
                          : Json(nullptr);

@@ -2,19 +2,25 @@
 #include <fmt/format.h>
 
 #include "generator/exact/rational.hpp"
+#include "generator/names/checksum.hpp"
 #include "generator/names/names.hpp"
 #include "generator/names/projected_family.hpp"
 
 namespace nmbcgen {
 namespace {
 
-/// FAMILY_nH[_w_PoQ_PoQ ..]
+/// FAMILY_nH[_w_PoQ_PoQ ..], or FAMILY_nH_wCHECKSUM where that would be long.
 std::string undamped_name(const Specification& specification) {
-    std::string name = fmt::format("{}_n{}", specification.family, specification.horizon);
-    for (std::size_t m = 0; m < specification.weights.size(); ++m) {
-        name += fmt::format("{}_{}", m == 0 ? "_w" : "", p_over_q(specification.weights[m]));
+    std::string weights;
+    for (const Rational& weight : specification.weights) {
+        weights += "_" + p_over_q(weight);
     }
-    return name;
+    constexpr std::size_t readable = 40;
+    if (weights.size() > readable) {
+        weights = fmt::format("{:016x}", checksum(weights));
+    }
+    return fmt::format("{}_n{}{}{}", specification.family, specification.horizon,
+                       weights.empty() ? "" : "_w", weights);
 }
 
 std::string damping_suffix(const Specification& specification) {

@@ -9,7 +9,7 @@
 namespace nmbcgen {
 
 /// FAMILY_nH[_w_PoQ_PoQ ..]_orderN[_sS][_tauPoQ][_dtPoQ][_at[pi]PoQxM ..][_GPoQ], the name of the
-/// table and of its files.
+/// table and of its files. Weights of more than 40 characters have a checksum instead.
 std::string table_name(const Specification& specification);
 
 /// FAMILY_nH[_w_PoQ_PoQ ..][_tauPoQ], that of its lattice.

@@ -50,13 +50,13 @@ run sources 'scene|sides'
 run tables scene 'generator/(table|exact|families|names)/'
 run certification 'scene|sides|sources|tables' 'generator/(table|exact|stability)/'
 run simulation 'scene|sides|sources|tables|certification' 'unistd.h'
-run output 'scene|simulation' 'generator/support/posix_file.hpp|hdf5.h|spawn.h|unistd.h|sys/(ioctl|wait).h'
+run output 'scene|simulation' 'generator/(names/checksum|support/posix_file).hpp|hdf5.h|spawn.h|unistd.h|sys/(ioctl|wait).h'
 below='scene|sides|sources|tables|certification|simulation'
 run compare "$below" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT'
 run chart "$below|compare|output" 'generator/support/|boost/math/'
 run advise "$below|compare|chart" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT|boost/math/|unistd.h'
 run plane 'scene|sides|sources|output' 'generator/(table|exact|names|passive)/|generator/support/files.hpp|boost/math/'
-allow tools/nmbcrun "tools/nmbcrun/|generator/support/(exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
+allow tools/nmbcrun "tools/nmbcrun/|generator/names/checksum.hpp|generator/support/(exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|tools/nmbcrun/|CLI/|nmbc/|benchmark/|boost/math/|$text"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|unistd.h|$text"
 

@@ -18,8 +18,8 @@ using namespace nmbcgen;
 
 namespace {
 
-constexpr double pi_ = std::numbers::pi;
-constexpr double contour_length = pi_ * (2 + std::numbers::sqrt2);
+constexpr double half_turn = std::numbers::pi;
+constexpr double contour_length = half_turn * (2 + std::numbers::sqrt2);
 
 BondLattice lattice_of(const SquareBonds& bonds) {
     std::vector<Offset> classes;
@@ -30,13 +30,13 @@ BondLattice lattice_of(const SquareBonds& bonds) {
 }
 
 std::array<double, 2> at(double along) {
-    if (along <= pi_) {
+    if (along <= half_turn) {
         return {along, 0};
     }
-    if (along <= 2 * pi_) {
-        return {pi_, along - pi_};
+    if (along <= 2 * half_turn) {
+        return {half_turn, along - half_turn};
     }
-    const double k = pi_ - (along - 2 * pi_) / std::numbers::sqrt2;
+    const double k = half_turn - (along - 2 * half_turn) / std::numbers::sqrt2;
     return {k, k};
 }
 
@@ -45,7 +45,7 @@ std::array<double, 2> residuals(const BondLattice& lattice, double along) {
     const auto [k_x, k_y] = at(along);
     const SymmetricMatrix D = lattice.at(k_x, k_y);
     const double square = k_x * k_x + k_y * k_y;
-    const double turned = along > 2 * pi_ ? 1 : 0;
+    const double turned = along > 2 * half_turn ? 1 : 0;
     const double P = turned * ((D.xx + D.yy) / 2 + D.xy) + (1 - turned) * D.xx;
     return {P - 1.2 * square, D.xx + D.yy - P - 0.4 * square};
 }
@@ -54,7 +54,7 @@ std::array<double, 2> residuals(const BondLattice& lattice, double along) {
 double integral(double from, double to, const std::function<double(double)>& f) {
     double sum = 0;
     std::vector<double> ends{from};
-    for (const double corner : {pi_, 2 * pi_}) {
+    for (const double corner : {half_turn, 2 * half_turn}) {
         if (corner > from && corner < to) {
             ends.push_back(corner);
         }
@@ -98,7 +98,7 @@ TEST_CASE("sets on the contour have the solid's speeds") {
                 continue;
             }
             const BondLattice lattice = lattice_of(contour_bonds(method, horizon));
-            for (const double angle : {0.0, 0.3, pi_ / 4}) {
+            for (const double angle : {0.0, 0.3, half_turn / 4}) {
                 const auto [fast, slow] = lattice.of_long_waves(angle).eigenvalues();
                 // Roundings of weights up to 1000 times the speeds.
                 CHECK(std::abs(fast - 1.2) < 1e-12);

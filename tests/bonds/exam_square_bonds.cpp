@@ -137,6 +137,19 @@ TEST_CASE("no other set with these speeds is nearer") {
     }
 }
 
+TEST_CASE("errors of phase velocities, worked out with another program") {
+    // P and S at xi = 0.5, at worst: alpha = 1 at N = 3, then bz-ls at N = 2, 3, 4.
+    const auto check = [](const SquareBonds& bonds, double P, double S) {
+        const SquareFigures figures = figures_of(bonds);
+        CHECK(std::abs(figures.speed_error[0][0] - P) < 6e-4);  // digits
+        CHECK(std::abs(figures.speed_error[0][1] - S) < 6e-4);
+    };
+    check(given_square_bonds(3, std::vector<Rational>(6, Rational(1))), .034, .026);
+    check(square_bonds(2, std::nullopt), .034, .028);
+    check(square_bonds(3, std::nullopt), .020, .015);
+    check(square_bonds(4, std::nullopt), .105, .080);
+}
+
 TEST_CASE("positive sets: at a vertex in closed form") {
     for (const Rational& bound : {Rational(0), Rational(1, 2)}) {
         const auto l = double(bound);

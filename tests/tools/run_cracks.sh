@@ -112,12 +112,28 @@ expect_exit 0
 expect "nothing breaks" grep -q "^bonds        0 broken" "$scratch/stdout"
 expect "nothing grows" grep -q "has not grown" "$scratch/stdout"
 
+# Cuts that go on have no ends there; a crack that meets another counts it, and its speed ends there.
+try run small.toml --quiet --out pieces --set 'fracture.cracks=[[0, 0.005125, 0.004, 0.005125], [0.004, 0.005125, 0.008, 0.005125], [0.004, 0.005125, 0, 0.005125]]' --set time.end=1e-6
+expect_exit 0
+expect "one end" test "$(grep -c '^crack  ' "$scratch/stdout")" -eq 1
+try run small.toml --quiet --out meets --set 'fracture.cracks=[[0, 0.005125, 0.008, 0.005125], [0.0105, 0.005125, 0.0135, 0.005125]]'
+expect_exit 0
+expect "it met another" grep -qE "from \(0.008, 0.005125\): 0.0(0[6-9]|1)[0-9]* long.*met another crack" "$scratch/stdout"
+expect "no speed above c_P" awk '/of c_R/ { sub(/ of c_R.*/, ""); if ($NF > 1.6) bad = 1 } END { exit bad }' "$scratch/stdout"
+
 # Weights below 0: refused, and what happens otherwise.
 mixed=(--set 'model.alpha=[22.33336, 3.0, -9.78683, 4.69471, 0.5, -6.07170]')
 try run small.toml --quiet "${mixed[@]}"
 expect_stderr "with these weights the lattice has waves that grow"
 expect_exit 2
 mixed=(--set 'model.alpha=[22.33336, 11.20239, -9.78683, -6.07170, 3.04206, 4.69471]' --set boundary.right.kind=free --set time.step=15e-9)
+try run small.toml --quiet "${mixed[@]}"
+expect_exit 4
+expect_stderr "cut off by a free side, its energy is no sum"
+try run small.toml --quiet "${mixed[@]}" --set boundary.right.kind=passive
+expect_exit 4
+expect_stderr "a lattice with bond weights below 0 has no passive side"
+mixed+=(--set boundary.allow_unstable=true)
 try run small.toml --quiet "${mixed[@]}"
 expect_exit 4
 expect_stderr "bonds of weights below 0: where others break, its energy has no lower bound, and it explodes"

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "generator/names/checksum.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/checksum.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -24,7 +24,8 @@ std::map<std::string, std::string> identity(const Simulation& simulation) {
     auto keys = identity_of(simulation.scene().given, depends_on_end(simulation.scene()),
                             simulation.plan().steps, simulation.plan().time_step);
     for (const auto& file : simulation.scene().own_tables) {
-        keys["the checksum of " + file->name()] = fmt::format("{:x}", checksum(file->text()));
+        keys["the checksum of " + file->name()] =
+            fmt::format("{:x}", nmbcgen::checksum(file->text()));
     }
     return keys;
 }

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "generator/names/checksum.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/checksum.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -152,7 +152,7 @@ std::string pack(const Checkpoint& checkpoint) {
 
 void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
     const std::string body = pack(checkpoint);
-    const Header header{magic, body.size(), checksum(body)};
+    const Header header{magic, body.size(), nmbcgen::checksum(body)};
     std::string head(sizeof(header), '\0');
     std::memcpy(head.data(), &header, sizeof(header));
     nmbcgen::PosixFile file = nmbcgen::PosixFile::create_beside(path);
@@ -183,7 +183,7 @@ Checkpoint load_checkpoint(const std::filesystem::path& path) {
     }
     std::string body(header.size, '\0');
     if (file.read(sizeof(header), body.data(), body.size()) != body.size() ||
-        checksum(body) != header.sum) {
+        nmbcgen::checksum(body) != header.sum) {
         throw refuse("it is garbled");
     }
     Checkpoint checkpoint;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "generator/names/checksum.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/checksum.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -34,16 +34,16 @@ bool read_blocks(const nmbcgen::PosixFile& file, std::uint64_t size, Take take) 
 Journal::Journal(std::filesystem::path path)
     : path_(std::move(path)),
       file_(nmbcgen::PosixFile::create_beside(path_)),
-      mark_{file_.path().filename().string(), 0, checksum_of_nothing} {}
+      mark_{file_.path().filename().string(), 0, nmbcgen::checksum_of_nothing} {}
 
 Journal::Journal(std::filesystem::path path, const Mark& mark)
     : path_(std::move(path)),
       file_(nmbcgen::PosixFile::open(path_.parent_path() / mark.name)),
       mark_(mark),
       is_kept_(true) {
-    std::uint64_t found = checksum_of_nothing;
-    const bool whole = read_blocks(file_, mark.size,
-                                   [&](std::string_view bytes) { found = checksum(bytes, found); });
+    std::uint64_t found = nmbcgen::checksum_of_nothing;
+    const bool whole = read_blocks(
+        file_, mark.size, [&](std::string_view bytes) { found = nmbcgen::checksum(bytes, found); });
     if (!whole || found != mark.checksum) {
         throw FileError(fmt::format("cannot go on from {}: it {} since the checkpoint",
                                     file_.path().string(),
@@ -62,7 +62,7 @@ Journal::~Journal() {
 void Journal::append(std::string_view bytes) {
     buffer_ += bytes;
     mark_.size += bytes.size();
-    mark_.checksum = checksum(bytes, mark_.checksum);
+    mark_.checksum = nmbcgen::checksum(bytes, mark_.checksum);
     if (buffer_.size() >= block) {
         flush();
     }

@@ -14,14 +14,56 @@ double distance(const std::array<double, 2>& one, const std::array<double, 2>& o
     return std::hypot(one[0] - other[0], one[1] - other[1]);
 }
 
-/// Whether the point is beside the line, between its ends and within `near` of it.
-bool is_beside(const std::array<double, 4>& line, const std::array<double, 2>& X, double near) {
+using Line = std::array<double, 4>;
+using Point = std::array<double, 2>;
+
+std::array<Point, 2> ends_of(const Line& line) {
+    return {Point{line[0], line[1]}, Point{line[2], line[3]}};
+}
+
+/// Along the line from its first point and across it [length].
+Point in_frame_of(const Line& line, const Point& X) {
     const double dx = line[2] - line[0];
     const double dy = line[3] - line[1];
     const double length = std::hypot(dx, dy);
-    const double along = ((X[0] - line[0]) * dx + (X[1] - line[1]) * dy) / length;
-    const double across = ((X[0] - line[0]) * dy - (X[1] - line[1]) * dx) / length;
-    return along >= 0 && along <= length && std::abs(across) <= near;
+    return {((X[0] - line[0]) * dx + (X[1] - line[1]) * dy) / length,
+            ((X[0] - line[0]) * dy - (X[1] - line[1]) * dx) / length};
+}
+
+/// Whether the point is beside the line, not beyond its ends by more than `beyond`, and within
+/// `near` of it.
+bool is_beside(const Line& line, const Point& X, double near, double beyond = 0) {
+    const auto [along, across] = in_frame_of(line, X);
+    return along >= -beyond && along <= distance(ends_of(line)[0], ends_of(line)[1]) + beyond &&
+           std::abs(across) <= near;
+}
+
+bool do_cross(const Line& one, const Line& other) {
+    const auto parts = [](const Line& line, const Line& points) {
+        const auto [first, last] = ends_of(points);
+        return in_frame_of(line, first)[1] * in_frame_of(line, last)[1] < 0;
+    };
+    return parts(one, other) && parts(other, one);
+}
+
+bool do_touch(const Line& one, const Line& other, double near) {
+    const auto has_end_beside = [near](const Line& line, const Line& beside) {
+        return std::ranges::any_of(
+            ends_of(line), [&](const Point& end) { return is_beside(beside, end, near, near); });
+    };
+    return do_cross(one, other) || has_end_beside(one, other) || has_end_beside(other, one);
+}
+
+/// Each line once.
+std::vector<Line> without_repeats(const std::vector<Line>& lines) {
+    std::vector<Line> all;
+    for (const Line& line : lines) {
+        const Line turned{line[2], line[3], line[0], line[1]};
+        if (std::ranges::count(all, line) + std::ranges::count(all, turned) == 0) {
+            all.push_back(line);
+        }
+    }
+    return all;
 }
 
 }  // namespace
@@ -32,21 +74,44 @@ CrackFront::CrackFront(const PlaneScene& scene)
       horizon_(scene.spacing * std::sqrt(double(scene.radius_squared))),
       is_periodic_{scene.sides[0].kind == SideKind::periodic,
                    scene.sides[2].kind == SideKind::periodic},
-      lines_(scene.fracture->cracks) {
+      lines_(without_repeats(scene.fracture->cracks)) {
     const std::vector<nmbc::PlaneOffset> family = nmbc::plane_family(scene.radius_squared);
     const auto across =
         std::ranges::count_if(family, [](const nmbc::PlaneOffset& bond) { return bond.y > 0; });
     constexpr double nearly = 0.9;  // a crack may leave a bond or two
     cracked_above_ = nearly * double(across) / double(family.size());
-    for (const auto& line : lines_) {
-        for (const std::array<double, 2>& end :
-             {std::array{line[0], line[1]}, std::array{line[2], line[3]}}) {
+    join_lines();
+    find_ends();
+}
+
+/// Numbers the lines: those that touch, one by one, have one number.
+void CrackFront::join_lines() {
+    group_.resize(lines_.size());
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        group_[i] = i;
+        for (std::size_t j = 0; j < i; ++j) {
+            if (group_[j] != i && do_touch(lines_[i], lines_[j], horizon_)) {
+                std::ranges::replace(group_, std::size_t(group_[j]), i);
+            }
+        }
+    }
+}
+
+void CrackFront::find_ends() {
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        for (const Point& end : ends_of(lines_[i])) {
             const auto is_inside = [&](std::size_t axis) {
                 return end[axis] > spacing_ / 2 &&
                        end[axis] < (double(nodes_[axis]) + 0.5) * spacing_;
             };
-            if (is_inside(0) && is_inside(1)) {
+            bool goes_on = false;  // as another line
+            for (std::size_t j = 0; j < lines_.size(); ++j) {
+                goes_on =
+                    goes_on || (j != i && is_beside(lines_[j], end, spacing_ / 2, spacing_ / 2));
+            }
+            if (is_inside(0) && is_inside(1) && !goes_on) {
                 ends_.push_back(end);
+                line_of_end_.push_back(i);
             }
         }
     }
@@ -57,27 +122,27 @@ std::vector<CrackGrowth> CrackFront::look(
     std::vector<bool> cracked(nodes_[0] * nodes_[1], false);
     for (std::size_t y = 0; y < nodes_[1] && !ends_.empty(); ++y) {
         for (std::size_t x = 0; x < nodes_[0]; ++x) {
-            cracked[y * nodes_[0] + x] =
-                damage(x, y) > cracked_above_ &&
-                !is_beside_a_line({double(x + 1) * spacing_, double(y + 1) * spacing_});
+            cracked[y * nodes_[0] + x] = damage(x, y) > cracked_above_;
         }
     }
     std::vector<CrackGrowth> growth;
     for (std::size_t end = 0; end < ends_.size(); ++end) {
-        growth.push_back(growth_of(connected_to(ends_[end], cracked), end));
+        growth.push_back(growth_of(connected_to(end, cracked), end));
     }
     return growth;
 }
 
-bool CrackFront::is_beside_a_line(const std::array<double, 2>& X) const {
+/// Whether the point is beside a line of this group.
+bool CrackFront::is_beside_group(std::size_t group, const std::array<double, 2>& X) const {
     const auto turns = [this](std::size_t axis) { return is_periodic_[axis] ? 1 : 0; };
     for (int j = -turns(1); j <= turns(1); ++j) {
         for (int i = -turns(0); i <= turns(0); ++i) {
             const std::array<double, 2> image{X[0] + i * double(nodes_[0]) * spacing_,
                                               X[1] + j * double(nodes_[1]) * spacing_};
-            if (std::ranges::any_of(
-                    lines_, [&](const auto& line) { return is_beside(line, image, horizon_); })) {
-                return true;
+            for (std::size_t line = 0; line < lines_.size(); ++line) {
+                if (group_[line] == group && is_beside(lines_[line], image, horizon_)) {
+                    return true;
+                }
             }
         }
     }
@@ -86,8 +151,10 @@ bool CrackFront::is_beside_a_line(const std::array<double, 2>& X) const {
 
 /// From the nodes within two horizons of the end on, from node to node. Places go on beyond a
 /// periodic side.
-std::vector<CrackedNode> CrackFront::connected_to(const std::array<double, 2>& end,
+std::vector<CrackedNode> CrackFront::connected_to(std::size_t number,
                                                   const std::vector<bool>& cracked) const {
+    const Point& end = ends_[number];
+    const std::size_t own_group = group_[line_of_end_[number]];
     using Place = std::array<long, 2>;
     std::vector<bool> is_known(cracked.size(), false);
     std::vector<CrackedNode> nodes;
@@ -103,10 +170,9 @@ std::vector<CrackedNode> CrackFront::connected_to(const std::array<double, 2>& e
             node[axis] = std::size_t(inside);
         }
         const std::size_t index = node[1] * nodes_[0] + node[0];
-        if (cracked[index] && !is_known[index]) {
+        const Point X{double(place[0] + 1) * spacing_, double(place[1] + 1) * spacing_};
+        if (cracked[index] && !is_known[index] && !is_beside_group(own_group, X)) {
             is_known[index] = true;
-            const std::array<double, 2> X{double(place[0] + 1) * spacing_,
-                                          double(place[1] + 1) * spacing_};
             nodes.push_back({place, X, distance(end, X)});
         }
     };

@@ -27,7 +27,7 @@ class CrackFront {
     explicit CrackFront(const PlaneScene& scene);
 
     double horizon() const { return horizon_; }
-    /// The ends of the lines that are within the plane.
+    /// The ends of the lines that are within the plane, and not where another line goes on.
     const std::vector<std::array<double, 2>>& ends() const { return ends_; }
 
     /// Of each end; damage: of node (x, y).
@@ -35,9 +35,10 @@ class CrackFront {
         const std::function<double(std::size_t, std::size_t)>& damage) const;
 
   private:
-    bool is_beside_a_line(const std::array<double, 2>& X) const;
-    std::vector<CrackedNode> connected_to(const std::array<double, 2>& end,
-                                          const std::vector<bool>& cracked) const;
+    void join_lines();
+    void find_ends();
+    bool is_beside_group(std::size_t group, const std::array<double, 2>& X) const;
+    std::vector<CrackedNode> connected_to(std::size_t end, const std::vector<bool>& cracked) const;
     CrackGrowth growth_of(const std::vector<CrackedNode>& nodes, std::size_t end) const;
 
     std::array<std::size_t, 2> nodes_;
@@ -46,7 +47,9 @@ class CrackFront {
     double cracked_above_ = 0;
     std::array<bool, 2> is_periodic_;
     std::vector<std::array<double, 4>> lines_;
+    std::vector<std::size_t> group_{};  ///< of each line: those that touch have one
     std::vector<std::array<double, 2>> ends_{};
+    std::vector<std::size_t> line_of_end_{};
 };
 
 /// The speed of Rayleigh waves on a solid with these two; none where c_S is 0 or not below c_P.

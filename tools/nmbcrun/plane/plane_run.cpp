@@ -17,14 +17,15 @@
 #include <utility>
 #include <vector>
 
+#include "generator/names/checksum.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/checkpoint.hpp"
-#include "tools/nmbcrun/output/checksum.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
 #include "tools/nmbcrun/output/run_lock.hpp"
 #include "tools/nmbcrun/output/sample.hpp"
+#include "tools/nmbcrun/plane/crack_report.hpp"
 #include "tools/nmbcrun/plane/plane_files.hpp"
 #include "tools/nmbcrun/plane/plane_report.hpp"
 #include "tools/nmbcrun/scene/regular_file.hpp"
@@ -42,7 +43,7 @@ std::map<std::string, std::string> identity(const PlaneSimulation& simulation) {
         constexpr std::uintmax_t most_bytes = 1'000'000'000;
         std::ifstream file = open_regular_file(path, most_bytes);
         const std::string text(std::istreambuf_iterator<char>(file), {});
-        keys["the checksum of " + path.string()] = fmt::format("{:x}", checksum(text));
+        keys["the checksum of " + path.string()] = fmt::format("{:x}", nmbcgen::checksum(text));
     };
     if (scene.force && scene.force->history.history == History::file) {
         add(scene.force->history.file);
@@ -53,40 +54,6 @@ std::map<std::string, std::string> identity(const PlaneSimulation& simulation) {
         }
     }
     return keys;
-}
-
-/// The largest mean rate at which the reach from an end grows within so much time; none where the
-/// rows are shorter.
-std::optional<double> fastest_growth(const std::vector<PlaneFiles::CrackRow>& rows, std::size_t end,
-                                     double duration) {
-    std::optional<double> fastest;
-    std::size_t first = 0;
-    for (const PlaneFiles::CrackRow& last : rows) {
-        while (first + 1 < rows.size() && last.time - rows[first + 1].time >= duration) {
-            ++first;
-        }
-        const double time = last.time - rows[first].time;
-        if (time >= duration) {
-            const double rate = (last.reach[end] - rows[first].reach[end]) / time;
-            fastest = std::max(fastest.value_or(0), rate);
-        }
-    }
-    return fastest;
-}
-
-/// How fast, of c_R; empty where either is not known.
-std::string speed_of_growth(const PlaneScene& scene, const PlaneFiles& files,
-                            const std::vector<PlaneFiles::CrackRow>& rows, std::size_t end) {
-    const nmbc::PlaneModel model = model_of(scene);
-    const auto of_unit = rayleigh_speed(model.speed_P(), model.speed_S());
-    if (!of_unit) {
-        return "";
-    }
-    const double rayleigh = rate_of(scene) * scene.spacing * *of_unit;
-    constexpr double horizons = 10;
-    const auto fastest = fastest_growth(rows, end, horizons * files.front().horizon() / rayleigh);
-    return fastest ? fmt::format(", fastest {:.4g}, {:.2f} of c_R", *fastest, *fastest / rayleigh)
-                   : std::string();
 }
 
 class PlaneRun {
@@ -130,7 +97,6 @@ class PlaneRun {
     }
 
   private:
-    void print_cracks() const;
     void look(bool is_row);
     void advance();
     std::size_t next_stop() const;
@@ -218,7 +184,8 @@ void PlaneRun::look(bool is_row) {
     }
     if (plane.steps() == 0 || simulation_.is_driven(std::max(0.0, plane.time() - between))) {
         driven_peak = std::max(driven_peak, total);
-    } else if (driven_peak > 0 && total > 10 * driven_peak && simulation_.times_supplied() > 10) {
+    } else if (driven_peak > 0 && total > 10 * driven_peak &&
+               std::abs(simulation_.times_supplied()) > 10) {
         const PlaneScene& scene = simulation_.scene();
         throw unstable(fmt::format("the energy has grown to {:.3g} times {},", total / driven_peak,
                                    scene.force || scene.drive || !scene.loads.empty()
@@ -335,53 +302,10 @@ void PlaneRun::print() const {
                    balance.left[3] / peak);
         fmt::print("ledger drift {:.1e} of the peak\n", highlights_.drift / peak);
     }
-    print_cracks();
+    if (simulation_.scene().fracture) {
+        fmt::print("{}", crack_report(simulation_, *files_));
+    }
     fmt::print("{}", files_->listed());
-}
-
-/// What has broken, how fast, and where paths part.
-void PlaneRun::print_cracks() const {
-    const PlaneScene& scene = simulation_.scene();
-    if (!scene.fracture) {
-        return;
-    }
-    const std::vector<PlaneFiles::CrackRow> rows = files_->crack_rows();
-    const PlaneBalance balance = simulation_.balance();
-    fmt::print("bonds        {:.0f} broken, which had {:.4g}", rows.back().broken,
-               balance.fracture);
-    if (balance.work > 0) {
-        fmt::print(", {:.3g} of the work done", balance.fracture / balance.work);
-    }
-    fmt::print("\n");
-    const std::vector<CrackGrowth> growth = files_->growth(simulation_);
-    for (std::size_t end = 0; end < growth.size(); ++end) {
-        const CrackGrowth& of_end = growth[end];
-        const std::array<double, 2>& from = files_->front().ends()[end];
-        std::string text = fmt::format("crack        from ({:.6g}, {:.6g}): ", from[0], from[1]);
-        if (of_end.reach == 0) {
-            fmt::print("{}has not grown\n", text);
-            continue;
-        }
-        text += fmt::format("{:.4g} long", of_end.reach);
-        if (of_end.branches.empty()) {  // else one of several tips
-            text += fmt::format(" towards {} degrees", degrees_from_x(from, of_end.tip));
-        }
-        text += fmt::format(", tip at ({:.6g}, {:.6g}){}", of_end.tip[0], of_end.tip[1],
-                            speed_of_growth(scene, *files_, rows, end));
-        for (std::size_t k = 0; k < of_end.branches.size(); ++k) {
-            const auto first = std::ranges::find_if(rows, [&](const PlaneFiles::CrackRow& row) {
-                return row.branches[end] > double(k);
-            });
-            const CrackBranch& branch = of_end.branches[k];
-            text += fmt::format(
-                "\n             branches at ({:.6g}, {:.6g}), seen at t = {:.4g}, towards "
-                "{} degrees",
-                branch.X[0], branch.X[1],
-                first == rows.end() ? simulation_.plane().time() : first->time,
-                fmt::join(branch.directions, ", "));
-        }
-        fmt::print("{}\n", text);
-    }
 }
 
 }  // namespace

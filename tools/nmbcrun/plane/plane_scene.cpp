@@ -238,9 +238,9 @@ PlaneScene read_plane_scene(const std::string& text, const std::string& path,
     }
     scene.spacing = reader.number("domain.spacing", positive).value_or(scene.spacing);
     scene.end = reader.required("time.end", reader.number("time.end", positive));
+    read_plane_sides(reader, scene);
     read_plane_sources(reader, path, scene);
     read_fracture(reader, scene);
-    read_plane_sides(reader, scene);
     scene.allow_unstable = reader.truth("boundary.allow_unstable").value_or(false);
     scene.step = reader.number("time.step", positive);
     scene.cfl = reader.number("time.cfl", positive);

@@ -144,6 +144,8 @@ struct PlaneScene {
     bool is_bond_based() const { return !weights.empty(); }
 };
 
+inline constexpr std::array<std::string_view, 4> plane_side_names{"left", "right", "bottom", "top"};
+
 /// Whether the side can feed energy in.
 bool may_grow(SideKind kind);
 

@@ -100,6 +100,26 @@ nmbc::SpongeSide sponge_side_of(const PlaneScene& scene, const PlaneSideChoice& 
     return {friction};
 }
 
+/// Beside a side that cuts the lattice off, the energy is a sum of squares where all weights are
+/// above 0.
+void require_proved(const PlaneScene& scene) {
+    if (!scene.is_bond_based() || nmbc::is_positive(bonds_of(scene))) {
+        return;
+    }
+    if (scene.has(SideKind::passive)) {
+        throw Unstable(
+            "a lattice with bond weights below 0 has no passive side: cut off there, its energy is "
+            "no sum of squares and it may explode. Take a set above 0 (nmbcgen bonds --positive), "
+            "or sides of the kinds sponge, extended, fixed or periodic");
+    }
+    if (scene.has(SideKind::free) && !scene.allow_unstable) {
+        throw Unstable(
+            "this lattice has bond weights below 0: cut off by a free side, its energy is no sum "
+            "of squares and it may explode. Take a set above 0 (nmbcgen bonds --positive), or run "
+            "it all the same: boundary.allow_unstable = true");
+    }
+}
+
 nmbc::PlaneSides sides_of(const PlaneScene& scene) {
     for (const PlaneSideChoice& side : scene.sides) {
         if (may_grow(side.kind) && !scene.allow_unstable) {
@@ -111,6 +131,7 @@ nmbc::PlaneSides sides_of(const PlaneScene& scene) {
         }
     }
     nmbc::PlaneSide passive;
+    require_proved(scene);
     if (scene.has(SideKind::passive)) {
         passive = designed_side_of(scene);
     }

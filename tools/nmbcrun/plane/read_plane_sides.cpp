@@ -22,7 +22,6 @@ const std::vector<std::pair<std::string_view, SideKind>> side_kinds{
     {"higdon", SideKind::higdon},     {"sponge", SideKind::sponge}};
 
 /// In the order of nmbc::plane_sides.
-constexpr std::array<std::string_view, 4> side_names{"left", "right", "bottom", "top"};
 
 /// The keys that count for it, `kind` aside.
 std::vector<std::string_view> keys_of(SideKind kind) {
@@ -80,11 +79,11 @@ void refuse_idle_keys(SceneReader& reader, const std::string& group,
 void read_plane_sides(SceneReader& reader, PlaneScene& scene) {
     const PlaneSideChoice all = read_side(reader, "boundary", {});
     for (std::size_t i = 0; i < scene.sides.size(); ++i) {
-        scene.sides[i] = read_side(reader, fmt::format("boundary.{}", side_names[i]), all);
+        scene.sides[i] = read_side(reader, fmt::format("boundary.{}", plane_side_names[i]), all);
     }
     refuse_idle_keys(reader, "boundary", scene.sides);
     for (std::size_t i = 0; i < scene.sides.size(); ++i) {
-        const std::string group = fmt::format("boundary.{}", side_names[i]);
+        const std::string group = fmt::format("boundary.{}", plane_side_names[i]);
         refuse_idle_keys(reader, group, {&scene.sides[i], 1});
         const PlaneSideChoice& side = scene.sides[i];
         if (side.kind == SideKind::sponge && side.layer == 0) {
@@ -100,7 +99,7 @@ void read_plane_sides(SceneReader& reader, PlaneScene& scene) {
             (scene.sides[low + 1].kind == SideKind::periodic)) {
             reader.fail("boundary", fmt::format("has a periodic side opposite one that is not: {} "
                                                 "and {} have to be periodic both, or neither",
-                                                side_names[low], side_names[low + 1]));
+                                                plane_side_names[low], plane_side_names[low + 1]));
         }
     }
 }

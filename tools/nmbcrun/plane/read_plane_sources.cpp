@@ -99,7 +99,15 @@ PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneS
         load.component = read_component(group);
     }
     if (kind == Kind::traction || kind == Kind::pressure) {
-        reader.required(group.key("side"), side);
+        const PlaneSideChoice& beside = scene.sides[reader.required(group.key("side"), side)];
+        if (beside.kind != SideKind::free) {
+            reader.fail(
+                group.key("side"),
+                fmt::format("has no surface: the body does not end there, or is held (side "
+                            "{}). A traction or pressure needs boundary.{}.kind = \"free\"; "
+                            "loads of the kinds force and velocity do not",
+                            heading_of(beside), plane_side_names[*side]));
+        }
         load.amplitude /= scene.spacing;
     }
     if (side) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// Tells a file that was cut short or garbled from a whole one.
+/// Tells texts apart: a file that was cut short or garbled from a whole one, say.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
 
-namespace nmbcrun {
+namespace nmbcgen {
 
 inline constexpr std::uint64_t checksum_of_nothing = 0xcbf29ce484222325;
 
@@ -18,4 +18,4 @@ constexpr std::uint64_t checksum(std::string_view bytes,
     return so_far;
 }
 
-}  // namespace nmbcrun
+}  // namespace nmbcgen
