@@ -38,12 +38,12 @@ ends = (int(system(sprintf("head -n 1 '%s' | tr -cd , | wc -c", growth(1)))) - 1
 wide = 2.5 * ny < nx * 1.5  # panels below each other
 columns = wide ? 1 : count
 rows = wide ? count : 1
-panel_x = wide ? 900.0 : 1100.0 / count
+panel_x = wide ? 890.0 : 0.79 * 1150 / count
 panel_y = panel_x * ny / nx + 70
 set terminal pngcairo size (wide ? 1000 : 1150), rows * panel_y + (ends > 0 ? 330 : 0) + 40 noenhanced font "sans,11"
 set output ARG1
 total = rows * panel_y + (ends > 0 ? 330 : 0) + 40
-set multiplot title ARG2 . ": bonds that do not hold, black: 0.7 and more" noenhanced
+set multiplot title ARG2 . ": damage (share of bonds broken), black: 0.7 and more" noenhanced
 set palette defined (0 "#ffffff", 0.35 "#c8c8c8", 1 "#000000")
 set cbrange [0:0.7]
 unset colorbox
@@ -55,10 +55,10 @@ set yrange [spacing / 2:(ny + 0.5) * spacing]
 set xtics (nx * spacing)
 set ytics (ny * spacing)
 do for [i = 1:count] {
-    column = wide ? 0 : i - 1
+    panel = wide ? 0 : i - 1
     row = wide ? i - 1 : 0
-    set lmargin at screen (wide ? 0.08 : (column + 0.16) / columns)
-    set rmargin at screen (wide ? 0.97 : (column + 0.95) / columns)
+    set lmargin at screen (wide ? 0.08 : (panel + 0.16) / columns)
+    set rmargin at screen (wide ? 0.97 : (panel + 0.95) / columns)
     set tmargin at screen 1 - (40.0 + row * panel_y + 25) / total
     set bmargin at screen 1 - (40.0 + (row + 1) * panel_y - 30) / total
     set title name(i) noenhanced offset 0, -0.6
@@ -77,11 +77,11 @@ if (ends > 0) {
     set bmargin at screen 55.0 / total
     set datafile separator comma
     set xlabel "time"
-    set ylabel "reach of the first end"
+    set ylabel "reach from the end"
     set key top left noenhanced
     set grid linecolor "#dddddd"
     array colours[4] = ["#000000", "#d55e00", "#0072b2", "#009e73"]
-    plot for [i = 1:count] growth(i) using 1:3 skip 1 with lines linewidth 2 dashtype i \
-        linecolor rgb colours[i] title name(i)
+    plot for [i = 1:count] for [end = 1:ends] growth(i) using 1:(column(4 * end - 1)) skip 1 with lines \
+        linewidth 2 dashtype end linecolor rgb colours[i] title name(i) . (ends > 1 ? sprintf(", end %d", end) : "")
 }
 unset multiplot
