@@ -29,6 +29,8 @@ energy_left 2.6e-5 2.8e-5 "$scene" --set boundary.kind=higdon --set boundary.all
 energy_left 0.9 1 "$scene" --set boundary.kind=free
 energy_left 0.9 1 "$scene" --set boundary.kind=fixed
 energy_left 0.01 0.03 "$scene" --set boundary.kind=sponge --set boundary.layer=60
+energy_left 3.5e-5 3.6e-5 "$scene" --set boundary.kind=pml --set boundary.layer=20 --set boundary.target=1e-4 \
+    --set boundary.allow_unstable=true
 energy_left 0.1 0.3 "$scene" --set boundary.left.kind=free --set boundary.top.kind=fixed
 energy_left 1e-4 2e-3 "$band" --set model.G=0
 
@@ -102,34 +104,37 @@ PYTHON
 rm -r out results
 
 # A run that is killed, and one that is stopped, go on byte for byte.
-kept=(--set output.format=hdf5 --set output.snapshots=300 --set output.field=true --set 'output.probes=[[10, 10]]' --set output.checkpoint=0.1
-    --set model.G=1 --set time.step=0.04 --set boundary.left.kind=higdon --set boundary.allow_unstable=true
-    --set time.end=40 --quiet)
-try run "$scene" "${kept[@]}" --out whole
-expect_exit 0
-"$program" run "$scene" "${kept[@]}" --out stopped >"$scratch/stdout" 2>&1 &
-running=$!
-until [ -e stopped/plane_pulse.checkpoint ]; do sleep 0.01; done
-kill -KILL $running
-wait $running 2>/dev/null || true
-try run "$scene" --resume --out stopped "${kept[@]}" --set model.G=0.5
-expect_exit 2
-expect_stderr "there model.G is 1, here 0.5"
-"$program" run "$scene" "${kept[@]}" --resume --out stopped >"$scratch/stdout" 2>&1 &
-running=$!
-sleep 0.3
-kill -INT $running 2>/dev/null || true
-wait $running || true
-if [ -e stopped/plane_pulse.checkpoint ]; then
-    try run "$scene" "${kept[@]}" --resume --out stopped
+common=(--set output.format=hdf5 --set output.snapshots=300 --set output.field=true --set 'output.probes=[[10, 10]]' --set output.checkpoint=0.1
+    --set model.G=1 --set time.step=0.04 --set boundary.allow_unstable=true --set time.end=40 --quiet)
+for sides in "boundary.left.kind=higdon" "boundary.kind=pml boundary.layer=10"; do
+    kept=("${common[@]}")
+    for one in $sides; do kept+=(--set "$one"); done
+    try run "$scene" "${kept[@]}" --out whole
     expect_exit 0
-fi
-expect "the same files, byte for byte" diff -r whole stopped
-expect_no_leftovers stopped
-try run "$scene" "${kept[@]}" --resume --out stopped
-expect_exit 5
-expect_stderr "there is no such file"
-rm -r whole stopped
+    "$program" run "$scene" "${kept[@]}" --out stopped >"$scratch/stdout" 2>&1 &
+    running=$!
+    until [ -e stopped/plane_pulse.checkpoint ]; do sleep 0.01; done
+    kill -KILL $running
+    wait $running 2>/dev/null || true
+    try run "$scene" --resume --out stopped "${kept[@]}" --set model.G=0.5
+    expect_exit 2
+    expect_stderr "there model.G is 1, here 0.5"
+    "$program" run "$scene" "${kept[@]}" --resume --out stopped >"$scratch/stdout" 2>&1 &
+    running=$!
+    sleep 0.3
+    kill -INT $running 2>/dev/null || true
+    wait $running || true
+    if [ -e stopped/plane_pulse.checkpoint ]; then
+        try run "$scene" "${kept[@]}" --resume --out stopped
+        expect_exit 0
+    fi
+    expect "the same files, byte for byte" diff -r whole stopped
+    expect_no_leftovers stopped
+    try run "$scene" "${kept[@]}" --resume --out stopped
+    expect_exit 5
+    expect_stderr "there is no such file"
+    rm -r whole stopped
+done
 
 # verify: 4 % of the pulse comes back; sides so far off that nothing does.
 try verify "$scene" --tolerance 0.05 --quiet
@@ -170,6 +175,9 @@ setting 2 'boundary.left.kind must be "passive", "fixed", "free"' boundary.left.
 setting 2 "a periodic side opposite one that is not" boundary.left.kind=periodic
 setting 2 "boundary.layer does not count for kind \"passive\"" boundary.layer=3
 setting 2 "needs boundary.layer" boundary.kind=sponge
+setting 2 "has a pml, which needs boundary.layer" boundary.kind=pml
+setting 4 "where their losses vary" boundary.kind=pml boundary.layer=10
+setting 2 'and none of kind "passive"' boundary.left.kind=pml boundary.left.layer=10 boundary.allow_unstable=true
 setting 2 "as_printed, which is (81), beside another order" boundary.kind=nmbc boundary.as_printed=true boundary.order=2
 setting 2 "there is no committed table of nopd2d_r1_nu1o4_P, order 3" boundary.kind=nmbc boundary.order=3 \
     boundary.allow_unstable=true
@@ -188,12 +196,9 @@ setting 2 "must be a list of points" "output.probes=[1, 2]"
 setting 2 "but the nodes are at 1 to 275 along y" "output.probes=[[1, 276]]"
 setting 2 "is not a key of a scene" foo.bar=1
 setting 2 "passive sides are designed for model.radius2 up to 25" model.radius2=26
-for command in chart advise; do
-    try $command "$scene" --tolerance 0.1
-    [ $command = advise ] || try chart "$scene"
-    expect_exit 2
-    expect_stderr "is a plane scene, which run"
-done
+try advise "$scene" --tolerance 0.1
+expect_exit 2
+expect_stderr "is a plane scene, which run"
 try run "$scene" --tolerance 0.1
 expect_exit 2
 expect_stderr "is a plane scene, which run"
@@ -214,3 +219,24 @@ expect_stderr "times what it was at the start, at step"
 expect "energies up to there" test -s grown/plane_pulse.csv
 
 finish
+
+# chart: what is proved, what grows; passive sides are on the front.
+small=(--set 'domain.nodes=[30, 24]' --set 'initial.centre=[15, 12]' --set initial.width=6 --set time.end=8 --set model.G=0.25 --long-run 5000 --out results)
+try chart "$scene" "${small[@]}"
+expect_exit 0
+expect_no_stderr
+expect "passive sides on the front" grep -q '^\* passive ' "$scratch/stdout"
+expect "each row of the picture's data" awk -F, '
+    NR == 1 { header = $0 }
+    { at[$1] = $0; error[$1] = $6; run[$1] = $10 }
+    END { exit !(NR == 21 && header == "boundary,kind,layer,profile,target,error,energy_left,step_cost,run_cost,long_run,on_front" && error["extended"] == 0 && error["pml 20"] < error["pml 5"] && error["pml 20"] < error["sponge 20"] &&
+          run["passive"] == "proved" && run["NMBC2"] == "grows" && error["fixed"] > error["passive"]) }' results/plane_pulse_chart.csv
+expect "a picture" test -s results/plane_pulse_chart.svg
+rm -r results
+try chart "$scene" "${small[@]}" --set boundary.kind=fixed
+expect_exit 2
+expect_stderr "chart compares artificial ones: there is none"
+expect "no chart" test ! -e results
+try chart "$scene" "${small[@]}" --set boundary.left.kind=free
+expect_exit 0
+expect_stderr 'left out: pml 40: beside a perfectly matched layer there are'

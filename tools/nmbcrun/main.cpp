@@ -15,6 +15,7 @@
 #include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/plane/plane_run.hpp"
+#include "tools/nmbcrun/plane_chart/plane_chart.hpp"
 #include "tools/nmbcrun/run.hpp"
 #include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
@@ -91,10 +92,16 @@ nmbcgen::ExitCode plane_command(const std::string& command, const nmbcrun::Plane
         return nmbcrun::verify_plane(scene, arguments.tolerance, arguments.quiet) ? done
                                                                                   : does_not_hold;
     }
+    if (command == "chart") {
+        nmbcrun::chart_plane(scene, {.folder = arguments.folder,
+                                     .long_run = arguments.long_run.value_or(20'000),
+                                     .quiet = arguments.quiet});
+        return done;
+    }
     if (command != "run" || arguments.tolerance > 0) {
         throw nmbcrun::SceneError(arguments.scene +
-                                  " is a plane scene, which run (without --tolerance) and verify "
-                                  "take");
+                                  " is a plane scene, which run (without --tolerance), verify and "
+                                  "chart take");
     }
     nmbcrun::run_plane(
         scene, {arguments.folder, arguments.quiet, arguments.resume, arguments.keep_checkpoint});

@@ -23,13 +23,14 @@
 #include "tools/nmbcrun/chart/boundaries.hpp"
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/chart/long_run.hpp"
+#include "tools/nmbcrun/chart/node_steps.hpp"
 #include "tools/nmbcrun/chart/points.hpp"
 #include "tools/nmbcrun/chart/trial.hpp"
 #include "tools/nmbcrun/chart/tuning.hpp"
-#include "tools/nmbcrun/chart/work.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/csv.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
+#include "tools/nmbcrun/output/work.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {

@@ -2,11 +2,11 @@
 /// A scene run with one boundary in one time step, and how far off it is.
 #pragma once
 
-#include <functional>
 #include <nmbc/chain.hpp>
 #include <string>
 #include <vector>
 
+#include "tools/nmbcrun/output/work.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
@@ -23,10 +23,6 @@ Scene in_steps_of(Scene scene, double cfl);
 /// The chain of a scene that has its step, without its sources, between such ends.
 nmbc::Chain chain_between(const Scene& scene, const nmbc::ChainEnd& left,
                           const nmbc::ChainEnd& right);
-
-/// Called now and then while something lasts, with the part of it that is done since it was called
-/// before. It may throw.
-using Advance = std::function<void(double)>;
 
 /// What a scene that has its step shows. Throws as Simulation does.
 Samples samples_of(

@@ -23,36 +23,48 @@ double error_of(const Scene& scene, const Boundary& boundary, const Samples& ref
 
 }  // namespace
 
-Boundary tuned(const Scene& scene, Boundary layer, const Samples& reference,
-               const Advance& advance) {
-    constexpr std::array profiles{1.0, 2.0, 3.0, 4.0, 6.0};
-    Boundary best = layer;
+Losses least_erring_losses(std::span<const double> profiles, std::size_t runs,
+                           const std::function<double(const Losses&)>& error_of) {
+    Losses best;
     double least = std::numeric_limits<double>::infinity();
-    double done = 0;
-    const auto add = [&](double part) {
-        done += part;
-        advance(part);
-    };
-    for (std::size_t i = 0; i < profiles.size(); ++i) {
-        layer.profile = profiles[i];
+    for (const double profile : profiles) {
         const auto digits_left = [&](double digits_of_target) {
-            layer.target = std::pow(10, -digits_of_target);
-            const double error = error_of(scene, layer, reference,
-                                          [&](double part) { add(part / double(tuning_runs)); });
+            const Losses losses{profile, std::pow(10, -digits_of_target)};
+            const double error = error_of(losses);
             if (error < least) {
                 least = error;
-                best = layer;
+                best = losses;
             }
             return std::log10(std::max(error, std::numeric_limits<double>::min()));
         };
         // The error falls with the target until what the graded loss scatters is more. So many bits
         // of its digits: about the least, the error hardly changes.
         constexpr int bits = 5;
-        std::uintmax_t most_runs = tuning_runs / profiles.size();
+        std::uintmax_t most_runs = runs / profiles.size();
         boost::math::tools::brent_find_minima(digits_left, 0.05, 10.0, bits, most_runs);
-        add(double(i + 1) / double(profiles.size()) - done);
     }
     return best;
+}
+
+Boundary tuned(const Scene& scene, Boundary layer, const Samples& reference,
+               const Advance& advance) {
+    constexpr std::array profiles{1.0, 2.0, 3.0, 4.0, 6.0};
+    double done = 0;
+    const auto add = [&](double part) {
+        done += part;
+        advance(part);
+    };
+    const auto error_with = [&](const Losses& losses) {
+        layer.profile = losses.profile;
+        layer.target = losses.target;
+        return error_of(scene, layer, reference,
+                        [&](double part) { add(part / double(tuning_runs)); });
+    };
+    const Losses best = least_erring_losses(profiles, tuning_runs, error_with);
+    add(1 - done);
+    layer.profile = best.profile;
+    layer.target = best.target;
+    return layer;
 }
 
 Boundary narrowest_silent(const Scene& scene, const Samples& reference, const Advance& advance) {

@@ -3,11 +3,23 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <span>
 
 #include "tools/nmbcrun/chart/trial.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
+
+struct Losses {
+    double profile = 2;    ///< their exponent in the depth of the layer
+    double target = 0.01;  ///< amplitude that the continuum sends back
+};
+
+/// Those of one of the profiles and a target from 1e-10 to 0.9 with the least error, in so many
+/// calls at most.
+Losses least_erring_losses(std::span<const double> profiles, std::size_t runs,
+                           const std::function<double(const Losses&)>& error_of);
 
 /// Runs of the scene that tuned() takes at most.
 inline constexpr std::size_t tuning_runs = 60;

@@ -38,7 +38,8 @@ class CrackFront {
     void join_lines();
     void find_ends();
     bool is_beside_group(std::size_t group, const std::array<double, 2>& X) const;
-    std::vector<CrackedNode> connected_to(std::size_t end, const std::vector<bool>& cracked) const;
+    std::vector<CrackedNode> connected_to(std::size_t number,
+                                          const std::vector<bool>& cracked) const;
     CrackGrowth growth_of(const std::vector<CrackedNode>& nodes, std::size_t end) const;
 
     std::array<std::size_t, 2> nodes_;

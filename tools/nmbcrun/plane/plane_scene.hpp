@@ -28,6 +28,7 @@ enum class SideKind {
     nmbc,      ///< (60) on the ghost layers, component by component
     higdon,    ///< Higdon's product of the P and the S speed on the ghost layers
     sponge,    ///< a layer that damps the velocity
+    pml,       ///< a perfectly matched layer
 };
 
 /// As a scene spells it, such as "fixed".
@@ -35,13 +36,13 @@ std::string_view name_of(SideKind kind);
 
 struct PlaneSideChoice {
     SideKind kind = SideKind::passive;
-    std::size_t layer = 0;  ///< nodes of an extended one, 0: as many as it takes; of a sponge
+    std::size_t layer = 0;  ///< nodes of an extended one, 0: as many as it takes; of a layer
     // Of an nmbc:
     int order = 1;
     int stride = 1;
     bool as_printed = false;  ///< (81): the speed of P waves for both components
-    // Of a sponge:
-    double profile = 2;    ///< exponent of the friction in the depth
+    // Of a sponge or a perfectly matched layer:
+    double profile = 2;    ///< exponent of the losses in the depth
     double target = 0.01;  ///< amplitude that the continuum sends back
 
     friend bool operator==(const PlaneSideChoice&, const PlaneSideChoice&) = default;
@@ -148,6 +149,9 @@ inline constexpr std::array<std::string_view, 4> plane_side_names{"left", "right
 
 /// Whether the side can feed energy in.
 bool may_grow(SideKind kind);
+
+/// Whether it has nodes of its own beyond the scene's, `layer` of them.
+bool has_layer(SideKind kind);
 
 /// Whether it stands for more of the same lattice: physical sides are fixed, free and periodic.
 bool is_artificial(SideKind kind);

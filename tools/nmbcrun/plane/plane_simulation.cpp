@@ -6,161 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nmbc/tables/tables.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
-#include "generator/names/projected_family.hpp"
-#include "generator/passive/plane_side.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/sides/loss_layer.hpp"
+#include "tools/nmbcrun/plane/plane_sides.hpp"
 
 namespace nmbcrun {
 namespace {
 
 constexpr double of_stable_by_default = 0.9;
-
-nmbc::PassiveSide designed_side_of(const PlaneScene& scene) {
-    if (scene.radius_squared > nmbcgen::largest_side_radius_squared) {
-        throw SceneError(
-            fmt::format("passive sides are designed for model.radius2 up to {}, not {}",
-                        nmbcgen::largest_side_radius_squared, scene.radius_squared));
-    }
-    try {
-        nmbcgen::SideTask task{.family = "nopd2d",
-                               .choice = {.radius_squared = scene.radius_squared},
-                               .g = nmbcgen::Rational(scene.G / std::numbers::pi),
-                               .time_step = 0,
-                               .has_null_lagrangian = !scene.has(SideKind::free)};
-        if (scene.is_bond_based()) {
-            task.family = "bond2d";
-            task.choice.weights.assign(scene.weights.begin(), scene.weights.end());
-        } else {
-            task.choice.poisson = scene.nu;
-            task.choice.plane_strain = scene.state == nmbc::StressState::plane_strain;
-        }
-        nmbc::PassiveSide side = for_runtime(nmbcgen::passive_side(task));
-        side.made_for = model_of(scene);
-        return side;
-    } catch (const std::domain_error& error) {
-        throw SceneError(fmt::format(
-            "no passive side was found for this lattice: {}. Try another G, or another kind",
-            error.what()));
-    }
-}
-
-/// (60) of this order for waves of each polarisation that meet the side head-on.
-nmbc::MatchingSide matching_side_of(const PlaneScene& scene, const PlaneSideChoice& choice) {
-    const nmbc::PlaneModel model = model_of(scene);
-    if (scene.is_bond_based() && choice.order > 1) {
-        throw SceneError("boundary.order above 1 needs a table, and there is none of bond2d");
-    }
-    nmbc::MatchingSide side{
-        .coefficients = {},
-        .speeds = {model.speed_P(), choice.as_printed ? model.speed_P() : model.speed_S()}};
-    for (const bool is_P : {true, false}) {
-        nmbc::BoundaryCoefficients& coefficients = side.coefficients[is_P ? 0 : 1];
-        if (choice.order == 1) {  // of any lattice
-            coefficients = {.c = {1, 1}, .b = {-2, 2}, .stride = choice.stride};
-            for (double& b : coefficients.b) {
-                b /= choice.stride;
-            }
-            continue;
-        }
-        const nmbcgen::ProjectedFamily family{
-            .family = "nopd2d",
-            .model = {.radius_squared = scene.radius_squared,
-                      .poisson = scene.nu,
-                      .plane_strain = scene.state == nmbc::StressState::plane_strain},
-            .polarisation = is_P ? nmbcgen::Polarisation::P : nmbcgen::Polarisation::S};
-        const nmbc::MatchingTable* const table =
-            nmbc::find_table(nmbc::generated::tables, nmbcgen::name_of(family),
-                             int(model.horizon()), choice.order, choice.stride);
-        if (table == nullptr) {
-            throw SceneError(fmt::format(
-                "there is no committed table of {}, order {}, stride {}: there are orders 1 and 2, "
-                "the latter of stride n, at nu = 1/4 in plane stress and model.radius2 = 1, 4, 9",
-                nmbcgen::name_of(family), choice.order, choice.stride));
-        }
-        coefficients =
-            nmbc::boundary_coefficients(*table, scene.G / std::numbers::pi, nmbc::allow_unstable);
-    }
-    return side;
-}
-
-nmbc::SpongeSide sponge_side_of(const PlaneScene& scene, const PlaneSideChoice& choice) {
-    const double speed = model_of(scene).speed_P();
-    // Of steps of 2 dX sqrt(rho/E): gamma dt/2 is gamma then.
-    std::vector<double> friction =
-        half_step_losses({choice.layer, choice.profile, choice.target}, 1,
-                         {.youngs_modulus = speed * speed, .time_step = 2});
-    friction.pop_back();
-    std::ranges::reverse(friction);
-    return {friction};
-}
-
-/// Beside a side that cuts the lattice off, the energy is a sum of squares where all weights are
-/// above 0.
-void require_proved(const PlaneScene& scene) {
-    if (!scene.is_bond_based() || nmbc::is_positive(bonds_of(scene))) {
-        return;
-    }
-    if (scene.has(SideKind::passive)) {
-        throw Unstable(
-            "a lattice with bond weights below 0 has no passive side: cut off there, its energy is "
-            "no sum of squares and it may explode. Take a set above 0 (nmbcgen bonds --positive), "
-            "or sides of the kinds sponge, extended, fixed or periodic");
-    }
-    if (scene.has(SideKind::free) && !scene.allow_unstable) {
-        throw Unstable(
-            "this lattice has bond weights below 0: cut off by a free side, its energy is no sum "
-            "of squares and it may explode. Take a set above 0 (nmbcgen bonds --positive), or run "
-            "it all the same: boundary.allow_unstable = true");
-    }
-}
-
-nmbc::PlaneSides sides_of(const PlaneScene& scene) {
-    for (const PlaneSideChoice& side : scene.sides) {
-        if (may_grow(side.kind) && !scene.allow_unstable) {
-            throw Unstable(fmt::format(
-                "{}: such sides amplify oblique waves of most lattices, and none is certified with "
-                "corners (nmbcgen recommend says what is known of this one). Passive sides are "
-                "stable by construction. To run it all the same: boundary.allow_unstable = true",
-                heading_of(side)));
-        }
-    }
-    nmbc::PlaneSide passive;
-    require_proved(scene);
-    if (scene.has(SideKind::passive)) {
-        passive = designed_side_of(scene);
-    }
-    const auto side = [&](std::size_t number) -> nmbc::PlaneSide {
-        switch (scene.sides[number].kind) {
-            case SideKind::passive:
-                return passive;
-            case SideKind::free:
-                return nmbc::FreeSide{};
-            case SideKind::periodic:
-                return nmbc::PeriodicSide{};
-            case SideKind::nmbc:
-                return matching_side_of(scene, scene.sides[number]);
-            case SideKind::higdon: {
-                const nmbc::PlaneModel model = model_of(scene);
-                // Without decay a field that is linear in time satisfies it, and roundings drift.
-                constexpr double decay = 0.002;
-                return nmbc::HigdonSide{{model.speed_P(), model.speed_S()}, decay};
-            }
-            case SideKind::sponge:
-                return sponge_side_of(scene, scene.sides[number]);
-            case SideKind::fixed:
-            case SideKind::extended:
-                break;
-        }
-        return nmbc::FixedSide{};
-    };
-    return {side(0), side(1), side(2), side(3)};
-}
 
 /// The largest group velocity of any wave [dX rate], on wave vectors in steps of pi/64.
 double fastest_group(const nmbc::PlaneModel& model) {
@@ -204,7 +60,7 @@ std::array<std::size_t, 4> extension_of(const PlaneScene& scene) {
         auto nodes = double(scene.nodes[axis]);
         for (const std::size_t i : {2 * axis, 2 * axis + 1}) {
             nodes += double(layers[i]) +
-                     (scene.sides[i].kind == SideKind::sponge ? double(scene.sides[i].layer) : 0);
+                     (has_layer(scene.sides[i].kind) ? double(scene.sides[i].layer) : 0);
         }
         return nodes;
     };
@@ -297,7 +153,10 @@ nmbc::Plane plane_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
 }  // namespace
 
 PlaneSimulation::PlaneSimulation(const PlaneScene& scene)
-    : PlaneSimulation(scene, sides_of(scene), extension_of(scene)) {}
+    : PlaneSimulation(scene, sides_of(scene)) {}
+
+PlaneSimulation::PlaneSimulation(const PlaneScene& scene, const nmbc::PlaneSides& sides)
+    : PlaneSimulation(scene, sides, extension_of(scene)) {}
 
 PlaneSimulation::PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides,
                                  const std::array<std::size_t, 4>& extension)
@@ -330,6 +189,14 @@ PlaneSimulation::PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides
     }
     cut();
     plane_.start();
+    if (scene_.has(SideKind::pml)) {
+        std::array<LossLayer, 4> layers;
+        std::ranges::transform(scene_.sides, layers.begin(), [](const PlaneSideChoice& side) {
+            return side.kind == SideKind::pml ? LossLayer{side.layer, side.profile, side.target}
+                                              : LossLayer{};
+        });
+        pml_.emplace(std::get<nmbc::CorrespondenceModel>(plane_.model().law()), layers, plane_);
+    }
     let_break();
     sources_.start(plane_);
     at_start_ = plane_.energies().staggered;
@@ -390,6 +257,16 @@ void PlaneSimulation::let_break() {
     }
 }
 
+void PlaneSimulation::advance(std::size_t steps) {
+    const auto prescribe = [this](nmbc::Plane& plane, double time) {
+        if (pml_) {
+            (*pml_)(plane);
+        }
+        sources_(plane, time);
+    };
+    plane_.advance(steps, prescribe, [](const nmbc::Plane&) {});
+}
+
 nmbc::PlaneEnergies PlaneSimulation::energies() const {
     return plane_.energies(extension_[0], extension_[0] + scene_.nodes[0], extension_[2],
                            extension_[2] + scene_.nodes[1]);
@@ -418,15 +295,22 @@ PlaneBalance PlaneSimulation::balance() const {
 
 std::vector<std::vector<double>> PlaneSimulation::state() const {
     nmbc::PlaneState<double> plane = plane_.state();
-    return {std::move(plane.displacement[0]), std::move(plane.displacement[1]),
-            std::move(plane.velocity[0]),     std::move(plane.velocity[1]),
-            std::move(plane.ghosts),          {plane.gone.begin(), plane.gone.end()},
-            {sources_.work(), at_start_},     {plane.bonds.begin(), plane.bonds.end()},
-            {plane.broken, plane.released}};
+    return {std::move(plane.displacement[0]),
+            std::move(plane.displacement[1]),
+            std::move(plane.velocity[0]),
+            std::move(plane.velocity[1]),
+            std::move(plane.ghosts),
+            {plane.gone.begin(), plane.gone.end()},
+            {sources_.work(), at_start_},
+            {plane.bonds.begin(), plane.bonds.end()},
+            {plane.broken, plane.released},
+            pml_ ? std::vector<double>{pml_->memory().begin(), pml_->memory().end()}
+                 : std::vector<double>{}};
 }
 
 void PlaneSimulation::resume(std::size_t steps, const std::vector<std::vector<double>>& state) {
-    if (state.size() != 9 || state[5].size() != 4 || state[6].size() != 2 || state[8].size() != 2) {
+    if (state.size() != 10 || state[5].size() != 4 || state[6].size() != 2 ||
+        state[8].size() != 2) {
         throw FileError("the checkpoint is none of a plane");
     }
     try {
@@ -440,6 +324,12 @@ void PlaneSimulation::resume(std::size_t steps, const std::vector<std::vector<do
                        .released = state[8][1]});
     } catch (const std::invalid_argument& error) {
         throw FileError(fmt::format("the checkpoint is {}", error.what()));
+    }
+    if (state[9].size() != (pml_ ? pml_->memory().size() : 0)) {
+        throw FileError("the checkpoint is one of other layers");
+    }
+    if (pml_) {
+        pml_->remember(state[9]);
     }
     at_start_ = state[6][1];
     sources_.start(plane_, state[6][0]);

@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <nmbc/plane.hpp>
 #include <nmbc/plane_stability.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tools/nmbcrun/plane/plane_scene.hpp"
 #include "tools/nmbcrun/plane/plane_sources.hpp"
+#include "tools/nmbcrun/sides/plane_pml.hpp"
 
 namespace nmbcrun {
 
@@ -39,6 +41,9 @@ class PlaneSimulation {
     /// SceneError where the scene asks for what there is not, std::invalid_argument as nmbc::Plane
     /// does, and Unstable where its step is too long for its sides.
     explicit PlaneSimulation(const PlaneScene& scene);
+    /// Between these, which sides_of() made for the scene or one that differs in its steps.
+    /// Likewise.
+    PlaneSimulation(const PlaneScene& scene, const nmbc::PlaneSides& sides);
 
     const PlaneScene& scene() const { return scene_; }
     const PlanePlan& plan() const { return plan_; }
@@ -47,9 +52,7 @@ class PlaneSimulation {
     const std::array<std::size_t, 4>& extension() const { return extension_; }
 
     bool is_done() const { return plane_.steps() >= plan_.steps; }
-    void advance(std::size_t steps) {
-        plane_.advance(steps, sources_, [](const nmbc::Plane&) {});
-    }
+    void advance(std::size_t steps);
 
     /// Of the scene's nodes, at t - dt/2.
     nmbc::PlaneEnergies energies() const;
@@ -90,6 +93,7 @@ class PlaneSimulation {
     std::array<std::size_t, 4> extension_;
     PlanePlan plan_;
     nmbc::Plane plane_;
+    std::optional<PlanePml> pml_;  // of the scene's layers of that kind
     PlaneSources sources_;
     double at_start_ = 0;  // energy of the whole body
 };

@@ -19,9 +19,7 @@ namespace {
 const std::vector<std::pair<std::string_view, SideKind>> side_kinds{
     {"passive", SideKind::passive},   {"fixed", SideKind::fixed},       {"free", SideKind::free},
     {"periodic", SideKind::periodic}, {"extended", SideKind::extended}, {"nmbc", SideKind::nmbc},
-    {"higdon", SideKind::higdon},     {"sponge", SideKind::sponge}};
-
-/// In the order of nmbc::plane_sides.
+    {"higdon", SideKind::higdon},     {"sponge", SideKind::sponge},     {"pml", SideKind::pml}};
 
 /// The keys that count for it, `kind` aside.
 std::vector<std::string_view> keys_of(SideKind kind) {
@@ -31,6 +29,7 @@ std::vector<std::string_view> keys_of(SideKind kind) {
         case SideKind::extended:
             return {"layer"};
         case SideKind::sponge:
+        case SideKind::pml:
             return {"layer", "profile", "target"};
         default:
             return {};
@@ -86,8 +85,9 @@ void read_plane_sides(SceneReader& reader, PlaneScene& scene) {
         const std::string group = fmt::format("boundary.{}", plane_side_names[i]);
         refuse_idle_keys(reader, group, {&scene.sides[i], 1});
         const PlaneSideChoice& side = scene.sides[i];
-        if (side.kind == SideKind::sponge && side.layer == 0) {
-            reader.fail("boundary", "has a sponge, which needs boundary.layer, its nodes");
+        if (has_layer(side.kind) && side.layer == 0) {
+            reader.fail("boundary", fmt::format("has a {}, which needs boundary.layer, its nodes",
+                                                name_of(side.kind)));
         }
         if (side.as_printed && (side.order != 1 || side.stride != 1)) {
             reader.fail("boundary",
@@ -110,7 +110,11 @@ std::string_view name_of(SideKind kind) {
 }
 
 bool may_grow(SideKind kind) {
-    return kind == SideKind::nmbc || kind == SideKind::higdon;
+    return kind == SideKind::nmbc || kind == SideKind::higdon || kind == SideKind::pml;
+}
+
+bool has_layer(SideKind kind) {
+    return kind == SideKind::sponge || kind == SideKind::pml;
 }
 
 bool is_artificial(SideKind kind) {
@@ -126,8 +130,9 @@ std::string heading_of(const PlaneSideChoice& side) {
         case SideKind::higdon:
             return "higdon of the P and S speeds";
         case SideKind::sponge:
-            return fmt::format("sponge of {} nodes, profile {}, target {}", side.layer,
-                               side.profile, side.target);
+        case SideKind::pml:
+            return fmt::format("{} of {} nodes, profile {}, target {}", name_of(side.kind),
+                               side.layer, side.profile, side.target);
         default:
             return std::string(name_of(side.kind));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/chart/work.hpp"
+#include "tools/nmbcrun/chart/node_steps.hpp"
 
 #include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/sides/silent_layer.hpp"

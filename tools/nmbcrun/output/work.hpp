@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-/// How long a chart takes, and how far it is.
+/// How far a work of many parts is.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <mutex>
 
-#include "tools/nmbcrun/chart/trial.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
-#include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
 
-/// The work of a scene that has its step and like ends, in steps of a plain node, about.
-double node_steps(const Scene& scene);
+/// Called now and then while something lasts, with the part of it that is done since it was called
+/// before. It may throw.
+using Advance = std::function<void(double)>;
 
 /// All that is to be done, known at the start; lets the user stop in between.
 class Work {

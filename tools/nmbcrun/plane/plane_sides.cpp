@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/plane/plane_sides.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <nmbc/tables/tables.hpp>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "generator/names/projected_family.hpp"
+#include "generator/passive/plane_side.hpp"
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/plane/plane_lattice.hpp"
+#include "tools/nmbcrun/sides/loss_layer.hpp"
+
+namespace nmbcrun {
+namespace {
+
+nmbc::PassiveSide designed_side_of(const PlaneScene& scene) {
+    if (scene.radius_squared > nmbcgen::largest_side_radius_squared) {
+        throw SceneError(
+            fmt::format("passive sides are designed for model.radius2 up to {}, not {}",
+                        nmbcgen::largest_side_radius_squared, scene.radius_squared));
+    }
+    try {
+        nmbcgen::SideTask task{.family = "nopd2d",
+                               .choice = {.radius_squared = scene.radius_squared},
+                               .g = nmbcgen::Rational(scene.G / std::numbers::pi),
+                               .time_step = 0,
+                               .has_null_lagrangian = !scene.has(SideKind::free)};
+        if (scene.is_bond_based()) {
+            task.family = "bond2d";
+            task.choice.weights.assign(scene.weights.begin(), scene.weights.end());
+        } else {
+            task.choice.poisson = scene.nu;
+            task.choice.plane_strain = scene.state == nmbc::StressState::plane_strain;
+        }
+        nmbc::PassiveSide side = for_runtime(nmbcgen::passive_side(task));
+        side.made_for = model_of(scene);
+        return side;
+    } catch (const std::domain_error& error) {
+        throw SceneError(fmt::format(
+            "no passive side was found for this lattice: {}. Try another G, or another kind",
+            error.what()));
+    }
+}
+
+/// (60) of this order for waves of each polarisation that meet the side head-on.
+nmbc::MatchingSide matching_side_of(const PlaneScene& scene, const PlaneSideChoice& choice) {
+    const nmbc::PlaneModel model = model_of(scene);
+    if (scene.is_bond_based() && choice.order > 1) {
+        throw SceneError("boundary.order above 1 needs a table, and there is none of bond2d");
+    }
+    nmbc::MatchingSide side{
+        .coefficients = {},
+        .speeds = {model.speed_P(), choice.as_printed ? model.speed_P() : model.speed_S()}};
+    for (const bool is_P : {true, false}) {
+        nmbc::BoundaryCoefficients& coefficients = side.coefficients[is_P ? 0 : 1];
+        if (choice.order == 1) {  // of any lattice
+            coefficients = {.c = {1, 1}, .b = {-2, 2}, .stride = choice.stride};
+            for (double& b : coefficients.b) {
+                b /= choice.stride;
+            }
+            continue;
+        }
+        const nmbcgen::ProjectedFamily family{
+            .family = "nopd2d",
+            .model = {.radius_squared = scene.radius_squared,
+                      .poisson = scene.nu,
+                      .plane_strain = scene.state == nmbc::StressState::plane_strain},
+            .polarisation = is_P ? nmbcgen::Polarisation::P : nmbcgen::Polarisation::S};
+        const nmbc::MatchingTable* const table =
+            nmbc::find_table(nmbc::generated::tables, nmbcgen::name_of(family),
+                             int(model.horizon()), choice.order, choice.stride);
+        if (table == nullptr) {
+            throw SceneError(fmt::format(
+                "there is no committed table of {}, order {}, stride {}: there are orders 1 and 2, "
+                "the latter of stride n, at nu = 1/4 in plane stress and model.radius2 = 1, 4, 9",
+                nmbcgen::name_of(family), choice.order, choice.stride));
+        }
+        coefficients =
+            nmbc::boundary_coefficients(*table, scene.G / std::numbers::pi, nmbc::allow_unstable);
+    }
+    return side;
+}
+
+nmbc::SpongeSide sponge_side_of(const PlaneScene& scene, const PlaneSideChoice& choice) {
+    const double speed = model_of(scene).speed_P();
+    // Of steps of 2 dX sqrt(rho/E): gamma dt/2 is gamma then.
+    std::vector<double> friction =
+        half_step_losses({choice.layer, choice.profile, choice.target}, 1,
+                         {.youngs_modulus = speed * speed, .time_step = 2});
+    friction.pop_back();
+    std::ranges::reverse(friction);
+    return {friction};
+}
+
+/// Beside a side that cuts the lattice off, the energy is a sum of squares where all weights are
+/// above 0.
+void require_proved(const PlaneScene& scene) {
+    if (!scene.is_bond_based() || nmbc::is_positive(bonds_of(scene))) {
+        return;
+    }
+    if (scene.has(SideKind::passive)) {
+        throw Unstable(
+            "a lattice with bond weights below 0 has no passive side: cut off there, its energy is "
+            "no sum of squares and it may explode. Take a set above 0 (nmbcgen bonds --positive), "
+            "or sides of the kinds sponge, extended, fixed or periodic");
+    }
+    if (scene.has(SideKind::free) && !scene.allow_unstable) {
+        throw Unstable(
+            "this lattice has bond weights below 0: cut off by a free side, its energy is no sum "
+            "of squares and it may explode. Take a set above 0 (nmbcgen bonds --positive), or run "
+            "it all the same: boundary.allow_unstable = true");
+    }
+}
+
+void require_matched_layers(const PlaneScene& scene) {
+    if (!scene.has(SideKind::pml)) {
+        return;
+    }
+    if (scene.is_bond_based()) {
+        throw SceneError(
+            "a perfectly matched layer stretches the derivatives along its axis, and a bond of "
+            "bond2d that leads along both has none: take passive sides or a sponge");
+    }
+    for (const SideKind kind :
+         {SideKind::passive, SideKind::free, SideKind::nmbc, SideKind::higdon}) {
+        if (scene.has(kind)) {
+            throw SceneError(
+                fmt::format("beside a perfectly matched layer there are pml, fixed, extended, "
+                            "periodic and sponge sides, and none of kind \"{}\"",
+                            name_of(kind)));
+        }
+    }
+}
+
+}  // namespace
+
+nmbc::PlaneSides sides_of(const PlaneScene& scene) {
+    for (const PlaneSideChoice& side : scene.sides) {
+        if (may_grow(side.kind) && !scene.allow_unstable) {
+            const char* const known =
+                side.kind == SideKind::pml
+                    ? "such layers have no proof where their losses vary. At G = 0 they grow; at G "
+                      "from 1/4 on no growth was seen"
+                    : "such sides amplify oblique waves of most lattices, and none is certified "
+                      "with corners (nmbcgen recommend says what is known of this one)";
+            throw Unstable(
+                fmt::format("{}: {}. Passive sides are stable by construction. To run it all the "
+                            "same: boundary.allow_unstable = true",
+                            heading_of(side), known));
+        }
+    }
+    nmbc::PlaneSide passive;
+    require_proved(scene);
+    require_matched_layers(scene);
+    if (scene.has(SideKind::passive)) {
+        passive = designed_side_of(scene);
+    }
+    const auto side = [&](std::size_t number) -> nmbc::PlaneSide {
+        switch (scene.sides[number].kind) {
+            case SideKind::passive:
+                return passive;
+            case SideKind::free:
+                return nmbc::FreeSide{};
+            case SideKind::periodic:
+                return nmbc::PeriodicSide{};
+            case SideKind::nmbc:
+                return matching_side_of(scene, scene.sides[number]);
+            case SideKind::higdon: {
+                const nmbc::PlaneModel model = model_of(scene);
+                // Without decay a field that is linear in time satisfies it, and roundings drift.
+                constexpr double decay = 0.002;
+                return nmbc::HigdonSide{{model.speed_P(), model.speed_S()}, decay};
+            }
+            case SideKind::sponge:
+                return sponge_side_of(scene, scene.sides[number]);
+            case SideKind::pml:
+                return nmbc::SpongeSide{std::vector<double>(scene.sides[number].layer, 0)};
+            case SideKind::fixed:
+            case SideKind::extended:
+                break;
+        }
+        return nmbc::FixedSide{};
+    };
+    return {side(0), side(1), side(2), side(3)};
+}
+
+}  // namespace nmbcrun

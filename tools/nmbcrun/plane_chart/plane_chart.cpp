@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/plane_chart/plane_chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "generator/support/on_all_cores.hpp"
+#include "tools/nmbcrun/chart/tuning.hpp"
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/csv.hpp"
+#include "tools/nmbcrun/output/gnuplot.hpp"
+#include "tools/nmbcrun/output/interrupt.hpp"
+#include "tools/nmbcrun/output/work.hpp"
+#include "tools/nmbcrun/plane/plane_sides.hpp"
+#include "tools/nmbcrun/plane/plane_simulation.hpp"
+#include "tools/nmbcrun/plane_chart/side_candidates.hpp"
+#include "tools/nmbcrun/plane_chart/side_points.hpp"
+#include "tools/nmbcrun/plane_chart/side_trial.hpp"
+
+namespace nmbcrun {
+namespace {
+
+constexpr std::size_t tuning_runs = 21;
+constexpr std::array profiles{1.0, 2.0, 3.0};
+
+/// Calls job(), and notes why the scene refuses the sides where it does.
+template <class Job>
+void try_sides(SidePoint& point, Job job) {
+    try {
+        job();
+    } catch (const SceneError& error) {
+        point.refused = error.what();
+    } catch (const std::invalid_argument& error) {
+        point.refused = error.what();
+    } catch (const nmbc::CoefficientError& error) {
+        point.refused = error.what();
+    }
+}
+
+class Measurement {
+  public:
+    Measurement(const PlaneScene& scene, std::size_t long_run)
+        : scene_(scene), long_run_(long_run) {
+        for (const SideCandidate& what : side_candidates(scene)) {
+            points_.push_back({.what = what});
+        }
+        sides_.resize(points_.size());
+        const PlaneScene fixed = with_sides(scene_, {.kind = SideKind::fixed});
+        bare_step_ = longest_step(fixed, sides_of(fixed));
+    }
+
+    std::vector<SidePoint> run(bool quiet) {
+        find_steps();
+        Work work(total_work(), quiet);
+        run_reference(work);
+        on_points([&](std::size_t i) { tune(i, work); });
+        on_points([&](std::size_t i) { run(i, work); });
+        for (const SidePoint& point : points_) {
+            if (!point.refused.empty()) {
+                fmt::print(stderr, "nmbcrun: left out: {}: {}\n", point.what.name, point.refused);
+            }
+        }
+        measure_costs(work);
+        std::erase_if(points_, [](const SidePoint& point) { return !point.refused.empty(); });
+        mark_front(points_);
+        return std::move(points_);
+    }
+
+  private:
+    static double longest_step(const PlaneScene& scene, const nmbc::PlaneSides& sides) {
+        const PlanePlan plan = PlaneSimulation(scene, sides).plan();
+        return plan.time_step / plan.of_stable;
+    }
+    PlaneScene in_steps(const PlaneSideChoice& side) const {
+        PlaneScene scene = with_sides(scene_, side);
+        scene.step = step_;
+        scene.cfl.reset();
+        return scene;
+    }
+    PlaneSimulation simulation_of(std::size_t i) const {
+        return {in_steps(points_[i].what.side), *sides_[i]};
+    }
+    void on_points(const std::function<void(std::size_t)>& job) {
+        nmbcgen::on_all_cores(points_.size(), [&](std::size_t i) {
+            if (points_[i].refused.empty()) {
+                try_sides(points_[i], [&] { job(i); });
+            }
+        });
+    }
+
+    void find_steps();
+    double nodes_with(const PlaneSideChoice& side) const;
+    double tuning_work(const SidePoint& point) const;
+    double trial_work(const SidePoint& point) const;
+    double long_work(const SidePoint& point) const;
+    double total_work() const;
+    void run_reference(Work& work);
+    void tune(std::size_t i, Work& work);
+    void run(std::size_t i, Work& work);
+    void measure_costs(Work& work);
+
+    PlaneScene scene_;
+    std::size_t long_run_;
+    std::vector<SidePoint> points_{};
+    std::vector<std::optional<nmbc::PlaneSides>> sides_{};  // of the points
+    double bare_step_ = 0;                                  // longest between fixed sides
+    double step_ = 0;
+    double steps_ = 0;
+    PlaneSamples reference_{};
+};
+
+/// All take the longest step that is stable between any of them, unless the scene has its own.
+void Measurement::find_steps() {
+    on_points([&](std::size_t i) {
+        const PlaneScene scene = with_sides(scene_, points_[i].what.side);
+        sides_[i] = sides_of(scene);
+        points_[i].longest_step = longest_step(scene, *sides_[i]);
+    });
+    step_ = bare_step_;
+    const PlaneScene fixed = with_sides(scene_, {.kind = SideKind::fixed});
+    if (fixed.step || fixed.cfl) {
+        step_ = PlaneSimulation(fixed).plan().time_step;
+    } else {
+        for (const SidePoint& point : points_) {
+            if (point.refused.empty()) {
+                constexpr double of_stable = 0.9;
+                step_ = std::min(step_, of_stable * point.longest_step);
+            }
+        }
+        step_ = std::min(step_, PlaneSimulation(fixed).plan().time_step);
+    }
+    steps_ = scene_.end / step_;
+}
+
+double Measurement::nodes_with(const PlaneSideChoice& side) const {
+    constexpr double of_layer = 1.2;  // costs more than plain nodes
+    const double more = 2 * of_layer * double(side.layer);
+    return (double(scene_.nodes[0]) + more) * (double(scene_.nodes[1]) + more);
+}
+double Measurement::tuning_work(const SidePoint& point) const {
+    return has_layer(point.what.side.kind) ? double(tuning_runs) * trial_work(point) : 0;
+}
+double Measurement::trial_work(const SidePoint& point) const {
+    return steps_ * nodes_with(point.what.side);
+}
+double Measurement::long_work(const SidePoint& point) const {
+    constexpr double box = 20;
+    const double wide = box + 2 * double(point.what.side.layer);
+    return may_grow(point.what.side.kind) ? double(long_run_) * wide * wide : 0;
+}
+double Measurement::total_work() const {
+    double total = 0;
+    for (const SidePoint& point : points_) {
+        total += tuning_work(point) + trial_work(point) + long_work(point);
+    }
+    return total;
+}
+
+void Measurement::run_reference(Work& work) {
+    PlaneSimulation endless(in_steps({.kind = SideKind::extended}));
+    reference_ = samples_of(endless, work.of(0));
+    if (!(reference_.largest > 0)) {
+        throw Unstable("nothing moved at any time, so there is nothing to compare with");
+    }
+}
+
+void Measurement::tune(std::size_t i, Work& work) {
+    PlaneSideChoice& side = points_[i].what.side;
+    if (!has_layer(side.kind)) {
+        return;
+    }
+    const Advance advance = work.of(trial_work(points_[i]));
+    const auto error_with = [&](const Losses& losses) {
+        side.profile = losses.profile;
+        side.target = losses.target;
+        PlaneSimulation simulation(in_steps(side));
+        return run_trial(simulation, reference_, advance).error;
+    };
+    const Losses best = least_erring_losses(profiles, tuning_runs, error_with);
+    side.profile = best.profile;
+    side.target = best.target;
+    sides_[i] = sides_of(in_steps(side));
+}
+
+void Measurement::run(std::size_t i, Work& work) {
+    SidePoint& point = points_[i];
+    PlaneSimulation simulation = simulation_of(i);
+    const SideTrial trial = run_trial(simulation, reference_, work.of(trial_work(point)));
+    point.error = trial.error;
+    point.energy_left = trial.energy_left;
+    point.grows = may_grow(point.what.side.kind) &&
+                  grows(scene_, point.what.side, long_run_, work.of(long_work(point)));
+}
+
+/// One after the other: what runs beside it changes what is measured.
+void Measurement::measure_costs(Work& work) {
+    PlaneSimulation bare(in_steps({.kind = SideKind::fixed}));
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        SidePoint& point = points_[i];
+        if (point.refused.empty()) {
+            PlaneSimulation simulation = simulation_of(i);
+            point.step_cost = relative_cost(simulation, bare);
+            point.run_cost = point.step_cost * bare_step_ / point.longest_step;
+            work.add(0);
+        }
+    }
+}
+
+}  // namespace
+
+void chart_plane(const PlaneScene& scene, const PlaneChartOptions& options) {
+    if (std::ranges::none_of(
+            scene.sides, [](const PlaneSideChoice& side) { return is_artificial(side.kind); })) {
+        throw SceneError(
+            "all sides are physical, fixed, free or periodic, and chart compares artificial ones: "
+            "there is none");
+    }
+    note_interrupts();
+    CsvFile csv(options.folder / (scene.name + "_chart.csv"), side_points_header);
+    std::vector<SidePoint> points = Measurement(scene, options.long_run).run(options.quiet);
+    write(points, csv);
+    if (!options.quiet) {
+        fmt::print(
+            "step, run: over those between fixed sides, less 1; a run takes the longest stable "
+            "steps\nlong run: of {} steps from a pulse of one node in a small box; *: none is both "
+            "cheaper and better\n",
+            options.long_run);
+        print(points);
+    }
+    fmt::print("chart        {}\n", csv.path().string());
+    const std::string picture = (options.folder / (scene.name + "_chart")).string();
+    draw("plane_chart.gp", {csv.path().string(), picture, scene.title},
+         {picture + ".svg", picture + ".png"});
+}
+
+}  // namespace nmbcrun
