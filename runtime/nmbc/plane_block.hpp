@@ -75,10 +75,7 @@ class PlaneAxis {
     }
 
     /// Nodes from first to last - 1 have what is asked for.
-    struct Range {
-        std::ptrdiff_t first = 0;
-        std::ptrdiff_t last = 0;
-    };
+    using Range = PlaneRange;
     /// T is not 0 there: beyond sides that are not cut off, too.
     Range with_energy() const {
         return {is_cut_[0] ? 0 : -horizon_, is_cut_[1] ? nodes_ : nodes_ + horizon_};

@@ -43,6 +43,12 @@ inline std::vector<PlaneOffset> plane_family(unsigned radius_squared) {
 
 namespace detail {
 
+/// Nodes of a line: first .. last - 1.
+struct PlaneRange {
+    std::ptrdiff_t first = 0;
+    std::ptrdiff_t last = 0;
+};
+
 /// Throws std::invalid_argument where no node has exactly this distance.
 inline void require_radius(unsigned radius_squared) {
     for (const PlaneOffset& bond : plane_family(radius_squared)) {

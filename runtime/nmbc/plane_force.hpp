@@ -151,11 +151,18 @@ class PlaneForce {
                    PlaneField<const Real> u, PlaneField<Real> v, std::vector<Real>& ring) const;
 
     /// Of a row's nodes, those that the kernels may take; an empty part at its end where none.
-    PlaneAxis::Range plain_part(const PlaneAxis::Range& x, const PlaneAxis::Range& y,
-                                const PlaneAxis::Range& columns, std::ptrdiff_t row) const {
+    /// Where nodes are left at an end, they are a strip, or more.
+    PlaneRange plain_part(const PlaneRange& x, const PlaneRange& y, const PlaneRange& columns,
+                          std::ptrdiff_t row, std::ptrdiff_t strip) const {
         const bool is_plain =
             stress_row_ != nullptr && row >= y.first && row < y.last && x.first < x.last;
-        return is_plain ? x : PlaneAxis::Range{columns.last, columns.last};
+        if (!is_plain) {
+            return {columns.last, columns.last};
+        }
+        const PlaneRange inner{
+            x.first > columns.first ? std::max(x.first, columns.first + strip) : x.first,
+            x.last < columns.last ? std::min(x.last, columns.last - strip) : x.last};
+        return inner.first < inner.last ? inner : x;
     }
 
     static constexpr std::size_t largest_reach = 3;  ///< of the kernels
@@ -166,8 +173,12 @@ class PlaneForce {
         using Shape = PlaneShape<RadiusSquared>;
         stress_row_ = stress_row<Shape, Real>;
         kick_row_ = kick_row<Shape, Real>;
-        stress_row_beside_ = stress_row_beside<Shape, Real>;
-        kick_row_beside_ = kick_row_beside<Shape, Real>;
+        stress_row_beside_ = stress_row_beside<Shape, Real, 0>;
+        stress_strip_ = stress_row_beside<Shape, Real, stress_strip<Shape>>;
+        stress_strip_nodes_ = stress_strip<Shape>;
+        kick_row_beside_ = kick_row_beside<Shape, Real, 0>;
+        kick_strip_ = kick_row_beside<Shape, Real, kick_strip<Shape>>;
+        kick_strip_nodes_ = kick_strip<Shape>;
     }
     void choose_kernels();
 
@@ -178,8 +189,12 @@ class PlaneForce {
     PlaneCoefficients<Real> coefficients_;
     decltype(&stress_row<PlaneShape<1>, Real>) stress_row_ = nullptr;
     decltype(&kick_row<PlaneShape<1>, Real>) kick_row_ = nullptr;
-    decltype(&stress_row_beside<PlaneShape<1>, Real>) stress_row_beside_ = nullptr;
-    decltype(&kick_row_beside<PlaneShape<1>, Real>) kick_row_beside_ = nullptr;
+    decltype(&stress_row_beside<PlaneShape<1>, Real, 0>) stress_row_beside_ = nullptr;
+    decltype(&stress_row_beside<PlaneShape<1>, Real, 0>) stress_strip_ = nullptr;
+    decltype(&kick_row_beside<PlaneShape<1>, Real, 0>) kick_row_beside_ = nullptr;
+    decltype(&kick_row_beside<PlaneShape<1>, Real, 0>) kick_strip_ = nullptr;
+    std::ptrdiff_t stress_strip_nodes_ = 0;
+    std::ptrdiff_t kick_strip_nodes_ = 0;
     PlaneModuli<Real> moduli_{};
     std::vector<PlaneRowNumbers<Real>> row_numbers_{};  // of rows that differ
     std::vector<std::size_t> row_kinds_{};              // which of them a row has, from -horizon on
@@ -223,30 +238,29 @@ void PlaneForce<Real>::find_stress(std::ptrdiff_t y, PlaneField<const Real> u,
         }
         return;
     }
-    const auto beside = [&](std::ptrdiff_t first, std::ptrdiff_t last) {
-        if (stress_row_beside_ != nullptr && first < last) {
-            const std::ptrdiff_t at = y * pitch_ + first;
-            stress_row_beside_(moduli_, numbers_of(y), static_cast<std::size_t>(first + horizon_),
-                               {u[0] + at, u[1] + at}, pitch_, last - first,
-                               {T[0] + first, T[1] + first, T[2] + first, T[3] + first});
+    const std::array<const Real*, 2> row_of_u{u[0] + y * pitch_, u[1] + y * pitch_};
+    const auto beside = [&](const PlaneRange& nodes) {
+        if (stress_row_beside_ != nullptr && nodes.first < nodes.last) {
+            const auto& sweep = nodes.last - nodes.first == stress_strip_nodes_
+                                    ? stress_strip_
+                                    : stress_row_beside_;
+            sweep(moduli_, numbers_of(y), nodes, row_of_u, pitch_, T);
             return;
         }
-        for (std::ptrdiff_t x = first; x < last; ++x) {
+        for (std::ptrdiff_t x = nodes.first; x < nodes.last; ++x) {
             const std::array<Real, 4> own = stress(x, y, u);
             for (std::size_t part = 0; part < 4; ++part) {
                 T[part][x] = own[part];
             }
         }
     };
-    const auto plain = plain_part(nodes_.x().plain_stress(), nodes_.y().plain_stress(), columns, y);
-    beside(columns.first, plain.first);
+    const auto plain = plain_part(nodes_.x().plain_stress(), nodes_.y().plain_stress(), columns, y,
+                                  stress_strip_nodes_);
+    beside({columns.first, plain.first});
     if (plain.first < plain.last) {
-        const std::ptrdiff_t at = y * pitch_ + plain.first;
-        stress_row_(
-            coefficients_, {u[0] + at, u[1] + at}, pitch_, plain.last - plain.first,
-            {T[0] + plain.first, T[1] + plain.first, T[2] + plain.first, T[3] + plain.first});
+        stress_row_(coefficients_, plain, row_of_u, pitch_, T);
     }
-    beside(plain.last, columns.last);
+    beside({plain.last, columns.last});
 }
 
 template <class Real>
@@ -256,42 +270,40 @@ void PlaneForce<Real>::kick_rows(double scale, std::ptrdiff_t first, std::ptrdif
     for (std::ptrdiff_t y = first - horizon_; y < first + horizon_; ++y) {
         find_stress(y, u, ring);
     }
-    std::array<std::array<const Real*, 2 * largest_reach + 1>, 4> T{};
+    std::array<std::array<const Real*, 2 * largest_reach + 1>, 4> stresses{};
+    const std::array<const Real* const*, 4> T{stresses[0].data(), stresses[1].data(),
+                                              stresses[2].data(), stresses[3].data()};
     for (std::ptrdiff_t y = first; y < last; ++y) {
         find_stress(y + horizon_, u, ring);
-        const auto rows_from = [&](std::ptrdiff_t x) {
+        for (std::ptrdiff_t j = -horizon_; j <= horizon_ && kick_row_ != nullptr; ++j) {
             for (std::size_t part = 0; part < 4; ++part) {
-                for (std::ptrdiff_t j = -horizon_; j <= horizon_; ++j) {
-                    T[part][static_cast<std::size_t>(j + horizon_)] =
-                        row(std::as_const(ring), part, y + j) + x;
-                }
+                stresses[part][static_cast<std::size_t>(j + horizon_)] =
+                    row(std::as_const(ring), part, y + j);
             }
-            return std::array<const Real* const*, 4>{T[0].data(), T[1].data(), T[2].data(),
-                                                     T[3].data()};
-        };
-        const auto beside = [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-            if (kick_row_beside_ != nullptr && begin < end) {
-                const std::ptrdiff_t at = y * pitch_ + begin;
-                kick_row_beside_(numbers_of(y), static_cast<std::size_t>(begin + horizon_),
-                                 static_cast<Real>(scale),
-                                 column_weights_.data() + begin + 2 * horizon_,
-                                 row_weights_.data() + y + horizon_, {u[0] + at, u[1] + at}, pitch_,
-                                 rows_from(begin), end - begin, {v[0] + at, v[1] + at});
+        }
+        const std::array<const Real*, 2> row_of_u{u[0] + y * pitch_, u[1] + y * pitch_};
+        const std::array<Real*, 2> row_of_v{v[0] + y * pitch_, v[1] + y * pitch_};
+        const auto beside = [&](const PlaneRange& nodes) {
+            if (kick_row_beside_ != nullptr && nodes.first < nodes.last) {
+                const auto& sweep =
+                    nodes.last - nodes.first == kick_strip_nodes_ ? kick_strip_ : kick_row_beside_;
+                sweep(numbers_of(y), static_cast<Real>(scale),
+                      column_weights_.data() + 2 * horizon_, row_weights_.data() + y + horizon_,
+                      nodes, row_of_u, pitch_, T, row_of_v);
                 return;
             }
-            for (std::ptrdiff_t x = begin; x < end; ++x) {
+            for (std::ptrdiff_t x = nodes.first; x < nodes.last; ++x) {
                 kick_node(scale, x, y, u, v, ring);
             }
         };
         const auto plain = plain_part(nodes_.x().plain_force(), nodes_.y().plain_force(),
-                                      {0, nodes_.x().nodes()}, y);
-        beside(0, plain.first);
+                                      {0, nodes_.x().nodes()}, y, kick_strip_nodes_);
+        beside({0, plain.first});
         if (plain.first < plain.last) {
-            const std::ptrdiff_t at = y * pitch_ + plain.first;
-            kick_row_(coefficients_, static_cast<Real>(scale), {u[0] + at, u[1] + at}, pitch_,
-                      rows_from(plain.first), plain.last - plain.first, {v[0] + at, v[1] + at});
+            kick_row_(coefficients_, static_cast<Real>(scale), plain, row_of_u, pitch_, T,
+                      row_of_v);
         }
-        beside(plain.last, nodes_.x().nodes());
+        beside({plain.last, nodes_.x().nodes()});
     }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <nmbc/plane_family.hpp>
 #include <type_traits>
 
 namespace nmbc::detail {
@@ -190,13 +191,14 @@ class SlopeColumns {
     std::array<ColumnSums<Shape, Real>, 2> odd_;
 };
 
-/// T on nodes of a row; u points at the first of them.
+/// T on these nodes of a row, at whose node 0 u and T point.
 template <class Shape, class Real>
-void stress_row(const PlaneCoefficients<Real>& k, const std::array<const Real*, 2>& u,
-                std::ptrdiff_t pitch, std::ptrdiff_t nodes, const std::array<Real*, 4>& T) {
+void stress_row(const PlaneCoefficients<Real>& k, const PlaneRange& nodes,
+                const std::array<const Real*, 2>& u, std::ptrdiff_t pitch,
+                const std::array<Real*, 4>& T) {
     SlopeColumns<Shape, Real> columns;
-    for (std::ptrdiff_t first = 0; first < nodes; first += plane_block) {
-        const std::ptrdiff_t size = std::min(plane_block, nodes - first);
+    for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block) {
+        const std::ptrdiff_t size = std::min(plane_block, nodes.last - first);
         columns.find({u[0] + first, u[1] + first}, pitch, size);
         Real* __restrict T_xx = T[0] + first;
         Real* __restrict T_xy = T[1] + first;
@@ -215,16 +217,16 @@ void stress_row(const PlaneCoefficients<Real>& k, const std::array<const Real*, 
     }
 }
 
-/// v += scale times the forces, on nodes of a row. u and v point at the first of them, and so do
-/// T's rows xx, xy, yx, yy, each of them those from -reach to reach.
+/// v += scale times the forces, on these nodes of a row, at whose node 0 u, v and T's rows xx, xy,
+/// yx, yy point, each of them those from -reach to reach.
 template <class Shape, class Real>
-void kick_row(const PlaneCoefficients<Real>& k, Real scale, const std::array<const Real*, 2>& u,
-              std::ptrdiff_t pitch, const std::array<const Real* const*, 4>& T,
-              std::ptrdiff_t nodes, const std::array<Real*, 2>& v) {
+void kick_row(const PlaneCoefficients<Real>& k, Real scale, const PlaneRange& nodes,
+              const std::array<const Real*, 2>& u, std::ptrdiff_t pitch,
+              const std::array<const Real* const*, 4>& T, const std::array<Real*, 2>& v) {
     ColumnSums<Shape, Real> even;
     ColumnSums<Shape, Real> others;
-    for (std::ptrdiff_t first = 0; first < nodes; first += plane_block) {
-        const std::ptrdiff_t size = std::min(plane_block, nodes - first);
+    for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block) {
+        const std::ptrdiff_t size = std::min(plane_block, nodes.last - first);
         const std::ptrdiff_t wide = size + 2 * Shape::reach;
         for (std::size_t a = 0; a < 2; ++a) {
             const auto along = lines_of<Shape>(T[2 * a], first - Shape::reach);

@@ -31,16 +31,16 @@ struct PlaneModuli {
     Real turned = 0;  ///< mu - beta
 };
 
-/// As stress_row(), near sides: what is beyond them is 0. first: the entry of the first node.
-template <class Shape, class Real>
+/// As stress_row(), near sides: what is beyond them is 0. Size: the nodes; 0: any number.
+template <class Shape, class Real, std::ptrdiff_t Size>
 void stress_row_beside(const PlaneModuli<Real>& k, const PlaneRowNumbers<Real>& numbers,
-                       std::size_t first_entry, const std::array<const Real*, 2>& u,
-                       std::ptrdiff_t pitch, std::ptrdiff_t nodes, const std::array<Real*, 4>& T) {
+                       const PlaneRange& nodes, const std::array<const Real*, 2>& u,
+                       std::ptrdiff_t pitch, const std::array<Real*, 4>& T) {
     SlopeColumns<Shape, Real> columns;
-    for (std::ptrdiff_t first = 0; first < nodes; first += plane_block) {
-        const std::ptrdiff_t size = std::min(plane_block, nodes - first);
+    for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block) {
+        const std::ptrdiff_t size = Size > 0 ? Size : std::min(plane_block, nodes.last - first);
         columns.find({u[0] + first, u[1] + first}, pitch, size);
-        const std::size_t entry = first_entry + static_cast<std::size_t>(first);
+        const auto entry = static_cast<std::size_t>(first + Shape::reach);
         const Real* const xx = &numbers.inverse_shape[0][entry];
         const Real* const xy = &numbers.inverse_shape[1][entry];
         const Real* const yy = &numbers.inverse_shape[2][entry];
@@ -73,22 +73,22 @@ void stress_row_beside(const PlaneModuli<Real>& k, const PlaneRowNumbers<Real>& 
     }
 }
 
-/// As kick_row(), near sides. across: w's factor along x, of the first node's column; along: w's
-/// factor of the rows from -reach to reach.
-template <class Shape, class Real>
-void kick_row_beside(const PlaneRowNumbers<Real>& numbers, std::size_t first_entry, Real scale,
-                     const Real* across, const Real* along, const std::array<const Real*, 2>& u,
-                     std::ptrdiff_t pitch, const std::array<const Real* const*, 4>& T,
-                     std::ptrdiff_t nodes, const std::array<Real*, 2>& v) {
+/// As kick_row(), near sides. across: w's factor along x, of node 0's column; along: w's factor of
+/// the rows from -reach to reach. Size: as of stress_row_beside().
+template <class Shape, class Real, std::ptrdiff_t Size>
+void kick_row_beside(const PlaneRowNumbers<Real>& numbers, Real scale, const Real* across,
+                     const Real* along, const PlaneRange& nodes,
+                     const std::array<const Real*, 2>& u, std::ptrdiff_t pitch,
+                     const std::array<const Real* const*, 4>& T, const std::array<Real*, 2>& v) {
     ColumnSums<Shape, Real> even;
     ColumnSums<Shape, Real> others;
     ColumnSums<Shape, Real> plain;
     std::array<Real, 2 * Shape::reach + 1> row_weights{};
     std::copy_n(along, row_weights.size(), row_weights.begin());
-    for (std::ptrdiff_t first = 0; first < nodes; first += plane_block) {
-        const std::ptrdiff_t size = std::min(plane_block, nodes - first);
+    for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block) {
+        const std::ptrdiff_t size = Size > 0 ? Size : std::min(plane_block, nodes.last - first);
         const std::ptrdiff_t wide = size + 2 * Shape::reach;
-        const std::size_t entry = first_entry + static_cast<std::size_t>(first);
+        const auto entry = static_cast<std::size_t>(first + Shape::reach);
         const Real* const moment_x = &numbers.moment[0][entry];
         const Real* const moment_y = &numbers.moment[1][entry];
         const Real* const w = &numbers.stabilisation[entry];
@@ -128,5 +128,12 @@ void kick_row_beside(const PlaneRowNumbers<Real>& numbers, std::size_t first_ent
         }
     }
 }
+
+/// Nodes at a left or right side that are swept in loops of known length: those whose families are
+/// cut or that have numbers of their own, and those that these act on; of whole vectors.
+template <class Shape>
+inline constexpr std::ptrdiff_t stress_strip = (2 * Shape::reach + 3) / 4 * 4;
+template <class Shape>
+inline constexpr std::ptrdiff_t kick_strip = (3 * Shape::reach + 3) / 4 * 4;
 
 }  // namespace nmbc::detail
