@@ -45,8 +45,9 @@ class BasicPlane {
           ny_(parameters.ny + layers_[2] + layers_[3]),
           force_(force_of(model_.law())) {
         if (nx_ < least_nodes(0) || ny_ < least_nodes(1)) {
-            throw std::invalid_argument("between periodic sides, and beside a halo, a body needs " +
-                                        std::to_string(ghosts_) + " nodes");
+            throw std::invalid_argument(
+                "beside a halo, and of bonds between periodic sides, a body needs " +
+                std::to_string(ghosts_) + " nodes");
         }
         for (std::size_t a = 0; a < 2; ++a) {
             u_[a].resize(grid().nx * grid().ny, 0);
@@ -303,11 +304,13 @@ class BasicPlane {
         return own == 0 ? 0 : own + model_.horizon();
     }
 
-    /// What is copied to the other side, or to another block.
+    /// What is copied to another block; of bonds, to the other side: both ends of one are different
+    /// nodes then.
     std::size_t least_nodes(std::size_t axis) const {
         const PlaneSide& low = sides_.at({axis, End::left});
         const PlaneSide& high = sides_.at({axis, End::right});
-        const bool is_copied = std::holds_alternative<PeriodicSide>(low) ||
+        const bool has_bonds = std::holds_alternative<BondModel>(model_.law());
+        const bool is_copied = (std::holds_alternative<PeriodicSide>(low) && has_bonds) ||
                                std::holds_alternative<HaloSide>(low) ||
                                std::holds_alternative<HaloSide>(high);
         return is_copied ? ghosts_ : 1;
@@ -469,7 +472,8 @@ void BasicPlane<Real>::clear_ghosts() {
     }
 }
 
-/// Beyond a periodic side is what the opposite one has.
+/// Beyond a periodic side is what the opposite one has; from the side outwards, as a thin body comes
+/// round more than once.
 template <class Real>
 void BasicPlane<Real>::close_ghosts(Fields& fields) const {
     const std::size_t pitch = grid().nx;
@@ -477,13 +481,20 @@ void BasicPlane<Real>::close_ghosts(Fields& fields) const {
         if (std::holds_alternative<PeriodicSide>(sides_.left)) {
             for (std::size_t y = 0; y < grid().ny; ++y) {  // moving ghosts, too
                 Real* const row = &u[y * pitch];
-                std::copy_n(row + nx_, ghosts_, row);
-                std::copy_n(row + ghosts_, ghosts_, row + ghosts_ + nx_);
+                for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
+                    const std::size_t low = ghosts_ - 1 - ghost;
+                    row[low] = row[low + nx_];
+                    row[ghosts_ + nx_ + ghost] = row[ghosts_ + ghost];
+                }
             }
         }
         if (std::holds_alternative<PeriodicSide>(sides_.bottom)) {
-            std::copy_n(&u[ny_ * pitch], ghosts_ * pitch, u.data());
-            std::copy_n(&u[ghosts_ * pitch], ghosts_ * pitch, &u[(ghosts_ + ny_) * pitch]);
+            for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
+                const std::size_t low = ghosts_ - 1 - ghost;
+                std::copy_n(&u[(low + ny_) * pitch], pitch, &u[low * pitch]);
+                std::copy_n(&u[(ghosts_ + ghost) * pitch], pitch,
+                            &u[(ghosts_ + ny_ + ghost) * pitch]);
+            }
         }
     }
 }

@@ -196,12 +196,6 @@ setting 2 "must be a list of points" "output.probes=[1, 2]"
 setting 2 "but the nodes are at 1 to 275 along y" "output.probes=[[1, 276]]"
 setting 2 "is not a key of a scene" foo.bar=1
 setting 2 "passive sides are designed for model.radius2 up to 25" model.radius2=26
-try advise "$scene" --tolerance 0.1
-expect_exit 2
-expect_stderr "is a plane scene, which run"
-try run "$scene" --tolerance 0.1
-expect_exit 2
-expect_stderr "is a plane scene, which run"
 setting 2 "domain.nodes must be" domain.nodes=10
 setting 2 "output.name must be without" "output.name='a&b'"
 
@@ -240,3 +234,35 @@ expect "no chart" test ! -e results
 try chart "$scene" "${small[@]}" --set boundary.left.kind=free
 expect_exit 0
 expect_stderr 'left out: pml 40: beside a perfectly matched layer there are'
+rm -r results
+
+# advise: the cheapest proved sides; and a dimension that the scene does not need.
+small=(--set 'domain.nodes=[30, 24]' --set 'initial.centre=[15, 12]' --set initial.width=6 --set time.end=8 --set model.G=0.25)
+try advise "$scene" "${small[@]}" --tolerance 0.03
+expect_exit 0
+expect_no_stderr
+expect_stdout_with "advice     passive"
+expect_stdout_with "settings   --set boundary.kind=passive"
+expect_stdout_with "not proved to be stable"
+try advise "$scene" "${small[@]}" --set boundary.kind=free --tolerance 0.03
+expect_exit 2
+expect_stderr "there is nothing to advise"
+try advise "$band" --set boundary.bottom.kind=fixed --set boundary.top.kind=fixed --tolerance 0.1
+expect_exit 0
+expect_stdout_with "1 of the 20 nodes there gives the same u to roundings"
+settings=$(sed -n 's/^settings *//p' "$scratch/stdout")
+try run "$band" --quiet --set time.step=0.05 --set boundary.bottom.kind=fixed --set boundary.top.kind=fixed
+expect_exit 0
+eval "try run \"\$band\" --quiet --set time.step=0.05 --set output.name=strip --set boundary.bottom.kind=fixed --set boundary.top.kind=fixed $settings"
+expect_exit 0
+# Roundings of 500 steps, of energies that fall to 1e-9 of the peak.
+expect "a twentieth of each energy" awk -F, '
+    /^#/ || FNR == 1 { next }
+    /^[a-z]/ { next }
+    FILENAME != first { if (!first) first = FILENAME }
+    FILENAME == first { total[$1] = $5; if ($5 > peak) peak = $5; next }
+    { ++rows; off = $5 * 20 - total[$1]; if (off < 0) off = -off; if (off > 1e-12 * peak) exit 1 }
+    END { exit !(rows > 10) }' results/plane_band.csv results/strip.csv
+try run "$scene" "${small[@]}" --tolerance 0.03 --out advised
+expect_exit 0
+expect_stdout_with "advice    passive, error"

@@ -15,7 +15,8 @@
 #include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/plane/plane_run.hpp"
-#include "tools/nmbcrun/plane_chart/plane_chart.hpp"
+#include "tools/nmbcrun/plane_compare/plane_advice.hpp"
+#include "tools/nmbcrun/plane_compare/plane_chart.hpp"
 #include "tools/nmbcrun/run.hpp"
 #include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
@@ -85,8 +86,8 @@ void run_as_asked(nmbcrun::Scene scene, const Arguments& arguments) {
     }
 }
 
-/// Of a plane scene, what there is of its commands.
-nmbcgen::ExitCode plane_command(const std::string& command, const nmbcrun::PlaneScene& scene,
+/// The commands, of a plane scene.
+nmbcgen::ExitCode plane_command(const std::string& command, nmbcrun::PlaneScene scene,
                                 const Arguments& arguments) {
     if (command == "verify") {
         return nmbcrun::verify_plane(scene, arguments.tolerance, arguments.quiet) ? done
@@ -98,10 +99,14 @@ nmbcgen::ExitCode plane_command(const std::string& command, const nmbcrun::Plane
                                      .quiet = arguments.quiet});
         return done;
     }
-    if (command != "run" || arguments.tolerance > 0) {
-        throw nmbcrun::SceneError(arguments.scene +
-                                  " is a plane scene, which run (without --tolerance), verify and "
-                                  "chart take");
+    if (command == "advise") {
+        nmbcrun::advise_plane(scene, arguments.tolerance, arguments.quiet);
+        return done;
+    }
+    if (arguments.tolerance > 0) {
+        nmbcrun::note_interrupts();
+        scene = nmbcrun::as_advised(scene, arguments.tolerance, arguments.quiet);
+        std::fflush(stdout);  // through a pipe, too, the advice is read before the run
     }
     nmbcrun::run_plane(
         scene, {arguments.folder, arguments.quiet, arguments.resume, arguments.keep_checkpoint});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/plane_chart/side_candidates.hpp"
+#include "tools/nmbcrun/plane_compare/side_candidates.hpp"
 
 #include <fmt/format.h>
 

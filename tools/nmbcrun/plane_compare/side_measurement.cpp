@@ -1,28 +1,24 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/plane_chart/plane_chart.hpp"
+#include "tools/nmbcrun/plane_compare/side_measurement.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <limits>
+#include <array>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "generator/support/on_all_cores.hpp"
 #include "tools/nmbcrun/chart/tuning.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/csv.hpp"
-#include "tools/nmbcrun/output/gnuplot.hpp"
-#include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/work.hpp"
 #include "tools/nmbcrun/plane/plane_sides.hpp"
 #include "tools/nmbcrun/plane/plane_simulation.hpp"
-#include "tools/nmbcrun/plane_chart/side_candidates.hpp"
-#include "tools/nmbcrun/plane_chart/side_points.hpp"
-#include "tools/nmbcrun/plane_chart/side_trial.hpp"
+#include "tools/nmbcrun/plane_compare/side_trial.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -46,9 +42,10 @@ void try_sides(SidePoint& point, Job job) {
 
 class Measurement {
   public:
-    Measurement(const PlaneScene& scene, std::size_t long_run)
+    Measurement(const PlaneScene& scene, const std::vector<SideCandidate>& candidates,
+                std::size_t long_run)
         : scene_(scene), long_run_(long_run) {
-        for (const SideCandidate& what : side_candidates(scene)) {
+        for (const SideCandidate& what : candidates) {
             points_.push_back({.what = what});
         }
         sides_.resize(points_.size());
@@ -69,7 +66,6 @@ class Measurement {
         }
         measure_costs(work);
         std::erase_if(points_, [](const SidePoint& point) { return !point.refused.empty(); });
-        mark_front(points_);
         return std::move(points_);
     }
 
@@ -215,29 +211,10 @@ void Measurement::measure_costs(Work& work) {
 
 }  // namespace
 
-void chart_plane(const PlaneScene& scene, const PlaneChartOptions& options) {
-    if (std::ranges::none_of(
-            scene.sides, [](const PlaneSideChoice& side) { return is_artificial(side.kind); })) {
-        throw SceneError(
-            "all sides are physical, fixed, free or periodic, and chart compares artificial ones: "
-            "there is none");
-    }
-    note_interrupts();
-    CsvFile csv(options.folder / (scene.name + "_chart.csv"), side_points_header);
-    std::vector<SidePoint> points = Measurement(scene, options.long_run).run(options.quiet);
-    write(points, csv);
-    if (!options.quiet) {
-        fmt::print(
-            "step, run: over those between fixed sides, less 1; a run takes the longest stable "
-            "steps\nlong run: of {} steps from a pulse of one node in a small box; *: none is both "
-            "cheaper and better\n",
-            options.long_run);
-        print(points);
-    }
-    fmt::print("chart        {}\n", csv.path().string());
-    const std::string picture = (options.folder / (scene.name + "_chart")).string();
-    draw("plane_chart.gp", {csv.path().string(), picture, scene.title},
-         {picture + ".svg", picture + ".png"});
+std::vector<SidePoint> measure_sides(const PlaneScene& scene,
+                                     const std::vector<SideCandidate>& candidates,
+                                     std::size_t long_run, bool quiet) {
+    return Measurement(scene, candidates, long_run).run(quiet);
 }
 
 }  // namespace nmbcrun

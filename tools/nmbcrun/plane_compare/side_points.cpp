@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/plane_chart/side_points.hpp"
+#include "tools/nmbcrun/plane_compare/side_points.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/plane_chart/side_trial.hpp"
+#include "tools/nmbcrun/plane_compare/side_trial.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tools/nmbcrun/plane_chart/side_candidates.hpp"
+#include "tools/nmbcrun/plane_compare/side_candidates.hpp"
 
 namespace nmbcrun {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tools/nmbcrun/output/csv.hpp"
-#include "tools/nmbcrun/plane_chart/side_candidates.hpp"
+#include "tools/nmbcrun/plane_compare/side_candidates.hpp"
 
 namespace nmbcrun {
 

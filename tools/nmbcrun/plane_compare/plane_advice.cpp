@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/plane_compare/plane_advice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/interrupt.hpp"
+#include "tools/nmbcrun/plane_compare/plane_strip.hpp"
+#include "tools/nmbcrun/plane_compare/side_candidates.hpp"
+#include "tools/nmbcrun/plane_compare/side_measurement.hpp"
+
+namespace nmbcrun {
+namespace {
+
+struct Advice {
+    std::optional<PlaneStrip> strip{};
+    std::vector<SidePoint> ranked{};  ///< those that meet the tolerance, cheapest first
+    std::vector<SidePoint> others{};
+    bool has_artificial = false;
+
+    bool is_proved(const SidePoint& point) const { return !may_grow(point.what.side.kind); }
+    const SidePoint& best() const {
+        return *std::ranges::find_if(ranked, [this](const auto& one) { return is_proved(one); });
+    }
+};
+
+Advice advice_for(const PlaneScene& scene, double tolerance, bool quiet) {
+    Advice advice{.strip = strip_of(scene)};
+    advice.has_artificial = std::ranges::any_of(
+        scene.sides, [](const PlaneSideChoice& side) { return is_artificial(side.kind); });
+    if (!advice.has_artificial) {
+        if (!advice.strip) {
+            throw SceneError(
+                "all sides are physical, fixed, free or periodic, and the scene needs both "
+                "dimensions: there is nothing to advise");
+        }
+        return advice;
+    }
+    std::vector<SideCandidate> candidates = side_candidates(scene);
+    std::erase_if(candidates, [](const SideCandidate& one) {
+        return one.side.kind == SideKind::nmbc || one.side.kind == SideKind::higdon ||
+               !is_artificial(one.side.kind);
+    });
+    constexpr std::size_t long_run = 20'000;
+    for (SidePoint& point :
+         measure_sides(advice.strip ? advice.strip->scene : scene, candidates, long_run, quiet)) {
+        (point.holds() && point.error <= tolerance ? advice.ranked : advice.others)
+            .push_back(std::move(point));
+    }
+    for (auto* const list : {&advice.ranked, &advice.others}) {
+        std::ranges::sort(*list, {}, &SidePoint::run_cost);
+    }
+    return advice;
+}
+
+/// Of the artificial sides, together where all four are.
+std::string settings_of(const PlaneScene& scene, const PlaneSideChoice& side) {
+    std::string settings;
+    const auto set = [&](const std::string& group) {
+        settings += fmt::format(" --set {}.kind={}", group, name_of(side.kind));
+        if (side.layer > 0) {
+            settings += fmt::format(" --set {}.layer={}", group, side.layer);
+        }
+        if (has_layer(side.kind)) {
+            settings += fmt::format(" --set {0}.profile={1} --set {0}.target={2:.3g}", group,
+                                    side.profile, side.target);
+        }
+    };
+    const auto is_open = [](const PlaneSideChoice& one) { return is_artificial(one.kind); };
+    if (std::ranges::all_of(scene.sides, is_open)) {
+        set("boundary");
+        return settings;
+    }
+    for (std::size_t i = 0; i < scene.sides.size(); ++i) {
+        if (is_open(scene.sides[i])) {
+            set(fmt::format("boundary.{}", plane_side_names[i]));
+        }
+    }
+    return settings;
+}
+
+void print_strip(const PlaneStrip& strip, const PlaneScene& scene) {
+    fmt::print(
+        "dimension  all is alike along {0}: {1} of the {2} nodes there gives the same u to "
+        "roundings,\n           and energies of {1}/{2}\n",
+        strip.axis == 0 ? 'x' : 'y', strip.scene.nodes[strip.axis], scene.nodes[strip.axis]);
+}
+
+std::string row(const SidePoint& point) {
+    return fmt::format("  {:<12}  {:>7.0f} %  {:9.2e}", point.what.name, 100 * (point.run_cost - 1),
+                       point.error);
+}
+
+void print_table(const Advice& advice) {
+    fmt::print("meets it           run      error\n");
+    for (const SidePoint& point : advice.ranked) {
+        fmt::print("{}{}\n", row(point),
+                   advice.is_proved(point) ? "" : "  not proved to be stable");
+    }
+    fmt::print("left out\n");
+    for (const SidePoint& point : advice.others) {
+        fmt::print("{}{}\n", row(point), point.grows ? "  grows" : "  above the tolerance");
+    }
+    fmt::print(
+        "  NMBC, higdon  not certified in a plane\n"
+        "run: over that between fixed sides, less 1, of layers with the losses that err least\n\n");
+}
+
+}  // namespace
+
+PlaneScene as_advised(const PlaneScene& scene, double tolerance, bool quiet) {
+    const Advice advice = advice_for(scene, tolerance, true);
+    PlaneScene advised = advice.strip ? advice.strip->scene : scene;
+    std::string line =
+        advice.strip ? fmt::format("{} x {} nodes", advised.nodes[0], advised.nodes[1]) : "";
+    if (advice.has_artificial) {
+        const PlaneSideChoice& side = advice.best().what.side;
+        advised = with_sides(advised, side);
+        advised.allow_unstable = scene.allow_unstable;
+        line += fmt::format("{}{}, error {:.1e}", line.empty() ? "" : ", ", heading_of(side),
+                            advice.best().error);
+    }
+    if (!quiet) {
+        fmt::print("advice    {}\n", line);
+    }
+    advised.given["the advice"] = line;  // a checkpoint is of this one
+    return advised;
+}
+
+void advise_plane(const PlaneScene& scene, double tolerance, bool quiet) {
+    note_interrupts();
+    const Advice advice = advice_for(scene, tolerance, quiet);
+    std::string settings = advice.strip ? " " + advice.strip->settings : "";
+    if (advice.strip && !quiet) {
+        print_strip(*advice.strip, scene);
+    }
+    if (advice.has_artificial) {
+        if (!quiet) {
+            print_table(advice);
+        }
+        fmt::print("advice     {}, error {:.1e}\n", heading_of(advice.best().what.side),
+                   advice.best().error);
+        settings += settings_of(scene, advice.best().what.side);
+    }
+    fmt::print("settings  {}\n", settings);
+}
+
+}  // namespace nmbcrun

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/plane_compare/plane_chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/csv.hpp"
+#include "tools/nmbcrun/output/gnuplot.hpp"
+#include "tools/nmbcrun/output/interrupt.hpp"
+#include "tools/nmbcrun/plane_compare/side_measurement.hpp"
+
+namespace nmbcrun {
+
+void chart_plane(const PlaneScene& scene, const PlaneChartOptions& options) {
+    if (std::ranges::none_of(
+            scene.sides, [](const PlaneSideChoice& side) { return is_artificial(side.kind); })) {
+        throw SceneError(
+            "all sides are physical, fixed, free or periodic, and chart compares artificial ones: "
+            "there is none");
+    }
+    note_interrupts();
+    CsvFile csv(options.folder / (scene.name + "_chart.csv"), side_points_header);
+    std::vector<SidePoint> points =
+        measure_sides(scene, side_candidates(scene), options.long_run, options.quiet);
+    mark_front(points);
+    write(points, csv);
+    if (!options.quiet) {
+        fmt::print(
+            "step, run: over those between fixed sides, less 1; a run takes the longest stable "
+            "steps\nlong run: of {} steps from a pulse of one node in a small box; *: none is both "
+            "cheaper and better\n",
+            options.long_run);
+        print(points);
+    }
+    fmt::print("chart        {}\n", csv.path().string());
+    const std::string picture = (options.folder / (scene.name + "_chart")).string();
+    draw("plane_chart.gp", {csv.path().string(), picture, scene.title},
+         {picture + ".svg", picture + ".png"});
+}
+
+}  // namespace nmbcrun
