@@ -86,6 +86,13 @@ inline constexpr std::size_t block_nodes = 192;
 /// measurement). A variable, so that tests and measurements can have it otherwise.
 inline std::size_t threaded_nodes = 16384;
 
+// Files compiled with OpenMP and files without may be one program: theirs are different functions.
+#ifdef _OPENMP
+inline namespace in_threads {
+#else
+inline namespace in_one_thread {
+#endif
+
 /// How many pieces a sweep over so many nodes is shared in.
 inline std::size_t pieces_of([[maybe_unused]] std::size_t nodes) {
 #ifdef _OPENMP
@@ -107,6 +114,8 @@ void for_each_piece(std::size_t nodes, std::size_t pieces, const Work& work) {
         work(nodes * piece / pieces, nodes * (piece + 1) / pieces);
     }
 }
+
+}  // namespace in_threads or in_one_thread
 
 /// u += dt v on the nodes first .. last-1.
 template <class Real>

@@ -461,19 +461,24 @@ void BasicPlane<Real>::clear_ghosts() {
     };
     for (Fields* const fields : {&u_, &v_}) {
         for (std::vector<Real>& component : *fields) {
-            for (std::size_t i = 0; i < component.size(); ++i) {
-                const std::size_t x = i % grid().nx;
-                const std::size_t y = i / grid().nx;
-                if (!is_kept(0, x) || !is_kept(1, y)) {
-                    component[i] = 0;
+            for (std::size_t y = 0; y < grid().ny; ++y) {
+                Real* const row = &component[y * grid().nx];
+                if (!is_kept(1, y)) {
+                    std::fill_n(row, grid().nx, Real(0));
+                    continue;
+                }
+                for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
+                    for (const std::size_t x : {ghost, grid().nx - 1 - ghost}) {
+                        row[x] = is_kept(0, x) ? row[x] : 0;
+                    }
                 }
             }
         }
     }
 }
 
-/// Beyond a periodic side is what the opposite one has; from the side outwards, as a thin body comes
-/// round more than once.
+/// Beyond a periodic side is what the opposite one has; from the side outwards, as a thin body
+/// comes round more than once.
 template <class Real>
 void BasicPlane<Real>::close_ghosts(Fields& fields) const {
     const std::size_t pitch = grid().nx;

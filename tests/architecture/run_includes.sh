@@ -45,7 +45,8 @@ run() { # ROOM OTHER_ROOMS FURTHER
     allow "tools/nmbcrun/$1" "tools/nmbcrun/($1${2:+|$2})/|tools/nmbcrun/errors.hpp|nmbc/|$text${3:+|$3}"
 }
 run scene '' 'generator/(table|exact|lattice|names|families)/|nlohmann/|toml\+\+/'
-run sides scene 'generator/(families|passive)/|(unsupported/)?Eigen/'
+run stepping '' ''
+run sides 'scene|stepping' 'generator/(families|passive)/|(unsupported/)?Eigen/'
 run sources 'scene|sides'
 run tables scene 'generator/(table|exact|families|names)/'
 run certification 'scene|sides|sources|tables' 'generator/(table|exact|stability)/'
@@ -55,8 +56,8 @@ below='scene|sides|sources|tables|certification|simulation'
 run compare "$below" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT'
 run chart "$below|compare|output" 'generator/support/|boost/math/'
 run advise "$below|compare|chart" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT|boost/math/|unistd.h'
-run plane 'scene|sides|sources|output' 'generator/(table|exact|names|passive)/|generator/support/files.hpp|boost/math/'
-run plane_compare 'scene|output|chart|plane' 'generator/support/'
+run plane 'scene|stepping|sides|sources|output' 'generator/(table|exact|names|passive)/|generator/support/files.hpp|boost/math/'
+run plane_compare 'scene|stepping|output|chart|plane' 'generator/support/'
 allow tools/nmbcrun "tools/nmbcrun/|generator/names/checksum.hpp|generator/support/(exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|tools/nmbcrun/|CLI/|nmbc/|benchmark/|boost/math/|$text"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|unistd.h|$text"

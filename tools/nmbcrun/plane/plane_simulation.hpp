@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <nmbc/plane.hpp>
 #include <nmbc/plane_stability.hpp>
 #include <optional>
 #include <string>
@@ -13,6 +12,7 @@
 #include "tools/nmbcrun/plane/plane_scene.hpp"
 #include "tools/nmbcrun/plane/plane_sources.hpp"
 #include "tools/nmbcrun/sides/plane_pml.hpp"
+#include "tools/nmbcrun/stepping/plane_stepping.hpp"
 
 namespace nmbcrun {
 

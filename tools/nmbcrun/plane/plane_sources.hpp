@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <nmbc/plane.hpp>
 #include <string>
 #include <vector>
 
 #include "tools/nmbcrun/plane/plane_lattice.hpp"
 #include "tools/nmbcrun/plane/plane_scene.hpp"
 #include "tools/nmbcrun/sources/force_in_time.hpp"
+#include "tools/nmbcrun/stepping/plane_stepping.hpp"
 
 namespace nmbcrun {
 

@@ -19,6 +19,7 @@
 #include "tools/nmbcrun/plane/plane_sides.hpp"
 #include "tools/nmbcrun/plane/plane_simulation.hpp"
 #include "tools/nmbcrun/plane_compare/side_trial.hpp"
+#include "tools/nmbcrun/stepping/plane_stepping.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -214,6 +215,7 @@ void Measurement::measure_costs(Work& work) {
 std::vector<SidePoint> measure_sides(const PlaneScene& scene,
                                      const std::vector<SideCandidate>& candidates,
                                      std::size_t long_run, bool quiet) {
+    const InOneThread steps;
     return Measurement(scene, candidates, long_run).run(quiet);
 }
 

@@ -5,11 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <nmbc/correspondence_model.hpp>
-#include <nmbc/plane.hpp>
 #include <span>
 #include <vector>
 
 #include "tools/nmbcrun/sides/loss_layer.hpp"
+#include "tools/nmbcrun/stepping/plane_stepping.hpp"
 
 namespace nmbcrun {
 
