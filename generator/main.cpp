@@ -178,8 +178,11 @@ int run(const Request& request) {
             return done;
         case Action::recommend:
             print(with_progress([&request](const Progress& progress) {
-                return request.side ? side_recommendation(*request.side, request.absorbed, progress)
-                                    : recommendation(request.question, progress);
+                if (!request.side) {
+                    return recommendation(request.question, progress);
+                }
+                return (request.as_csv ? side_reflection_csv : side_recommendation)(
+                    *request.side, request.absorbed, progress);
             }));
             return done;
         case Action::passive:

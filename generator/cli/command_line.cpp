@@ -201,6 +201,11 @@ CLI::App* add_recommend(CLI::App& app, Request& request, Pending& pending) {
                "of the side of a plane lattice: a row more for NMBC1 matched at an angle, such as "
                "P:45, or for the product of two, such as P:0,S:45")
         ->needs(radius);
+    recommend
+        ->add_flag("--csv", request.as_csv,
+                   "of the side of a plane lattice: what each boundary sends back against the "
+                   "angle, in place of the advice")
+        ->needs(radius);
     add_parsed(
         *recommend, "--G", question.G, parse_rational,
         "stabilisation G of the model (of nopd2d: g = G/pi), an exact number such as 1/2 or 0.3");

@@ -47,6 +47,7 @@ struct Request {
     bool as_header = false;         ///< the end, in place of JSON
     std::optional<SideTask> side;   ///< of Action::passive; instead of the question of a chain
     std::vector<AbsorbedWave> absorbed{};  ///< of Action::recommend, with a side
+    bool as_csv = false;                   ///< their reflection, in place of the advice
     Aim aim;        ///< of Action::optimise, its condition but for the stride apart
     Curves curves;  ///< of Action::dispersion
     std::optional<PlaneCurves> plane_curves;  ///< instead, of the plane family that `curves` names

@@ -164,6 +164,9 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
     if (!request.absorbed.empty()) {
         throw CLI::ValidationError("--absorb", "is of all waves, without --polarisation");
     }
+    if (request.as_csv) {
+        throw CLI::ValidationError("--csv", "is of all waves, without --polarisation");
+    }
     if (!plane.polarisation) {
         throw CLI::ValidationError("--polarisation",
                                    "is required: a table is of the P or the S waves. Sides for all "

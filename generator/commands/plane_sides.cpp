@@ -192,6 +192,32 @@ std::string row_of(const GhostSide& side, const PlaneLattice& lattice, std::size
                        }));
 }
 
+/// The sides there are, the passive one apart.
+std::vector<GhostSide> ghost_sides_with(const std::vector<AbsorbedWave>& absorbed,
+                                        const SideTask& model, const PlaneLattice& lattice) {
+    std::vector<GhostSide> sides = ghost_sides(model, lattice);
+    if (!absorbed.empty()) {
+        sides.push_back(side_absorbing(absorbed, lattice));
+    }
+    return sides;
+}
+
+template <class Reflected>
+std::string reflection_rows(std::string boundary, const PlaneLattice& lattice,
+                            Reflected reflected) {
+    std::erase(boundary, ',');
+    std::string rows;
+    for (const double xi : {0.1, 0.5, 1.0}) {
+        for (const bool is_P : {true, false}) {
+            for (int degrees = 0; degrees < 90; ++degrees) {
+                rows += fmt::format("{},{},{},{},{:.4g}\n", boundary, is_P ? 'P' : 'S', xi,
+                                    degrees, reflected(told_wave(lattice, is_P, xi, degrees)));
+            }
+        }
+    }
+    return rows;
+}
+
 std::string heading() {
     std::string text =
         fmt::format(row_format, "boundary", "grade", "amplifies", "growth", "tau", "");
@@ -208,10 +234,7 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
                                 const Progress& progress) {
     const VectorModel described = find_vector_family(model.family).describe(model.choice);
     const PlaneLattice lattice = plane_lattice(described, model.g, 0);
-    std::vector<GhostSide> sides = ghost_sides(model, lattice);
-    if (!absorbed.empty()) {
-        sides.push_back(side_absorbing(absorbed, lattice));
-    }
+    std::vector<GhostSide> sides = ghost_sides_with(absorbed, model, lattice);
     std::optional<DesignedSide> passive;
     std::atomic<std::size_t> done = 0;
     const std::size_t all = sides.size() + 1;
@@ -257,6 +280,36 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
         widest_designed_angle,
         std::sqrt(passive->task.highest_eigenvalue / passive->highest_eigenvalue), table,
         wave_samples, wave_samples + 1, layers, strip_wave_numbers + 1, reflected_xi);
+}
+
+std::string side_reflection_csv(const SideTask& model, const std::vector<AbsorbedWave>& absorbed,
+                                const Progress& progress) {
+    const VectorModel described = find_vector_family(model.family).describe(model.choice);
+    const PlaneLattice lattice = plane_lattice(described, model.g, 0);
+    const std::vector<GhostSide> sides = ghost_sides_with(absorbed, model, lattice);
+    const std::size_t reach = lateral_chain(lattice, 0).reach();
+    std::vector<std::string> rows(sides.size() + 1);
+    std::atomic<std::size_t> done = 0;
+    progress(0, rows.size());
+    on_all_cores(rows.size(), [&](std::size_t i) {
+        if (i == 0) {
+            const DesignedSide passive = designed(model);
+            rows[i] = reflection_rows("passive", lattice, [&](const ArrivingWave& wave) {
+                return reflected_by_edge(passive.task, passive.edge, wave);
+            });
+        } else {
+            const GhostSide& side = sides[i - 1];
+            rows[i] = reflection_rows(side.name, lattice, [&](const ArrivingWave& wave) {
+                return reflected_in_plane(wave, side.condition, reach);
+            });
+        }
+        progress(++done, rows.size());
+    });
+    std::string csv = "boundary,wave,xi,degrees,reflected\n";
+    for (const std::string& of_side : rows) {
+        csv += of_side;
+    }
+    return csv;
 }
 
 }  // namespace nmbcgen

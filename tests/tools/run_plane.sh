@@ -250,10 +250,10 @@ expect_stderr "there is nothing to advise"
 try advise "$band" --set boundary.bottom.kind=fixed --set boundary.top.kind=fixed --tolerance 0.1
 expect_exit 0
 expect_stdout_with "1 of the 20 nodes there gives the same u to roundings"
-settings=$(sed -n 's/^settings *//p' "$scratch/stdout")
+advised=$(sed -n 's/^settings *//p' "$scratch/stdout")
 try run "$band" --quiet --set time.step=0.05 --set boundary.bottom.kind=fixed --set boundary.top.kind=fixed
 expect_exit 0
-eval "try run \"\$band\" --quiet --set time.step=0.05 --set output.name=strip --set boundary.bottom.kind=fixed --set boundary.top.kind=fixed $settings"
+eval "try run \"\$band\" --quiet --set time.step=0.05 --set output.name=strip --set boundary.bottom.kind=fixed --set boundary.top.kind=fixed $advised"
 expect_exit 0
 # Roundings of 500 steps, of energies that fall to 1e-9 of the peak.
 expect "a twentieth of each energy" awk -F, '
