@@ -46,7 +46,7 @@ struct Box {
     PlanePml pml;
 };
 
-void start_at_random(nmbc::Plane& plane) {
+void start_plane_at_random(nmbc::Plane& plane) {
     std::mt19937 engine(2018);
     std::uniform_real_distribution<double> uniform(-1, 1);
     for (std::size_t y = 0; y < plane.parameters().ny; ++y) {
@@ -62,48 +62,71 @@ void start_at_random(nmbc::Plane& plane) {
 
 }  // namespace
 
-TEST_CASE("head-on it is the layer of first order of the chain") {
-    // Nearest neighbours, G = 0: along x, v' + sigma v = c (p_(i+1) - p_(i-1))/2 and p' + sigma p =
-    // c (v_(i+1) - v_(i-1))/2, with v of nodes at half steps and p of nodes at whole ones.
-    const nmbc::PlaneModel model = nmbc::nopd2d(1, 0.25, 0);
-    constexpr std::size_t nodes = 30;
-    const LossLayer layer{.nodes = 12, .profile = 2, .target = 1e-4};
-    nmbc::PlaneSides sides{.left = nmbc::FixedSide{},
-                           .right = room_for(layer),
-                           .bottom = nmbc::PeriodicSide{},
-                           .top = nmbc::PeriodicSide{}};
-    const double dt = 1.3;
-    nmbc::Plane plane(model, sides, {.nx = nodes, .ny = 3, .time_step = dt});
-    PlanePml pml(std::get<nmbc::CorrespondenceModel>(model.law()), {LossLayer{}, layer, {}, {}},
-                 plane);
-    for (const std::size_t component : {0U, 1U}) {
-        const double c = component == 0 ? model.speed_P() : model.speed_S();
-        const auto shape = [](std::size_t x) { return std::exp(-std::pow(double(x) - 15, 2) / 4); };
-        // Ghosts on both sides: nodes 2 .. 43 move.
-        constexpr std::size_t all = 2 + nodes + 12 + 2;
-        std::vector<double> v(all, 0);
-        std::vector<double> p(all, 0);
-        std::vector<double> u(all, 0);
-        for (std::size_t x = 0; x < nodes; ++x) {
-            u[2 + x] = shape(x);
-            for (std::size_t y = 0; y < 3; ++y) {
-                plane.displacement(component)[plane.entry(x, y)] = shape(x);
-            }
-        }
-        const auto loss = [&](std::size_t i) {  // sigma dt/2; the layer's speed is that of P
-            const double depth = (double(i) - 31.5) / 12;
-            const double largest = 0.5 * 3 * model.speed_P() * std::log(1e4) / 12 * dt / 2;
-            return i < 32 ? 0 : largest * std::min(1.0, depth * depth);
-        };
-        const auto slope = [&](const std::vector<double>& f, std::size_t i) {
-            return c * (f[i + 1] - f[i - 1]) / 2;
-        };
-        for (std::size_t i = 1; i + 1 < all; ++i) {
+namespace {
+
+/// Along a line of nodes, nearest neighbours at G = 0, with loss(i) = sigma dt/2: v' + sigma v = c
+/// (p_(i+1) - p_(i-1))/2 and p' + sigma p = c (v_(i+1) - v_(i-1))/2, v at half steps and p at whole
+/// ones. Two nodes at each end stay.
+struct FirstOrderChain {
+    double c = 0;
+    double dt = 0;
+    std::vector<double> losses{};
+    std::vector<double> v{};
+    std::vector<double> p{};
+
+    double slope(const std::vector<double>& f, std::size_t i) const {
+        return c * (f[i + 1] - f[i - 1]) / 2;
+    }
+    void start(const std::vector<double>& u) {
+        v.assign(u.size(), 0);
+        p.assign(u.size(), 0);
+        for (std::size_t i = 1; i + 1 < u.size(); ++i) {
             p[i] = slope(u, i);
         }
-        for (std::size_t i = 2; i + 2 < all; ++i) {
+        for (std::size_t i = 2; i + 2 < u.size(); ++i) {
             v[i] = -dt / 2 * slope(p, i);
         }
+    }
+    void step() {
+        for (std::size_t i = 2; i + 2 < v.size(); ++i) {
+            v[i] = ((1 - losses[i]) * v[i] + dt * slope(p, i)) / (1 + losses[i]);
+        }
+        for (std::size_t i = 1; i + 1 < v.size(); ++i) {
+            p[i] = ((1 - losses[i]) * p[i] + dt * slope(v, i)) / (1 + losses[i]);
+        }
+    }
+};
+
+}  // namespace
+
+TEST_CASE("head-on it is the layer of first order of the chain") {
+    const nmbc::PlaneModel model = nmbc::nopd2d(1, 0.25, 0);
+    constexpr std::size_t nodes = 30;
+    constexpr double dt = 1.3;
+    const LossLayer layer{.nodes = 12, .profile = 2, .target = 1e-4};
+    const nmbc::PlaneSides sides{.left = nmbc::FixedSide{},
+                                 .right = room_for(layer),
+                                 .bottom = nmbc::PeriodicSide{},
+                                 .top = nmbc::PeriodicSide{}};
+    for (const std::size_t component : {0U, 1U}) {
+        nmbc::Plane plane(model, sides, {.nx = nodes, .ny = 3, .time_step = dt});
+        PlanePml pml(std::get<nmbc::CorrespondenceModel>(model.law()), {LossLayer{}, layer, {}, {}},
+                     plane);
+        FirstOrderChain chain{.c = component == 0 ? model.speed_P() : model.speed_S(), .dt = dt};
+        constexpr std::size_t all = 2 + nodes + 12 + 2;  // ghosts at both ends
+        std::vector<double> u(all, 0);
+        for (std::size_t i = 0; i < all; ++i) {
+            const double depth = (double(i) - 31.5) / 12;
+            const double largest = 0.5 * 3 * model.speed_P() * std::log(1e4) / 12 * dt / 2;
+            chain.losses.push_back(i < 32 ? 0 : largest * std::min(1.0, depth * depth));
+        }
+        for (std::size_t x = 0; x < nodes; ++x) {
+            u[2 + x] = std::exp(-std::pow(double(x) - 15, 2) / 4);
+            for (std::size_t y = 0; y < 3; ++y) {
+                plane.displacement(component)[plane.entry(x, y)] = u[2 + x];
+            }
+        }
+        chain.start(u);
         plane.start();
         double largest = 0;
         double error = 0;
@@ -111,23 +134,15 @@ TEST_CASE("head-on it is the layer of first order of the chain") {
             plane.advance(
                 1, [&](nmbc::Plane& body, double /*time*/) { pml(body); },
                 [](const nmbc::Plane& /*body*/) {});
-            for (std::size_t i = 2; i + 2 < all; ++i) {
-                v[i] = ((1 - loss(i)) * v[i] + dt * slope(p, i)) / (1 + loss(i));
-            }
-            for (std::size_t i = 1; i + 1 < all; ++i) {
-                p[i] = ((1 - loss(i)) * p[i] + dt * slope(v, i)) / (1 + loss(i));
-            }
+            chain.step();
             for (std::size_t x = 0; x < nodes; ++x) {
                 const double there = plane.velocity(component)[plane.entry(x, 1)];
-                largest = std::max(largest, std::abs(v[2 + x]));
-                error = std::max(error, std::abs(there - v[2 + x]));
+                largest = std::max(largest, std::abs(chain.v[2 + x]));
+                error = std::max(error, std::abs(there - chain.v[2 + x]));
             }
         }
         CHECK(largest > 0.1);
         CHECK(error < 1e-12 * largest);  // roundings of 60 steps
-        plane = nmbc::Plane(model, sides, {.nx = nodes, .ny = 3, .time_step = dt});
-        pml = PlanePml(std::get<nmbc::CorrespondenceModel>(model.law()),
-                       {LossLayer{}, layer, {}, {}}, plane);
     }
 }
 
@@ -140,7 +155,7 @@ TEST_CASE("from random data nothing grows at G = 1/4 and 1, nearly at the interi
                 CAPTURE(target);
                 Box box(nmbc::nopd2d(radius_squared, 0.25, G),
                         {.nodes = 6, .profile = 2, .target = target}, 0.99);
-                start_at_random(box.plane);
+                start_plane_at_random(box.plane);
                 double before = box.plane.energies().staggered;
                 for (std::size_t look = 0; look < 4; ++look) {
                     box.advance(250);
@@ -155,7 +170,7 @@ TEST_CASE("from random data nothing grows at G = 1/4 and 1, nearly at the interi
 
 TEST_CASE("at G = 0 fields grow in it") {
     Box box(nmbc::nopd2d(4, 0.25, 0), {.nodes = 6, .profile = 2, .target = 1e-4}, 0.9);
-    start_at_random(box.plane);
+    start_plane_at_random(box.plane);
     const double first = box.plane.energies().staggered;
     box.advance(4000);
     CHECK(box.plane.energies().staggered > 1e6 * first);
@@ -202,7 +217,7 @@ TEST_CASE("goes on from what it remembers, bit for bit") {
     const nmbc::PlaneModel model = nmbc::nopd2d(2, 0.25, 0.5);
     const LossLayer layer{.nodes = 5, .profile = 2, .target = 1e-3};
     Box whole(model, layer, 0.9);
-    start_at_random(whole.plane);
+    start_plane_at_random(whole.plane);
     whole.advance(20);
     Box rest(model, layer, 0.9);
     rest.plane.resume(whole.plane.state());

@@ -25,10 +25,8 @@ struct Advice {
     std::vector<SidePoint> others{};
     bool has_artificial = false;
 
-    bool is_proved(const SidePoint& point) const { return !may_grow(point.what.side.kind); }
-    const SidePoint& best() const {
-        return *std::ranges::find_if(ranked, [this](const auto& one) { return is_proved(one); });
-    }
+    static bool is_proved(const SidePoint& point) { return !may_grow(point.what.side.kind); }
+    const SidePoint& best() const { return *std::ranges::find_if(ranked, &is_proved); }
 };
 
 Advice advice_for(const PlaneScene& scene, double tolerance, bool quiet) {
@@ -102,7 +100,7 @@ void print_table(const Advice& advice) {
     fmt::print("meets it           run      error\n");
     for (const SidePoint& point : advice.ranked) {
         fmt::print("{}{}\n", row(point),
-                   advice.is_proved(point) ? "" : "  not proved to be stable");
+                   Advice::is_proved(point) ? "" : "  not proved to be stable");
     }
     fmt::print("left out\n");
     for (const SidePoint& point : advice.others) {

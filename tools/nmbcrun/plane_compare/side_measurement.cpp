@@ -43,9 +43,9 @@ void try_sides(SidePoint& point, Job job) {
 
 class Measurement {
   public:
-    Measurement(const PlaneScene& scene, const std::vector<SideCandidate>& candidates,
+    Measurement(PlaneScene scene, const std::vector<SideCandidate>& candidates,
                 std::size_t long_run)
-        : scene_(scene), long_run_(long_run) {
+        : scene_(std::move(scene)), long_run_(long_run) {
         for (const SideCandidate& what : candidates) {
             points_.push_back({.what = what});
         }

@@ -45,6 +45,7 @@ void write(const std::vector<SidePoint>& points, CsvFile& csv) {
 
 void print(const std::vector<SidePoint>& points) {
     std::vector<const SidePoint*> shown;
+    shown.reserve(points.size());
     for (const SidePoint& point : points) {
         shown.push_back(&point);
     }
