@@ -273,8 +273,10 @@ TEST_CASE("a hook before the sides may prescribe velocities, and one after the s
 TEST_CASE("waves that are uniform along a periodic axis are those of the polarisation's chain") {
     constexpr double G = 0.9;
     const PlaneModel model = nopd2d(1, 0.25, G);
-    for (const auto& [is_P, width] :
+    for (const auto& one :
          {std::pair{true, 4U}, std::pair{false, 4U}, std::pair{true, 1U}, std::pair{false, 3U}}) {
+        const bool is_P = one.first;
+        const std::size_t width = one.second;
         CAPTURE(is_P);
         CAPTURE(width);
         const MatchingTable& table =
