@@ -146,8 +146,9 @@ nmbc::PlaneSides sides_of(const PlaneScene& scene) {
         if (may_grow(side.kind) && !scene.allow_unstable) {
             const char* const known =
                 side.kind == SideKind::pml
-                    ? "such layers have no proof where their losses vary. At G = 0 they grow; at G "
-                      "from 1/4 on no growth was seen"
+                    ? "such layers have no proof where their losses vary, and some grow: at G = 0, "
+                      "with "
+                      "profiles far from 2, at Poisson's ratios near 1/2"
                     : "such sides amplify oblique waves of most lattices, and none is certified "
                       "with corners (nmbcgen recommend says what is known of this one)";
             throw Unstable(
