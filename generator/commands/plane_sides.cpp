@@ -210,8 +210,8 @@ std::string reflection_rows(std::string boundary, const PlaneLattice& lattice,
     for (const double xi : {0.1, 0.5, 1.0}) {
         for (const bool is_P : {true, false}) {
             for (int degrees = 0; degrees < 90; ++degrees) {
-                rows += fmt::format("{},{},{},{},{:.4g}\n", boundary, is_P ? 'P' : 'S', xi,
-                                    degrees, reflected(told_wave(lattice, is_P, xi, degrees)));
+                rows += fmt::format("{},{},{},{},{:.4g}\n", boundary, is_P ? 'P' : 'S', xi, degrees,
+                                    reflected(told_wave(lattice, is_P, xi, degrees)));
             }
         }
     }

@@ -28,8 +28,8 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
                                 const Progress& progress);
 
 /// CSV, what each of these boundaries sends back of a wave's energy, in any polarisation:
-/// `boundary`, without commas; `wave` P or S; its wave number `xi` [1/dX] of 0.1, 0.5 and 1; `degrees` from the
-/// normal, 0 to 89. Likewise.
+/// `boundary`, without commas; `wave` P or S; its wave number `xi` [1/dX] of 0.1, 0.5 and 1;
+/// `degrees` from the normal, 0 to 89. Likewise.
 std::string side_reflection_csv(const SideTask& model, const std::vector<AbsorbedWave>& absorbed,
                                 const Progress& progress);
 
