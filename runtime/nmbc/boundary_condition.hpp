@@ -49,9 +49,10 @@ class BoundaryCondition {
     /// What the other end has to be too, where this one is certified opposite its like only.
     virtual const BoundaryCoefficients* only_opposite() const { return nullptr; }
 
-    /// t = 0: called with v at 0, as the user gave it, and again with v at -dt/2. Ghost entries may
-    /// be overwritten.
-    virtual void start(NodeLine<Real> /*u*/, NodeLine<Real> /*v*/) {}
+    /// t = 0: called with v at 0, as the user gave it, and again with v at -dt/2. And wherever the
+    /// user has written to the fields between two steps, with u at step * dt and v half a step
+    /// before. Ghost entries may be overwritten.
+    virtual void start(NodeLine<Real> /*u*/, NodeLine<Real> /*v*/, std::size_t /*step*/) {}
 
     /// Between the two: the lattice's own forces have brought v from 0 to `duration` = -dt/2. An
     /// end with forces of its own puts the v of its layer right.

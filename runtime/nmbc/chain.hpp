@@ -223,8 +223,8 @@ class BasicChain {
     }
 
     void start_ends() {
-        left_->start({displacement_, End::left}, {velocity_, End::left});
-        right_->start({displacement_, End::right}, {velocity_, End::right});
+        left_->start({displacement_, End::left}, {velocity_, End::left}, steps_);
+        right_->start({displacement_, End::right}, {velocity_, End::right}, steps_);
     }
 
     bool is_damped() const { return !lattice_.damping.empty(); }

@@ -47,7 +47,7 @@ class FixedCondition final : public BoundaryCondition<Real> {
 
     std::size_t layer_nodes() const override { return layer_; }
 
-    void start(NodeLine<Real> u, NodeLine<Real> v) override {
+    void start(NodeLine<Real> u, NodeLine<Real> v, std::size_t /*step*/) override {
         hold(u);
         hold(v);
     }
@@ -73,7 +73,7 @@ class FreeCondition final : public BoundaryCondition<Real> {
 
     std::size_t least_interior_nodes() const override { return ghosts_; }
 
-    void start(NodeLine<Real> u, NodeLine<Real> v) override {
+    void start(NodeLine<Real> u, NodeLine<Real> v, std::size_t /*step*/) override {
         mirror(u);
         mirror(v);
     }

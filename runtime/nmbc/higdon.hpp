@@ -36,7 +36,7 @@ class HigdonCondition final : public BoundaryCondition<Real> {
     std::size_t least_interior_nodes() const override { return order_; }
 
     /// As if the nodes had come with these velocities.
-    void start(NodeLine<Real> u, NodeLine<Real> v) override {
+    void start(NodeLine<Real> u, NodeLine<Real> v, std::size_t /*step*/) override {
         for (std::size_t m = 1; m < order_; ++m) {
             for (std::size_t node = 0; node < width(); ++node) {
                 earlier(m, node) = u[node] - static_cast<Real>(m) * time_step_ * v[node];

@@ -15,4 +15,5 @@
 #include <nmbc/passive.hpp>
 #include <nmbc/plane.hpp>
 #include <nmbc/plane_stability.hpp>
+#include <nmbc/surface.hpp>
 #include <nmbc/table.hpp>

@@ -144,7 +144,7 @@ class PassiveCondition final : public BoundaryCondition<Real> {
     }
 
     /// Beyond the outermost node there is nothing: what stands there is 0 and acts on nothing.
-    void start(NodeLine<Real> u, NodeLine<Real> v) override {
+    void start(NodeLine<Real> u, NodeLine<Real> v, std::size_t /*step*/) override {
         for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
             u[ghost] = 0;
             v[ghost] = 0;

@@ -63,7 +63,7 @@ class GhostLines {
 
     void start(Fields& u, Fields& v) {
         for_each([&](BoundaryCondition<Real>& condition, std::size_t a, std::size_t line) {
-            condition.start({u[a], grid_, side_, line}, {v[a], grid_, side_, line});
+            condition.start({u[a], grid_, side_, line}, {v[a], grid_, side_, line}, 0);
         });
     }
 

@@ -39,7 +39,8 @@ struct DampingEnd {
       public:
         explicit Condition(std::size_t ghosts) : ghosts_(ghosts) {}
         std::size_t least_interior_nodes() const override { return 3; }
-        void start(nmbc::NodeLine<double> u, nmbc::NodeLine<double> v) override {
+        void start(nmbc::NodeLine<double> u, nmbc::NodeLine<double> v,
+                   std::size_t /*step*/) override {
             for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
                 u[ghost] = v[ghost] = 0;
             }

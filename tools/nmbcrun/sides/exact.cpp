@@ -29,7 +29,7 @@ class ExactCondition final : public nmbc::BoundaryCondition<double> {
 
     std::size_t least_interior_nodes() const override { return convolution_.reach(); }
 
-    void start(NodeLine<double> u, NodeLine<double> v) override {
+    void start(NodeLine<double> u, NodeLine<double> v, std::size_t /*step*/) override {
         require_rest(u, v);
         for (std::size_t ghost = 0; ghost < convolution_.reach(); ++ghost) {
             u[ghost] = 0;

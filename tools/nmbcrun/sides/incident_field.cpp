@@ -41,10 +41,10 @@ class IncidentFieldCondition final : public nmbc::BoundaryCondition<double> {
     std::size_t layer_nodes() const override { return inner_->layer_nodes(); }
     std::size_t least_interior_nodes() const override { return inner_->least_interior_nodes(); }
 
-    void start(Fields u, Fields v) override {
-        find_incident(-1);
+    void start(Fields u, Fields v, std::size_t step) override {
+        find_incident(double(step) - 1);
         const std::vector<double> v_incident = v_incident_;
-        find_incident(0);
+        find_incident(double(step));
         v_incident_ = v_incident;
         // What is further inside is for the inner end to compare with what is near: an exact one
         // takes for rest what is a rounding of the whole.
@@ -54,7 +54,7 @@ class IncidentFieldCondition final : public nmbc::BoundaryCondition<double> {
         }
         take_off(u, v);
         drop_roundings();
-        inner_->start({u_, end_}, {v_, end_});
+        inner_->start({u_, end_}, {v_, end_}, step);
         add_again(u, {u_, end_}, {u_incident_, end_});
         add_again(v, {v_, end_}, {v_incident_, end_});
     }

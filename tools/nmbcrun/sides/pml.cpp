@@ -72,7 +72,7 @@ class PmlCondition final : public nmbc::BoundaryCondition<double> {
     std::size_t layer_nodes() const override { return layer_; }
     std::size_t least_interior_nodes() const override { return half_width_; }
 
-    void start(Field u, Field v) override {
+    void start(Field u, Field v, std::size_t /*step*/) override {
         for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
             u[ghost] = 0;
             v[ghost] = 0;

@@ -21,7 +21,7 @@ class SpongeCondition final : public nmbc::BoundaryCondition<double> {
 
     std::size_t layer_nodes() const override { return losses_.size(); }
 
-    void start(Field u, Field v) override {
+    void start(Field u, Field v, std::size_t /*step*/) override {
         for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
             u[ghost] = 0;
             v[ghost] = 0;

@@ -37,7 +37,7 @@ class MbcCondition final : public nmbc::BoundaryCondition<double> {
         return std::max(boundary_.reach() - boundary_.ghost_layers(), n_);
     }
 
-    void start(Field u, Field v) override {
+    void start(Field u, Field v, std::size_t /*step*/) override {
         for (std::size_t unused = 0; unused < n_; ++unused) {
             u[unused] = 0;
             v[unused] = 0;

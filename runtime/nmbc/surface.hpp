@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+/// True surfaces: ends at which the body ends, with a displacement or a traction that is given in
+/// time. The ghosts stand in for the neighbours that the families beside the surface lack.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <nmbc/boundary_condition.hpp>
+#include <nmbc/certificate.hpp>
+#include <nmbc/lattice.hpp>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace nmbc {
+
+/// What is given on the surface.
+enum class OnSurface {
+    displacement,  ///< Dirichlet: u [length]
+    traction,      ///< Neumann: the force on the body per area [stress], along X as u is
+};
+
+/// How the ghosts follow. The surface is midway between the outermost interior node and the
+/// innermost ghost; nodes and ghosts are counted from it, 1, 2, ..
+enum class Closure {
+    /// The mirror image about the surface: ghost f has 2 u_s - u_f, u_s the displacement given, or
+    /// u_f + (2f - 1) dX e, e the strain of the traction. The chain is one half of a longer one.
+    mirror,
+    /// The surface node method (SNM 2023), (4) and (5): the ghosts lie on the line through the
+    /// surface and the nearest node, and the bonds across the surface bear the traction. For
+    /// chains of bonds.
+    surface_node,
+};
+
+/// A true end. Both closures keep shifts and uniform strains exactly.
+///
+/// A mirror keeps the energy while nothing is given. A surface node has no energy: its rows are not
+/// symmetric. Of bonds w_k > 0 between which one wave travels at every frequency it sends that wave
+/// back whole, since its rows are real; `largest_eigenvalue` limits the step.
+struct SurfaceEnd {
+    Closure closure = Closure::mirror;
+    OnSurface given = OnSurface::traction;
+    std::function<double(double time)> value{};  ///< none: 0 at all times
+
+    /// Throws NotCertified for a surface node in steps that are too long, std::invalid_argument for
+    /// a surface node of a damped lattice or one whose bonds across the surface bear nothing.
+    template <class Real>
+    std::unique_ptr<BoundaryCondition<Real>> make(const Lattice& lattice, const ChainParameters& p,
+                                                  std::type_identity<Real> precision) const;
+};
+
+/// Bounds -lambda of u'' = lambda u [c^2/dX^2] in a chain of so many interior nodes with surface
+/// nodes at both ends, where this is given: 1 % above the largest, which is the interior's or that
+/// of a mode that decays inwards.
+double largest_eigenvalue(const Lattice& lattice, OnSurface given, std::size_t nodes);
+
+namespace detail {
+
+/// u of the ghosts, nearest first, as they follow from the nodes, nearest first, and from the value
+/// given: rows . u + given [length] value.
+struct GhostRows {
+    std::size_t count = 0;
+    std::vector<double> rows{};  ///< count times count, row by row
+    std::vector<double> given{};
+};
+
+/// A traction is in units of E/dX: the elongation that it makes of a node's length.
+inline GhostRows mirror_rows(const Lattice& lattice, OnSurface given) {
+    const std::size_t count = lattice.reach();
+    double modulus = 0;
+    for (std::size_t k = 1; k <= count; ++k) {
+        modulus -= static_cast<double>(k * k) * lattice.symbol[k];
+    }
+    const bool is_traction = given == OnSurface::traction;
+    GhostRows ghosts{count, std::vector<double>(count * count), std::vector<double>(count)};
+    for (std::size_t f = 1; f <= count; ++f) {
+        ghosts.rows[(f - 1) * count + f - 1] = is_traction ? 1 : -1;
+        ghosts.given[f - 1] = is_traction ? static_cast<double>(2 * f - 1) / modulus : 2;
+    }
+    return ghosts;
+}
+
+/// (4), and (5) for u_s. The bonds of length k have the force -symbol[k] (u_{i+k} - u_i).
+inline GhostRows surface_node_rows(const Lattice& lattice, OnSurface given) {
+    const std::size_t count = lattice.reach();
+    std::vector<double> surface(count);  // u_s = sum_i surface_i u_i + load value
+    double load = 1;
+    if (given == OnSurface::traction) {
+        double own = 0;
+        for (std::size_t k = 1; k <= count; ++k) {
+            for (std::size_t f = 1; f <= k; ++f) {
+                own -= lattice.symbol[k] * static_cast<double>(2 * f);
+                surface[0] -= lattice.symbol[k] * static_cast<double>(2 * f - 1);
+                surface[k - f] -= lattice.symbol[k];
+            }
+        }
+        if (!(own > 0)) {
+            throw std::invalid_argument("a surface node needs bonds that bear a traction");
+        }
+        for (double& entry : surface) {
+            entry /= own;
+        }
+        load = 1 / own;
+    }
+    GhostRows ghosts{count, std::vector<double>(count * count), std::vector<double>(count)};
+    for (std::size_t f = 1; f <= count; ++f) {
+        for (std::size_t i = 0; i < count; ++i) {
+            ghosts.rows[(f - 1) * count + i] = static_cast<double>(2 * f) * surface[i];
+        }
+        ghosts.rows[(f - 1) * count] -= static_cast<double>(2 * f - 1);
+        ghosts.given[f - 1] = static_cast<double>(2 * f) * load;
+    }
+    return ghosts;
+}
+
+template <class Real>
+class SurfaceCondition final : public BoundaryCondition<Real> {
+  public:
+    /// unit [length]: of a value of 1.
+    SurfaceCondition(const GhostRows& ghosts, double unit, double time_step,
+                     std::function<double(double)> value)
+        : ghosts_(ghosts.count),
+          rows_(ghosts.rows.begin(), ghosts.rows.end()),
+          given_(ghosts.given),
+          time_step_(time_step),
+          value_(std::move(value)) {
+        for (double& factor : given_) {
+            factor *= unit;
+        }
+    }
+
+    std::size_t least_interior_nodes() const override { return ghosts_; }
+
+    void start(NodeLine<Real> u, NodeLine<Real> v, std::size_t step) override {
+        const double time = static_cast<double>(step) * time_step_;
+        const double now = at(time);
+        const double rate = (now - at(time - time_step_)) / time_step_;
+        for (std::size_t f = 0; f < ghosts_; ++f) {
+            u[ghosts_ - 1 - f] = row(f, u) + static_cast<Real>(given_[f] * now);
+            v[ghosts_ - 1 - f] = row(f, v) + static_cast<Real>(given_[f] * rate);
+        }
+    }
+
+    /// The velocity that brings each ghost to its place, so that no rounding adds up.
+    void after_kick(NodeLine<const Real> u, NodeLine<Real> v, std::size_t step) override {
+        const double next = at(static_cast<double>(step + 1) * time_step_);
+        const auto dt = static_cast<Real>(time_step_);
+        const NodeLine<const Real> velocity = v;
+        for (std::size_t f = 0; f < ghosts_; ++f) {
+            const std::size_t ghost = ghosts_ - 1 - f;
+            const Real off = row(f, u) + static_cast<Real>(given_[f] * next) - u[ghost];
+            v[ghost] = row(f, velocity) + off / dt;
+        }
+    }
+
+  private:
+    double at(double time) const { return value_ ? value_(time) : 0; }
+
+    Real row(std::size_t f, NodeLine<const Real> field) const {
+        Real sum = 0;
+        for (std::size_t i = 0; i < ghosts_; ++i) {
+            sum += rows_[f * ghosts_ + i] * field[ghosts_ + i];
+        }
+        return sum;
+    }
+
+    std::size_t ghosts_;
+    std::vector<Real> rows_;
+    std::vector<double> given_;
+    double time_step_;
+    std::function<double(double)> value_;
+};
+
+/// -lambda of the fastest mode of a chain with like ends, by power iteration; of the interior, if
+/// that is more.
+inline double fastest_eigenvalue(const Lattice& lattice, const GhostRows& ghosts,
+                                 std::size_t nodes) {
+    const std::size_t n = ghosts.count;
+    std::vector<double> u(nodes + 2 * n);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        u[i] = i % 2 == 0 ? 1 : -1;
+    }
+    std::vector<double> next(u.size());
+    double largest = 0;
+    constexpr int enough = 400;  // the error falls by the ratio of eigenvalues every time
+    for (int iteration = 0; iteration < enough; ++iteration) {
+        for (std::size_t f = 0; f < n; ++f) {
+            double left = 0;
+            double right = 0;
+            for (std::size_t i = 0; i < n; ++i) {
+                left += ghosts.rows[f * n + i] * u[n + i];
+                right += ghosts.rows[f * n + i] * u[n + nodes - 1 - i];
+            }
+            u[n - 1 - f] = left;
+            u[n + nodes + f] = right;
+        }
+        accelerations(lattice, 1, u, next);
+        largest = 0;
+        for (std::size_t node = n; node < n + nodes; ++node) {
+            largest = std::max(largest, std::abs(next[node]));
+        }
+        for (std::size_t node = n; node < n + nodes; ++node) {
+            u[node] = next[node] / largest;
+        }
+    }
+    const double top = maximum_frequency(lattice);
+    return std::max(largest, top * top);
+}
+
+}  // namespace detail
+
+inline double largest_eigenvalue(const Lattice& lattice, OnSurface given, std::size_t nodes) {
+    const std::size_t n = lattice.reach();
+    // In a longer chain what decays from one end is gone at the other.
+    const std::size_t short_enough = std::clamp(nodes, n, 6 * n + 8);
+    constexpr double margin = 1.01;
+    return margin * detail::fastest_eigenvalue(lattice, detail::surface_node_rows(lattice, given),
+                                               short_enough);
+}
+
+template <class Real>
+std::unique_ptr<BoundaryCondition<Real>> SurfaceEnd::make(
+    const Lattice& lattice, const ChainParameters& p,
+    std::type_identity<Real> /*precision*/) const {
+    const bool is_mirror = closure == Closure::mirror;
+    if (!is_mirror) {
+        if (!lattice.damping.empty()) {
+            throw std::invalid_argument("a surface node needs a lattice without damping");
+        }
+        const double longest = 2 / std::sqrt(largest_eigenvalue(lattice, given, p.nodes));
+        const double step = p.time_step * p.wave_speed() / p.spacing;
+        if (!(step <= longest)) {
+            throw NotCertified("a chain with this surface node is stable in steps up to " +
+                               std::to_string(longest) + " dX/c, and the step is " +
+                               std::to_string(step) + " dX/c");
+        }
+    }
+    const detail::GhostRows ghosts =
+        is_mirror ? detail::mirror_rows(lattice, given) : detail::surface_node_rows(lattice, given);
+    const double unit = given == OnSurface::traction ? p.spacing / p.youngs_modulus : 1;
+    return std::make_unique<detail::SurfaceCondition<Real>>(ghosts, unit, p.time_step, value);
+}
+
+}  // namespace nmbc
