@@ -114,7 +114,7 @@ void print_reflections(const Simulation& simulation, const nmbc::Chain& endless)
 bool verify(const Scene& scene, double tolerance, bool quiet) {
     if (is_physical(scene.left.kind) && is_physical(scene.right.kind)) {
         throw SceneError(
-            "both ends are physical, fixed or free, and verify looks at what artificial ones do: "
+            "both ends are physical, and verify looks at what artificial ones do: "
             "there is none");
     }
     Simulation simulation(scene);

@@ -239,6 +239,11 @@ Advice watched_advice(const Scene& scene, double tolerance, Watch& watch, const 
 }  // namespace
 
 Advice advice_for(const Scene& scene, double tolerance, const Pause& pause) {
+    if (has_loaded_surface(scene)) {
+        throw SceneError(
+            "nothing is advised for a scene with a value on a surface: what the surface sends out "
+            "is not predicted. nmbcrun chart measures what the ends do");
+    }
     Candidates candidates = find_candidates(scene, tolerance, pause);
     if (candidates.meet.empty()) {
         std::string reasons;

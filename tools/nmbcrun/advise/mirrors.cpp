@@ -27,13 +27,15 @@ std::vector<double> Mirrors::folded(std::span<const double> field) const {
         double value = node < 0 ? -field[std::size_t(entry)] : field[std::size_t(entry)];
         // A fixed end's own node is its own image, so that nothing of it is left.
         while ((node < 0 && at_left()) || (node >= nodes && at_right())) {
-            const bool fixed = (node < 0 ? left_ : right_) == BoundaryKind::fixed;
+            const Boundary& end = node < 0 ? left_ : right_;
+            const bool fixed = end.kind == BoundaryKind::fixed;
             const std::ptrdiff_t sum = sum_with_image(node < 0, fixed, nodes);
             if (2 * node == sum) {
                 value = 0;
                 break;
             }
-            value = fixed ? -value : value;
+            const bool held = is_surface(end.kind) && end.given == nmbc::OnSurface::displacement;
+            value = fixed || held ? -value : value;
             node = sum - node;
         }
         if (node >= 0 && node < nodes) {

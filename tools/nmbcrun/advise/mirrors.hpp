@@ -15,10 +15,10 @@ namespace nmbcrun {
 class Mirrors {
   public:
     explicit Mirrors(const Scene& scene)
-        : left_(scene.left.kind), right_(scene.right.kind), nodes_(scene.nodes) {}
+        : left_(scene.left), right_(scene.right), nodes_(scene.nodes) {}
 
-    bool at_left() const { return is_physical(left_); }
-    bool at_right() const { return is_physical(right_); }
+    bool at_left() const { return is_physical(left_.kind); }
+    bool at_right() const { return is_physical(right_.kind); }
     int count() const { return int(at_left()) + int(at_right()); }
 
     /// u of the interior nodes. field: of a WaveGrid, which has the interior from its first entry
@@ -26,8 +26,8 @@ class Mirrors {
     std::vector<double> folded(std::span<const double> field) const;
 
   private:
-    BoundaryKind left_;
-    BoundaryKind right_;
+    Boundary left_;
+    Boundary right_;
     std::size_t nodes_;
 };
 

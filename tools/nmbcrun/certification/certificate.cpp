@@ -7,6 +7,7 @@
 #include <complex>
 #include <nmbc/certificate.hpp>
 #include <nmbc/lattice.hpp>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -131,12 +132,29 @@ std::string objection_to_tables(const Scene& scene, const nmbc::MatchingTable& l
     return "";
 }
 
+/// A surface node sends a wave back whole where it is the only one of its frequency.
+bool has_one_wave_everywhere(const nmbc::Lattice& lattice) {
+    const std::size_t samples = 64 * lattice.reach();  // 64 to each maximum that there may be
+    for (std::size_t i = 1; i < samples; ++i) {
+        const double xi = std::numbers::pi * double(i) / double(samples);
+        if (nmbc::omega_squared_slope(lattice, xi) <= 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /// The objection where the waves of the two ends need not be looked at: none between ends that add
 /// no energy, none to an nmbc at a step where it is certified for any such end. Nothing where they
 /// have to be: between two nmbc, and against ends whose reflections are known.
-std::optional<std::string> decided_without_waves(const Scene& scene,
+std::optional<std::string> decided_without_waves(const Scene& scene, const nmbc::Lattice& lattice,
                                                  const nmbc::MatchingTable& left,
                                                  const nmbc::MatchingTable& right, double cfl) {
+    const bool has_surface_node =
+        scene.left.kind == BoundaryKind::snm || scene.right.kind == BoundaryKind::snm;
+    if (has_surface_node && !has_one_wave_everywhere(lattice)) {
+        return "there is no certificate for a surface node where several waves have one frequency";
+    }
     for (const Boundary& boundary : {scene.left, scene.right}) {
         if (!has_certificate(boundary.kind)) {
             return fmt::format(
@@ -209,7 +227,8 @@ std::string PairOfEnds::objection(double time_step, double cfl) {
         return objection_to_one(*own, verdict.failure, verdict.growth, verdict.wave_number, place,
                                 step, time_step);
     }
-    if (const auto decided = decided_without_waves(scene, left_.table, right_.table, cfl)) {
+    if (const auto decided =
+            decided_without_waves(scene, lattice_, left_.table, right_.table, cfl)) {
         return *decided;
     }
     const Ends ends = ends_of(scene, in_time(left_), in_time(right_), step);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nmbc/boundary.hpp>
 #include <nmbc/certificate.hpp>
+#include <nmbc/surface.hpp>
 #include <optional>
 #include <utility>
 
@@ -41,6 +42,16 @@ AutomaticStep with_their_like(const Scene& scene, const nmbc::Lattice& lattice) 
         if (boundary->kind == BoundaryKind::passive && DesignedEnd::largest_cfl < step.cfl) {
             step.cfl = DesignedEnd::largest_cfl;
             step.limit = "what passive ends are designed for";
+        }
+        if (boundary->kind == BoundaryKind::snm) {
+            // omega_max over that of the surface's own mode, or of the interior and its margin.
+            const double cfl =
+                nmbc::maximum_frequency(lattice) /
+                std::sqrt(nmbc::largest_eigenvalue(lattice, boundary->given, scene.nodes));
+            if (cfl < step.cfl) {
+                step.cfl = cfl * (1 - 1e-9);
+                step.limit = "what a surface node allows";
+            }
         }
         const Boundary& opposite = boundary == &scene.left ? scene.right : scene.left;
         const double time_step = 2 * step.cfl / nmbc::maximum_frequency(lattice);

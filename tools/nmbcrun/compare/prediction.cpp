@@ -19,6 +19,8 @@ std::optional<std::function<double(double xi)>> reflected_energy_of(const Scene&
     switch (boundary.kind) {
         case BoundaryKind::fixed:
         case BoundaryKind::free:
+        case BoundaryKind::mirror:
+        case BoundaryKind::snm:
             return [](double) { return 1.0; };
         case BoundaryKind::exact:
             return [](double) { return 0.0; };

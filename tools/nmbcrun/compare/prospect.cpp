@@ -133,7 +133,7 @@ double not_carried(const SourceSpectrum& source, const nmbc::Lattice& lattice, d
 
 /// The key that makes a source longer, and where the scene has its value.
 struct Length {
-    const char* key;
+    std::string key;
     double* value;    ///< nullptr: a source from a file has none
     bool is_inverse;  ///< the source is the longer, the smaller the value is
 };
@@ -150,11 +150,14 @@ Length length_of(Scene& scene, const std::string& source) {
                 scene.initial->kind == InitialKind::file ? nullptr : &scene.initial->pulse.width,
                 false};
     }
-    const bool is_sine = scene.force->history == History::sine;
-    return {is_sine ? "force.frequency" : "force.duration",
-            is_sine                                 ? &scene.force->frequency
-            : scene.force->history == History::file ? nullptr
-                                                    : &scene.force->duration,
+    ForceHistory& force = source == "boundary.left.value"    ? *scene.left.value
+                          : source == "boundary.right.value" ? *scene.right.value
+                                                             : *scene.force;
+    const bool is_sine = force.history == History::sine;
+    return {source + (is_sine ? ".frequency" : ".duration"),
+            is_sine                          ? &force.frequency
+            : force.history == History::file ? nullptr
+                                             : &force.duration,
             is_sine};
 }
 
@@ -179,14 +182,22 @@ std::string what_would_do(const Simulation& simulation, const std::string& sourc
     drop_unless("initial", scene.initial);
     drop_unless("force", scene.force);
     drop_unless("incoming", scene.incoming);
+    drop_unless("boundary.left.value", scene.left.value);
+    drop_unless("boundary.right.value", scene.right.value);
     const auto [key, value, is_inverse] = length_of(scene, source);
     constexpr double longer = 1.25;
     const nmbc::Lattice& lattice = simulation.chain().lattice();
     for (double factor = longer; value != nullptr && factor < 1e3; factor *= longer) {
         *value *= is_inverse ? 1 / longer : longer;
         scene.end *= longer;
+        // none of it is cut off at t = 0
         if (scene.force) {
-            scene.force->time *= longer;  // none of it is cut off at t = 0
+            scene.force->time *= longer;
+        }
+        for (Boundary* end : {&scene.left, &scene.right}) {
+            if (end->value) {
+                end->value->time *= longer;
+            }
         }
         const auto spectra = source_spectra(scene, lattice, simulation.plan().time_step);
         if (not_carried(spectra.front(), lattice, step) <= most_not_carried) {

@@ -6,12 +6,13 @@
 #include <complex>
 #include <functional>
 #include <numbers>
+#include <tuple>
 #include <unsupported/Eigen/FFT>
 #include <utility>
 
 #include "tools/nmbcrun/compare/packet.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
-#include "tools/nmbcrun/sources/forcing.hpp"
+#include "tools/nmbcrun/sources/force_in_time.hpp"
 #include "tools/nmbcrun/sources/incoming_wave.hpp"
 #include "tools/nmbcrun/sources/initial_fields.hpp"
 #include "tools/nmbcrun/sources/nodes_within.hpp"
@@ -97,28 +98,28 @@ Spectrum spectrum_of(const Pulse& pulse, double spacing,
     return Spectrum(std::move(energies));
 }
 
-/// What a step of a force gives the velocities of its nodes, by the angle by which a wave turns in
-/// a step.
-Spectrum spectrum_of_force(const Scene& scene, const nmbc::Lattice& lattice, double time_step) {
-    const Forcing forcing(scene, time_step);
+/// What a force gives the velocities of so many nodes [dX/c times v], by the angle by which a wave
+/// turns meanwhile. change: from a time on, for so long.
+Spectrum spectrum_of_changes(
+    const Scene& scene, const nmbc::Lattice& lattice, double time_step, const ForceHistory& force,
+    const std::string& column, double nodes,
+    const std::function<double(const ForceInTime&, double time, double between)>& change) {
+    const ForceInTime in_time(force, column);
     const double unit = unit_of_time(scene);
     constexpr double most = 1 << 20;
     double last = scene.end;
-    if (scene.force->history == History::sine) {  // the beginning of a long one has its band
-        last = std::min(last, scene.force->time + scene.force->cycles / scene.force->frequency);
-        last = std::min(last, scene.force->time + most * time_step);
+    if (force.history == History::sine) {  // the beginning of a long one has its band
+        last = std::min(last, force.time + force.cycles / force.frequency);
+        last = std::min(last, force.time + most * time_step);
     }
-    const double first =
-        scene.force->history == History::sine ? std::max(0.0, scene.force->time) : 0;
+    const double first = force.history == History::sine ? std::max(0.0, force.time) : 0;
     const double between =  // others that are as long are slow
         std::max(time_step, time_step * std::ceil((last - first) / time_step / most));
     std::vector<double> changes;
-    for (double time = first; time <= last && forcing.drives(time); time += between) {
-        changes.push_back(between * forcing.force_at(time) / scene.density * unit);
+    for (double time = first; time <= last && in_time.drives(time); time += between) {
+        changes.push_back(change(in_time, time, between));
     }
     const MeanPower power(changes);
-    const auto nodes =
-        double(nodes_within(scene, scene.force->centre, scene.force->half_width).size());
     const auto angle = [&](double xi) {
         const double sine = omega_of(lattice, xi) * time_step / unit / 2;
         return 2 * std::asin(std::min(sine, 1.0)) * between / time_step;
@@ -132,6 +133,29 @@ Spectrum spectrum_of_force(const Scene& scene, const nmbc::Lattice& lattice, dou
             power.between(angle(xi - width_of_part / 2), angle(xi + width_of_part / 2)));
     }
     return Spectrum(std::move(energies));
+}
+
+Spectrum spectrum_of_force(const Scene& scene, const nmbc::Lattice& lattice, double time_step) {
+    const auto change = [&](const ForceInTime& force, double time, double between) {
+        return between * force.at(time) / scene.density * unit_of_time(scene);
+    };
+    const auto nodes =
+        double(nodes_within(scene, scene.force->centre, scene.force->half_width).size());
+    return spectrum_of_changes(scene, lattice, time_step, *scene.force, "force", nodes, change);
+}
+
+/// A traction t on a surface moves the bar as the force 2 t/dX on one node of a longer bar moves
+/// each half of it; a displacement g as the traction rho c g'.
+Spectrum spectrum_of_surface(const Scene& scene, const nmbc::Lattice& lattice, double time_step,
+                             const Boundary& end) {
+    const double of_each_half = std::sqrt(0.5);
+    const double of_traction = 2 * of_each_half / (scene.density * wave_speed(scene));
+    const auto change = [&](const ForceInTime& value, double time, double between) {
+        return end.given == nmbc::OnSurface::traction
+                   ? of_traction * between * value.at(time)
+                   : 2 * of_each_half * (value.at(time + between) - value.at(time));
+    };
+    return spectrum_of_changes(scene, lattice, time_step, *end.value, "value", 1, change);
 }
 
 Spectrum spectrum_of_file(const Scene& scene, const nmbc::Lattice& lattice, double time_step) {
@@ -228,6 +252,13 @@ std::vector<SourceSpectrum> source_spectra(const Scene& scene, const nmbc::Latti
     if (scene.force) {
         add("force", spectrum_of_force(scene, lattice, time_step), scene.force->centre,
             scene.force->half_width);
+    }
+    for (const auto& [name, end, node] : {std::tuple("boundary.left.value", &scene.left, 0.0),
+                                          {"boundary.right.value", &scene.right, last_node}}) {
+        if (end->value) {
+            spectra.push_back(
+                {name, spectrum_of_surface(scene, lattice, time_step, *end), node, node});
+        }
     }
     if (scene.incoming) {
         const double step = time_step / unit_of_time(scene);

@@ -46,6 +46,11 @@ std::vector<std::filesystem::path> inputs(const Scene& scene) {
     if (scene.force) {
         files.push_back(scene.force->file);
     }
+    for (const Boundary& end : {scene.left, scene.right}) {
+        if (end.value) {
+            files.push_back(end.value->file);
+        }
+    }
     return files;
 }
 

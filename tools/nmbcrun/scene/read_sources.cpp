@@ -146,10 +146,15 @@ void read_sources(SceneReader& reader, const std::string& path, Scene& scene) {
     read(scene.force, read_force, group("force"), "force");
     read(scene.incoming, read_incoming, group("incoming"), "incoming");
     read(scene.preload, read_preload, group("preload"), "preload");
-    if (!scene.drive && !scene.initial && !scene.force && !scene.incoming && !scene.preload) {
+}
+
+void require_a_source(const std::string& path, const Scene& scene) {
+    if (!scene.drive && !scene.initial && !scene.force && !scene.incoming && !scene.preload &&
+        !has_loaded_surface(scene)) {
         throw SceneError(path +
                          ": nothing starts or drives the scene: it needs at least one of the "
-                         "tables drive, initial, force, incoming and preload");
+                         "tables drive, initial, force, incoming and preload, or a value on a "
+                         "surface");
     }
 }
 
@@ -171,6 +176,11 @@ void require_physical_sources(const SceneReader& reader, const Scene& scene) {
         reader.fail("initial.shape", "must not be \"csv\" beside " + beside +
                                          ": that is the field of one lattice and time step");
     }
+    if (has_loaded_surface(scene)) {
+        reader.fail(scene.left.value ? "boundary.left.value" : "boundary.right.value",
+                    "must not be there beside " + beside +
+                        ": what it makes of the surface's waves is not predicted");
+    }
     if (scene.tau != "0") {
         reader.fail("model.damping", "must be 0 beside " + beside +
                                          ": the wave equation, whose waves are sought, has none");
@@ -179,7 +189,7 @@ void require_physical_sources(const SceneReader& reader, const Scene& scene) {
 
 void require_sources_in_run(const SceneReader& reader, const Scene& scene) {
     constexpr double widths = 6.5;  // exp(-42), times the 84 of a ricker
-    const auto starts_late = [&](const char* key, double start) {
+    const auto starts_late = [&](const std::string& key, double start) {
         if (start > scene.end) {
             reader.fail(key, fmt::format("lets it begin at t = {:.4g}, after time.end = {:g}",
                                          start, scene.end));
@@ -197,15 +207,24 @@ void require_sources_in_run(const SceneReader& reader, const Scene& scene) {
                                     first, last));
         }
     }
-    if (scene.force) {
-        const Force& force = *scene.force;
+    const auto in_run = [&](const std::string& group, const ForceHistory& force) {
+        const std::string key = group + ".time";
         const bool has_middle = force.duration > 0;
-        starts_late("force.time", force.time - (has_middle ? widths * force.duration : 0));
+        starts_late(key, force.time - (has_middle ? widths * force.duration : 0));
         const double rest = has_middle ? widths * force.duration
                                        : force.cycles / force.frequency;  // of a file: inf
         if (force.time + rest < 0) {
-            reader.fail("force.time", "lets it end before the run begins, at t = 0");
+            reader.fail(key, "lets it end before the run begins, at t = 0");
         }
+    };
+    if (scene.force) {
+        in_run("force", *scene.force);
+    }
+    if (scene.left.value) {
+        in_run("boundary.left.value", *scene.left.value);
+    }
+    if (scene.right.value) {
+        in_run("boundary.right.value", *scene.right.value);
     }
     if (scene.incoming) {
         const double way = widths * scene.incoming->pulse.width / wave_speed(scene);

@@ -16,9 +16,11 @@ History history_of(const KeyGroup& group);
 ForceHistory read_history(const KeyGroup& group, History history);
 
 /// Sets the scene's sources. path: of the scene file, whose folder those of files are relative to.
-/// Throws SceneError where a source is incomplete, has a key that it does not take, or where there
-/// is none at all.
+/// Throws SceneError where a source is incomplete or has a key that it does not take.
 void read_sources(SceneReader& reader, const std::string& path, Scene& scene);
+
+/// Throws SceneError where there is no source at all.
+void require_a_source(const std::string& path, const Scene& scene);
 
 /// Of a scene whose horizon or G is "auto": throws SceneError where its sources or its damping are
 /// not the same at any lattice, or where the wave equation's answer to them is not known.

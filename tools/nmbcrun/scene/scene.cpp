@@ -28,7 +28,8 @@ constexpr double pml_target = 1e-4;
 
 const std::vector<std::pair<std::string_view, BoundaryKind>> boundary_kinds{
     {"nmbc", BoundaryKind::nmbc},     {"fixed", BoundaryKind::fixed},
-    {"free", BoundaryKind::free},     {"extended", BoundaryKind::extended},
+    {"free", BoundaryKind::free},     {"mirror", BoundaryKind::mirror},
+    {"snm", BoundaryKind::snm},       {"extended", BoundaryKind::extended},
     {"exact", BoundaryKind::exact},   {"sponge", BoundaryKind::sponge},
     {"pml", BoundaryKind::pml},       {"passive", BoundaryKind::passive},
     {"higdon", BoundaryKind::higdon}, {"truncated", BoundaryKind::truncated}};
@@ -46,6 +47,9 @@ std::vector<std::string_view> keys_of(BoundaryKind kind) {
         case BoundaryKind::sponge:
         case BoundaryKind::pml:
             return {"layer", "profile", "target"};
+        case BoundaryKind::mirror:
+        case BoundaryKind::snm:
+            return {"given"};
         case BoundaryKind::fixed:
         case BoundaryKind::free:
         case BoundaryKind::exact:
@@ -71,7 +75,7 @@ void refuse_idle_keys(SceneReader& reader, const std::string& group, BoundaryKin
     const bool kind_is_overridden = std::ranges::any_of(
         of_kinds, [&](const std::string& key) { return reader.is_overridden(key); });
     for (const std::string_view name :
-         {"order", "stride", "ghosts", "matched_step", "layer", "profile", "target"}) {
+         {"order", "stride", "ghosts", "matched_step", "layer", "profile", "target", "given"}) {
         const std::string key = fmt::format("{}.{}", group, name);
         const bool idle =
             !counts(name, kind) &&
@@ -108,6 +112,9 @@ Boundary read_boundary(SceneReader& reader, const std::string& group, const Boun
     const auto layer = reader.whole_number(group + ".layer", 1, most_layer);
     const auto profile = reader.number(group + ".profile", up_to_10);
     const auto target = reader.number(group + ".target", between_0_and_1);
+    const auto given = read_choice<nmbc::OnSurface>(
+        reader, group + ".given",
+        {{"traction", nmbc::OnSurface::traction}, {"displacement", nmbc::OnSurface::displacement}});
     return {
         .kind = kind.value_or(others.kind),
         .order = int(order.value_or(others.order)),
@@ -116,7 +123,25 @@ Boundary read_boundary(SceneReader& reader, const std::string& group, const Boun
         .matched_step = read_exact(reader, group + ".matched_step").value_or(others.matched_step),
         .layer = std::size_t(layer.value_or(long(others.layer))),
         .profile = profile.value_or(others.profile),
-        .target = target ? target : others.target};
+        .target = target ? target : others.target,
+        .given = given.value_or(others.given),
+        .value = {}};
+}
+
+/// What is given on the surface at one end.
+std::optional<ForceHistory> read_value(SceneReader& reader, const std::string& path,
+                                       const std::string& end, BoundaryKind kind) {
+    const std::string name = end + ".value";
+    if (!reader.has(name)) {
+        return std::nullopt;
+    }
+    if (!is_surface(kind)) {
+        reader.fail(name, fmt::format("does not count for kind \"{}\"; it is given on a \"mirror\" "
+                                      "or an \"snm\"",
+                                      name_of(kind)));
+    }
+    const KeyGroup group(reader, name, path);
+    return read_history(group, history_of(group));
 }
 
 /// The nearest double to an exact number in a string, or a number. It has no default: 0 is standard
@@ -208,7 +233,11 @@ std::string_view name_of(BoundaryKind kind) {
 }
 
 bool is_physical(BoundaryKind kind) {
-    return kind == BoundaryKind::fixed || kind == BoundaryKind::free;
+    return kind == BoundaryKind::fixed || kind == BoundaryKind::free || is_surface(kind);
+}
+
+bool is_surface(BoundaryKind kind) {
+    return kind == BoundaryKind::mirror || kind == BoundaryKind::snm;
 }
 
 Scene with_artificial_ends(Scene scene, const Boundary& boundary) {
@@ -254,6 +283,13 @@ std::string heading_of(const Boundary& boundary) {
                                boundary.layer, boundary.profile, target_of(boundary));
         case BoundaryKind::higdon:
             return fmt::format("higdon of order {}", boundary.order);
+        case BoundaryKind::mirror:
+        case BoundaryKind::snm:
+            return fmt::format("{} {}{}",
+                               boundary.kind == BoundaryKind::mirror ? "mirror" : "surface node",
+                               boundary.given == nmbc::OnSurface::traction ? "under a traction"
+                                                                           : "at a displacement",
+                               boundary.value ? " in time" : " of 0");
         case BoundaryKind::fixed:
         case BoundaryKind::free:
         case BoundaryKind::exact:
@@ -326,10 +362,12 @@ Scene read_scene_text(const std::string& text, const std::string& path,
         reader.required("domain.nodes", reader.whole_number("domain.nodes", 1, most_nodes)));
     scene.spacing = reader.number("domain.spacing", positive).value_or(scene.spacing);
     read_sources(reader, path, scene);
-    require_physical_sources(reader, scene);
     const Boundary both = read_boundary(reader, "boundary", {});
     scene.left = read_boundary(reader, "boundary.left", both);
     scene.right = read_boundary(reader, "boundary.right", both);
+    scene.left.value = read_value(reader, path, "boundary.left", scene.left.kind);
+    scene.right.value = read_value(reader, path, "boundary.right", scene.right.kind);
+    require_a_source(path, scene);
     for (const auto& [group, boundary] :
          {std::pair("boundary.left", scene.left), {"boundary.right", scene.right}}) {
         const bool finds_its_own = boundary.kind == BoundaryKind::extended;
@@ -340,6 +378,7 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     refuse_idle_keys(reader, "boundary", both.kind, {scene.left.kind, scene.right.kind});
     refuse_idle_keys(reader, "boundary.left", scene.left.kind, {});
     refuse_idle_keys(reader, "boundary.right", scene.right.kind, {});
+    require_physical_sources(reader, scene);
     scene.allow_unstable = reader.truth("boundary.allow_unstable").value_or(false);
     scene.allow_amplifying = reader.truth("boundary.allow_amplifying").value_or(false);
     scene.end = reader.required("time.end", reader.number("time.end", positive));

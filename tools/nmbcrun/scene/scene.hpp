@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <nmbc/boundary_condition.hpp>
+#include <nmbc/surface.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,8 @@ enum class BoundaryKind {
     nmbc,       ///< (60) on all ghost layers
     fixed,      ///< ghosts held at u = 0
     free,       ///< ghosts the mirror image
+    mirror,     ///< likewise, under a traction or at a displacement that is given in time
+    snm,        ///< the same by a surface node (SNM 2023)
     extended,   ///< more of the same lattice, fixed at its far end
     exact,      ///< the same lattice for ever, by convolution
     sponge,     ///< a layer that damps the velocity
@@ -53,6 +56,9 @@ struct Boundary {
     // Of a sponge or pml:
     double profile = 2;              ///< exponent of the loss in the depth
     std::optional<double> target{};  ///< what the continuum sends back; nothing: the kind's own
+    // Of a mirror or snm:
+    nmbc::OnSurface given = nmbc::OnSurface::traction;
+    std::optional<ForceHistory> value{};  ///< of that [stress or length]; nothing: 0
 
     friend bool operator==(const Boundary&, const Boundary&) = default;
 };
@@ -67,6 +73,9 @@ std::string_view name_of(BoundaryKind kind);
 /// Whether it is a part of what is simulated, and not in the place of more of the same lattice: a
 /// physical end stays as it is, where artificial ones are compared, advised and taken away.
 bool is_physical(BoundaryKind kind);
+
+/// Whether it is a surface with something given on it.
+bool is_surface(BoundaryKind kind);
 
 /// Whether it puts a layer outside of the interior.
 bool has_layer(BoundaryKind kind);
@@ -135,6 +144,11 @@ Scene with_artificial_ends(Scene scene, const Boundary& boundary);
 /// nopd1d of constant influence: the lattice whose families nmbcrun can cut off, if undamped.
 inline bool has_constant_influence(const Scene& scene) {
     return scene.family == "nopd1d" && scene.weights.empty();
+}
+
+/// Whether something other than 0 is given on a surface.
+inline bool has_loaded_surface(const Scene& scene) {
+    return scene.left.value || scene.right.value;
 }
 
 inline bool is_damped(const Scene& scene) {

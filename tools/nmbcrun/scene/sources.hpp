@@ -62,6 +62,8 @@ struct ForceHistory {
     double frequency = 0;        ///< of a sine [1/time]
     double cycles = 1;           ///< of a sine
     std::filesystem::path file;  ///< columns time, force
+
+    friend bool operator==(const ForceHistory&, const ForceHistory&) = default;
 };
 
 /// A body force of the nodes with |X - centre| <= half_width, rho u_tt = .. + f.

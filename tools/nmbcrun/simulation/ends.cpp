@@ -8,6 +8,7 @@
 #include <memory>
 #include <nmbc/coefficients.hpp>
 #include <nmbc/ends.hpp>
+#include <nmbc/surface.hpp>
 #include <type_traits>
 
 #include "tools/nmbcrun/certification/half_space.hpp"
@@ -20,6 +21,7 @@
 #include "tools/nmbcrun/sides/silent_layer.hpp"
 #include "tools/nmbcrun/sides/sponge.hpp"
 #include "tools/nmbcrun/sides/truncated.hpp"
+#include "tools/nmbcrun/sources/force_in_time.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
@@ -58,6 +60,25 @@ struct EndOfRun {
     }
 };
 
+nmbc::SurfaceEnd surface_of(const Scene& scene, const Boundary& boundary) {
+    if (boundary.kind == BoundaryKind::snm && scene.family.starts_with("nopd")) {
+        throw SceneError(
+            fmt::format("a surface node ends chains of bonds, such as bond1d, and model.family is "
+                        "{}: take \"mirror\"",
+                        scene.family));
+    }
+    nmbc::SurfaceEnd surface{
+        boundary.kind == BoundaryKind::mirror ? nmbc::Closure::mirror : nmbc::Closure::surface_node,
+        boundary.given,
+        {}};
+    if (boundary.value) {
+        surface.value = [history = value_in_time(*boundary.value)](double time) {
+            return history.at(time);
+        };
+    }
+    return surface;
+}
+
 nmbc::BoundaryCoefficients coefficients_of(const Scene& scene, const Boundary& boundary) {
     const nmbc::MatchingTable& table = table_of(scene, boundary);
     if (has_pole_next_to(table, scene.G)) {
@@ -81,6 +102,9 @@ nmbc::ChainEnd chain_end(const Scene& scene, const Boundary& boundary) {
             return nmbc::FixedEnd{};
         case BoundaryKind::free:
             return nmbc::FreeEnd{};
+        case BoundaryKind::mirror:
+        case BoundaryKind::snm:
+            return surface_of(scene, boundary);
         case BoundaryKind::extended:
             return boundary.layer > 0 ? nmbc::ChainEnd(nmbc::FixedEnd{boundary.layer})
                                       : nmbc::ChainEnd(EndOfRun{false, scene.end});

@@ -14,9 +14,10 @@
 
 namespace nmbcrun {
 
-ForceInTime::ForceInTime(ForceHistory history) : force_(std::move(history)) {
+ForceInTime::ForceInTime(ForceHistory history, const std::string& column)
+    : force_(std::move(history)) {
     if (force_.history == History::file) {
-        auto columns = read_columns(force_.file, {"time", "force"});
+        auto columns = read_columns(force_.file, {"time", column});
         times_ = std::move(columns[0]);
         forces_ = std::move(columns[1]);
         if (std::ranges::adjacent_find(times_, std::ranges::greater_equal()) != times_.end()) {

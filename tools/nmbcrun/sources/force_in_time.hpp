@@ -11,9 +11,9 @@ namespace nmbcrun {
 
 class ForceInTime {
   public:
-    /// Throws SceneError where its file does not make a history, FileError where that cannot be
-    /// read.
-    explicit ForceInTime(ForceHistory history);
+    /// column: of a file, beside `time`. Throws SceneError where its file does not make a history,
+    /// FileError where that cannot be read.
+    explicit ForceInTime(ForceHistory history, const std::string& column = "force");
 
     double at(double time) const;
 
@@ -33,5 +33,10 @@ class ForceInTime {
     std::vector<double> times_{};  // of a file
     std::vector<double> forces_{};
 };
+
+/// Of what is given on a surface: the file's column is `value`.
+inline ForceInTime value_in_time(const ForceHistory& history) {
+    return ForceInTime(history, "value");
+}
 
 }  // namespace nmbcrun

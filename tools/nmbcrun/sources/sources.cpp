@@ -72,6 +72,11 @@ Sources::Sources(const Scene& scene, const nmbc::Lattice& lattice,
     if (scene.force) {
         forcing_.emplace(scene, time_step_);
     }
+    for (const Boundary& end : {scene.left, scene.right}) {
+        if (end.value) {
+            surfaces_.push_back(value_in_time(*end.value));
+        }
+    }
 }
 
 nmbc::ChainEnd Sources::end(nmbc::End side, const nmbc::ChainEnd& inner) const {
@@ -81,7 +86,7 @@ nmbc::ChainEnd Sources::end(nmbc::End side, const nmbc::ChainEnd& inner) const {
 
 void Sources::start(nmbc::Chain& chain) {
     first_interior_ = chain.first_interior();
-    if (!scene_.initial && !scene_.incoming && !scene_.preload) {
+    if (!scene_.initial && !scene_.incoming && !scene_.preload && !has_loaded_surface(scene_)) {
         return;
     }
     auto [u, v, is_staggered] = initial_fields(scene_, chain.lattice(), chain.parameters(),
@@ -176,13 +181,24 @@ bool Sources::is_driven(double time) const {
         return incident && time <= incident->last_wave * time_step_;
     };
     return (driver_ && driver_->drives(time)) || (forcing_ && forcing_->drives(time)) ||
-           comes_in(left_) || comes_in(right_);
+           comes_in(left_) || comes_in(right_) ||
+           std::ranges::any_of(surfaces_,
+                               [time](const ForceInTime& surface) { return surface.drives(time); });
+}
+
+std::string Sources::warning() const {
+    std::string warning = forcing_ ? forcing_->warning() : "";
+    for (const ForceInTime& surface : surfaces_) {
+        const std::string more = surface.warning(time_step_);
+        warning += (warning.empty() || more.empty() ? "" : "; ") + more;
+    }
+    return warning;
 }
 
 std::string Sources::why_no_energy() const {
     std::string why;
-    if (scene_.force || scene_.incoming) {
-        why += "a force or an incoming wave acts at no time of the run, or ";
+    if (scene_.force || scene_.incoming || has_loaded_surface(scene_)) {
+        why += "a force, a surface or an incoming wave acts at no time of the run, or ";
     }
     if (scene_.initial) {
         why += "initial lies outside of the bar or between two nodes, or ";

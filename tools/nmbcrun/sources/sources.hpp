@@ -14,6 +14,7 @@
 #include "tools/nmbcrun/scene/scene.hpp"
 #include "tools/nmbcrun/sides/incident_field.hpp"
 #include "tools/nmbcrun/sources/driver.hpp"
+#include "tools/nmbcrun/sources/force_in_time.hpp"
 #include "tools/nmbcrun/sources/forcing.hpp"
 
 namespace nmbcrun {
@@ -44,7 +45,7 @@ class Sources {
     bool is_driven(double time) const;
 
     /// In words: what the time steps miss of the sources; empty where they do not.
-    std::string warning() const { return forcing_ ? forcing_->warning() : ""; }
+    std::string warning() const;
 
     /// In words: why a chain with these sources may have had no energy at any time.
     std::string why_no_energy() const;
@@ -60,6 +61,7 @@ class Sources {
     std::size_t first_interior_ = 0;
     std::optional<Driver> driver_;
     std::optional<Forcing> forcing_;
+    std::vector<ForceInTime> surfaces_;          ///< what is given on them
     std::shared_ptr<const IncidentField> left_;  // none: nullptr
     std::shared_ptr<const IncidentField> right_;
 };

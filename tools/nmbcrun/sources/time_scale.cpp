@@ -14,10 +14,21 @@ TimeScale shortest_time_scale(const Scene& scene, const nmbc::Lattice& lattice) 
     if (scene.drive) {
         scales.push_back({scene.drive->duration, "drive.duration"});
     }
-    if (scene.force && scene.force->history == History::sine) {
-        scales.push_back({1 / scene.force->frequency, "the period of force.frequency"});
-    } else if (scene.force && scene.force->history != History::file) {
-        scales.push_back({scene.force->duration, "force.duration"});
+    const auto add = [&](const std::string& group, const ForceHistory& force) {
+        if (force.history == History::sine) {
+            scales.push_back({1 / force.frequency, "the period of " + group + ".frequency"});
+        } else if (force.history != History::file) {
+            scales.push_back({force.duration, group + ".duration"});
+        }
+    };
+    if (scene.force) {
+        add("force", *scene.force);
+    }
+    if (scene.left.value) {
+        add("boundary.left.value", *scene.left.value);
+    }
+    if (scene.right.value) {
+        add("boundary.right.value", *scene.right.value);
     }
     if (scene.incoming) {
         const Pulse& pulse = scene.incoming->pulse;

@@ -14,8 +14,8 @@ struct TimeScale {
     std::string name;  ///< in words
 };
 
-/// The shortest that the scene states: of drive, force and incoming; infinite where it has none of
-/// them, or only a force of a file.
+/// The shortest that the scene states: of drive, force, incoming and what is given on surfaces;
+/// infinite where it has none of them, or only those of files.
 TimeScale shortest_time_scale(const Scene& scene, const nmbc::Lattice& lattice);
 
 }  // namespace nmbcrun

@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# True surfaces of chains: what is given on them in time, and every mistake of such a scene.
+# Usage: run_surfaces.sh NMBCRUN NMBCGEN SOURCE_FOLDER (absolute)
+source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
+nmbcgen=$2
+pull=$3/tools/scenes/surface_pull.toml
+
+refuses() { # CODE MESSAGE ARGUMENT..
+    try run "${@:3}" --quiet --out refused
+    expect_exit "$1"
+    expect_stderr "$2"
+    expect "no results of a refused scene" test ! -e refused
+}
+
+# The wave of a traction has the displacement int t dt/(rho c) = 1e-3 15 sqrt(pi) behind it.
+try run "$pull" --quiet --set output.probes='[200]' --set time.end=400
+expect_exit 0
+expect_no_stderr
+expect "u = -.026587 behind the wave" awk -F, 'END { exit !($2 < -.026586 && $2 > -.026588) }' results/surface_pull_probes.csv
+try verify "$pull" --tolerance 2e-5
+expect_exit 0
+expect_no_stderr
+# As much goes out at the right end as came in at the left one; displacements likewise.
+for given in traction displacement; do
+    try run "$pull" --quiet --set boundary.left.given=$given
+    expect_exit 0
+    expect "energy in at the left, out at the right" awk \
+        '/^went out/ { exit !($3 < -.99 && $3 > -1.001 && $(NF - 4) > .99 && $(NF - 4) < 1.001) }' "$scratch/stdout"
+done
+# As a csv: what is linear between rows.
+printf 'time,value\n0,0\n100,-1e-3\n200,0\n' >ramp.csv
+try run "$pull" --quiet --set boundary.left.value='{ history = "csv", file = "'"$PWD"'/ramp.csv" }' \
+    --set output.probes='[200]' --set time.end=600
+expect_exit 0
+expect "u = -.1 behind the ramp" awk -F, 'END { exit !($2 < -.09999 && $2 > -.10001) }' results/surface_pull_probes.csv
+
+# A surface node ends chains of bonds.
+"$nmbcgen" --family bond1d --horizon 3 --weights 3/2,1/4,1/18 --order 1 --format json --stdout >bonds.json
+"$nmbcgen" --family bond1d --horizon 2 --weights 1,1 --order 1 --uncertified --format json --stdout >alike.json
+cat >bonds.toml <<'TOML'
+[model]
+family = "bond1d"
+horizon = 3
+influence = ["3/2", "1/4", "1/18"]
+tables = ["bonds.json"]
+[domain]
+nodes = 100
+[boundary.left]
+kind = "snm"
+given = "displacement"
+[boundary.right]
+kind = "snm"
+[initial]
+shape = "gaussian"
+amplitude = 0.01
+centre = 50
+width = 10
+[time]
+end = 5000
+TOML
+try run bonds.toml
+expect_exit 0
+expect_no_stderr
+expect_stdout_line "left      surface node at a displacement of 0"
+expect_stdout_line "right     surface node under a traction of 0"
+expect "what a surface node allows" grep -q "what a surface node allows" "$scratch/stdout"
+expect "the energy stays" awk '/^energy left/ { exit !($3 > .9 && $3 < 1.1) }' "$scratch/stdout"
+
+refuses 2 "stable in steps up to" bonds.toml --set time.cfl=0.999
+refuses 4 "no certificate for a surface node where several waves have one frequency" bonds.toml \
+    --set model.horizon=2 --set model.influence='[1, 1]' --set model.tables='["alike.json"]'
+refuses 2 'a surface node ends chains of bonds, such as bond1d, and model.family is nopd1d: take "mirror"' "$pull" \
+    --set boundary.left.kind=snm
+refuses 2 'boundary.left.value does not count for kind "fixed"' "$pull" --set boundary.left.kind=fixed
+refuses 2 'boundary.left.given must be "traction" or "displacement", not "stress"' "$pull" --set boundary.left.given=stress
+refuses 2 'boundary.right.given does not count for kind "passive"' "$pull" --set boundary.right.given=traction
+refuses 2 "boundary.left.value.amplitude must not be 0" "$pull" --set boundary.left.value.amplitude=0
+refuses 2 "boundary.left.value.time lets it begin at t = " "$pull" --set boundary.left.value.time=1e6
+refuses 2 "boundary.left.value.time lets it end before the run begins" "$pull" --set boundary.left.value.time=-1e3
+refuses 2 "boundary.left.value.centre" "$pull" --set boundary.left.value.centre=3
+refuses 5 "cannot read" "$pull" --set boundary.left.value='{ history = "csv", file = "missing.csv" }'
+sed '/value/,/^$/d' "$pull" >still.toml
+refuses 2 "or a value on a surface" still.toml
+try advise "$pull" --tolerance 1e-3
+expect_exit 2
+expect_stderr "nothing is advised for a scene with a value on a surface"
+try run "$pull" --quiet --set boundary.left.value.duration=1 --set time.end=200
+expect_stderr "what boundary.left.value sends out is in waves so short that the lattice disperses them"
+
+finish
