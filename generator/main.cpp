@@ -15,6 +15,7 @@
 #include "generator/commands/closed_forms.hpp"
 #include "generator/commands/closure.hpp"
 #include "generator/commands/dispersion.hpp"
+#include "generator/commands/influence.hpp"
 #include "generator/commands/plane_sides.hpp"
 #include "generator/commands/reflect.hpp"
 #include "generator/commands/require_stable.hpp"
@@ -216,6 +217,10 @@ int run(const Request& request) {
         case Action::closure:
             print(request.as_json ? surface_node_json(request.closure)
                                   : surface_node_text(request.closure));
+            return done;
+        case Action::influence:
+            print(request.as_json ? power_influence_json(request.influence)
+                                  : power_influence_text(request.influence));
             return done;
         case Action::closed_forms:
             print(request.closed_format->emit(closed_forms(

@@ -313,6 +313,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     auto* const closed_forms = add_closed_forms(app, request);
     auto* const bonds = add_bonds(app, request);
     auto* const closure = add_closure(app, request);
+    auto* const influence = add_influence(app, request);
     app.footer(
         "Exit codes: 0 done; 1 the committed set is stale; 2 wrong arguments; 3 there is no such "
         "boundary\ncondition; 4 it is not certified to be stable (--require-stable); 5 a file "
@@ -346,6 +347,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
             request.action = Action::bonds;
         } else if (closure->parsed()) {
             request.action = Action::closure;
+        } else if (influence->parsed()) {
+            request.action = Action::influence;
         }
         settle(request, pending, app);
     } catch (const CLI::Success& help) {

@@ -15,6 +15,7 @@
 #include "generator/commands/recommend.hpp"
 #include "generator/emit/closed_forms.hpp"
 #include "generator/emit/emit.hpp"
+#include "generator/families/power_influence.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
@@ -30,7 +31,8 @@ enum class Action {
     dispersion,
     closed_forms,
     bonds,
-    closure
+    closure,
+    influence
 };
 
 struct Request {
@@ -54,6 +56,7 @@ struct Request {
     const ClosedFormat* closed_format = &closed_formats().front();  ///< of Action::closed_forms
     BondsTask bonds;                                                ///< of Action::bonds
     ClosureTask closure;                                            ///< of Action::closure
+    PowerInfluence influence;                                       ///< of Action::influence
     bool as_json = false;                        ///< what these print, in place of text
     std::optional<std::filesystem::path> cache;  ///< folder of kept certificates
     std::filesystem::path folder = "generated/nmbc/tables";

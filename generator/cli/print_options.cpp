@@ -145,4 +145,34 @@ CLI::App* add_closure(CLI::App& app, Request& request) {
     return closure;
 }
 
+CLI::App* add_influence(CLI::App& app, Request& request) {
+    auto* const influence = app.add_subcommand(
+        "influence",
+        "bonds whose strength falls as a power of their length (docs/how-to/influence.md)");
+    const auto parse_power = [](const std::string& text) {
+        return parse_whole_number(text, largest_power, 0);
+    };
+    add_parsed(*influence, "--power", request.influence.power, parse_power,
+               fmt::format("p of (|xi| + eps)^-p, 0 to {}", largest_power))
+        ->required();
+    const auto parse_smoothing = [](const std::string& text) {
+        const Rational eps = parse_rational(text);
+        if (eps == 0) {
+            throw std::invalid_argument("the smoothing length must be above 0");
+        }
+        return eps;
+    };
+    add_parsed(*influence, "--smoothing", request.influence.smoothing, parse_smoothing,
+               "eps in units of dX, an exact number above 0 such as 4 or 1/2")
+        ->required();
+    const auto parse_horizon = [](const std::string& text) {
+        return parse_whole_number(text, largest_power_horizon);
+    };
+    add_parsed(*influence, "--horizon", request.influence.horizon, parse_horizon,
+               fmt::format("delta in units of dX, 1 to {}", largest_power_horizon))
+        ->required();
+    add_format(*influence, request);
+    return influence;
+}
+
 }  // namespace nmbcgen

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// The options of commands that print coefficients as text or JSON: nmbcgen bonds and closure.
+/// The options of commands that print coefficients as text or JSON: nmbcgen bonds, closure and
+/// influence.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,5 +11,6 @@ namespace nmbcgen {
 
 CLI::App* add_bonds(CLI::App& app, Request& request);
 CLI::App* add_closure(CLI::App& app, Request& request);
+CLI::App* add_influence(CLI::App& app, Request& request);
 
 }  // namespace nmbcgen

@@ -154,7 +154,7 @@ void settle(Request& request, Pending pending, const CLI::App& app) {
     }
     if (request.action != Action::all_tables && request.action != Action::check &&
         request.action != Action::closed_forms && request.action != Action::bonds &&
-        request.action != Action::closure) {
+        request.action != Action::closure && request.action != Action::influence) {
         settle_plane(request, pending, used_app(app));
         settle_G(request, used_app(app));
     }

@@ -10,16 +10,16 @@
 
 namespace nmbcgen {
 
-/// 1 to highest. Throws std::invalid_argument.
-inline unsigned parse_whole_number(const std::string& text, unsigned highest) {
+/// lowest to highest. Throws std::invalid_argument.
+inline unsigned parse_whole_number(const std::string& text, unsigned highest, unsigned lowest = 1) {
     unsigned value = 0;
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || stop != end || value < 1 || value > highest ||
-        text.front() == '0') {
+    if (error != std::errc() || stop != end || value < lowest || value > highest ||
+        (text.front() == '0' && text.size() > 1)) {
         throw std::invalid_argument(
-            fmt::format("'{}' is not a whole number from 1 to {} (no leading zeros)",
-                        text.substr(0, 60), highest));
+            fmt::format("'{}' is not a whole number from {} to {} (no leading zeros)",
+                        text.substr(0, 60), lowest, highest));
     }
     return value;
 }

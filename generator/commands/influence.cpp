@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/commands/influence.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "generator/exact/rational.hpp"
+
+namespace nmbcgen {
+namespace {
+
+constexpr unsigned orders[] = {1, 3, 5};
+
+std::vector<std::string> weight_texts(const PowerInfluence& influence) {
+    std::vector<std::string> texts;
+    for (const Rational& weight : power_weights(influence)) {
+        texts.push_back(to_string(weight));
+    }
+    return texts;
+}
+
+/// "a + b ln q"; of two parts only those that are not 0.
+std::string text_of(const WithLog& number, const PowerInfluence& influence) {
+    const std::string ratio = to_string(1 + influence.horizon / influence.smoothing);
+    if (number.of_log == 0) {
+        return to_string(number.rational);
+    }
+    return fmt::format("{} + ({}) ln({})", to_string(number.rational), to_string(number.of_log),
+                       ratio);
+}
+
+/// The longest closed form or list of weights that anybody reads.
+constexpr std::size_t readable = 1500;
+
+}  // namespace
+
+std::string power_influence_text(const PowerInfluence& influence) {
+    const std::string eps = to_string(influence.smoothing);
+    const double modulus = modulus_of_continuum_factor(influence);
+    std::string text = fmt::format(
+        "influence   (|xi| + eps)^-p, p = {}, eps = {} dX, delta = {} dX: Seleson 2011, GPMB\n"
+        "waves       Omega^2 = c^2 k^2 (1 - A_3 (eps k)^2 + A_5 (eps k)^4 - ..)\n\n"
+        "n   A_n, solid      A_n, chain      I(p, n) in units of eps^(n+1-p)\n",
+        influence.power, eps, influence.horizon);
+    for (const unsigned n : orders) {
+        const std::string closed = text_of(moment(influence, n), influence);
+        text +=
+            fmt::format("{}   {:<14.8g}  {:<14.8g}  {}\n", n, dispersion_coefficient(influence, n),
+                        nearest_double(chain_dispersion_coefficient(influence, n)),
+                        closed.size() > readable ? "a closed form too long to read" : closed);
+    }
+    constexpr double resolved = 0.01;
+    text += fmt::format(
+        "\nmodulus     with gamma_p of the solid the chain would have {:.6g} of it{}\n", modulus,
+        std::abs(modulus - 1) > resolved
+            ? fmt::format(", the speed {:.4g}: the lattice does\n            not resolve the "
+                          "influence. The weights below have the solid's modulus in any case",
+                          std::sqrt(modulus))
+            : "");
+    const std::string weights = fmt::format("{}", fmt::join(weight_texts(influence), ","));
+    text += weights.size() > readable
+                ? "options     too long to read; bond1d_weights of --format json has them\n"
+                : fmt::format("options     --family bond1d --horizon {} --weights {}\n",
+                              influence.horizon, weights);
+    return text;
+}
+
+std::string power_influence_json(const PowerInfluence& influence) {
+    using Json = nlohmann::ordered_json;
+    Json moments = Json::array();
+    for (const unsigned n : orders) {
+        const WithLog exact = moment(influence, n);
+        moments.push_back({{"n", n},
+                           {"rational", to_string(exact.rational)},
+                           {"of_log", to_string(exact.of_log)},
+                           {"solid", dispersion_coefficient(influence, n)},
+                           {"chain", nearest_double(chain_dispersion_coefficient(influence, n))}});
+    }
+    const Json all{{"influence", "power"},
+                   {"power", influence.power},
+                   {"smoothing", to_string(influence.smoothing)},
+                   {"horizon", influence.horizon},
+                   {"log_of", to_string(1 + influence.horizon / influence.smoothing)},
+                   {"moments", moments},
+                   {"modulus_of_continuum_factor", modulus_of_continuum_factor(influence)},
+                   {"bond1d_weights", weight_texts(influence)}};
+    return all.dump(2) + "\n";
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "generator/families/power_influence.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include "generator/exact/rational.hpp"
+
+namespace nmbcgen {
+namespace {
+
+Rational to_the(const Rational& base, int exponent) {
+    Rational result = 1;
+    for (int i = 0; i < std::abs(exponent); ++i) {
+        result *= base;
+    }
+    return exponent < 0 ? 1 / result : result;
+}
+
+/// 2/(n+1)!
+Rational two_over_factorial(unsigned n) {
+    Rational result = 2;
+    for (unsigned i = 2; i <= n + 1; ++i) {
+        result /= i;
+    }
+    return result;
+}
+
+double value_of(const WithLog& number, const PowerInfluence& influence) {
+    const double log = std::log1p(nearest_double(influence.horizon / influence.smoothing));
+    return nearest_double(number.rational) + nearest_double(number.of_log) * log;
+}
+
+/// sum_k k^n w_k
+Rational sum_over_bonds(const std::vector<Rational>& weights, unsigned n) {
+    Rational sum = 0;
+    for (std::size_t k = 1; k <= weights.size(); ++k) {
+        sum += to_the(Rational(k), int(n)) * weights[k - 1];
+    }
+    return sum;
+}
+
+}  // namespace
+
+WithLog moment(const PowerInfluence& influence, unsigned n) {
+    // t = 1 + xi/eps: int (t - 1)^n t^-p dt from 1 to 1 + delta/eps, by the binomial theorem.
+    const Rational last = 1 + influence.horizon / influence.smoothing;
+    WithLog sum;
+    Rational binomial = 1;
+    for (unsigned j = 0; j <= n; ++j) {
+        const Rational factor = (n - j) % 2 == 0 ? binomial : Rational(-binomial);
+        const int exponent = int(j) - int(influence.power) + 1;
+        if (exponent == 0) {
+            sum.of_log += factor;
+        } else {
+            sum.rational += factor * (to_the(last, exponent) - 1) / Rational(exponent);
+        }
+        binomial *= n - j;
+        binomial /= j + 1;
+    }
+    return sum;
+}
+
+double dispersion_coefficient(const PowerInfluence& influence, unsigned n) {
+    return nearest_double(two_over_factorial(n)) * value_of(moment(influence, n), influence) /
+           value_of(moment(influence, 1), influence);
+}
+
+Rational chain_dispersion_coefficient(const PowerInfluence& influence, unsigned n) {
+    // omega^2 = 2 sum_k w_k/k (1 - cos(k xi))
+    const std::vector<Rational> weights = power_weights(influence);
+    return two_over_factorial(n) * sum_over_bonds(weights, n) / sum_over_bonds(weights, 1) /
+           to_the(influence.smoothing, int(n) - 1);
+}
+
+std::vector<Rational> power_weights(const PowerInfluence& influence) {
+    std::vector<Rational> weights;
+    for (unsigned k = 1; k <= influence.horizon; ++k) {
+        const Rational ratio = (1 + influence.smoothing) / (k + influence.smoothing);
+        weights.push_back(to_the(ratio, int(influence.power)));
+    }
+    weights.back() /= 2;
+    return weights;
+}
+
+double modulus_of_continuum_factor(const PowerInfluence& influence) {
+    // In units of eps: sum_k xi omega(xi) dX over I(p, 1), xi = k dX.
+    const Rational cell = 1 / influence.smoothing;
+    const Rational scale = to_the(1 + cell, -int(influence.power)) * cell * cell;
+    return nearest_double(scale * sum_over_bonds(power_weights(influence), 1)) /
+           value_of(moment(influence, 1), influence);
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+/// The influence omega(xi) = (|xi| + eps)^-p of Seleson 2011, smoothed at 0 by a length eps, on
+/// bonds of up to delta: force gamma_p (u' - u)/|xi| omega(xi) per length of the chain squared.
+#pragma once
+
+#include <vector>
+
+#include "generator/table/exact.hpp"
+
+namespace nmbcgen {
+
+/// rational + of_log ln(1 + delta/eps)
+struct WithLog {
+    Rational rational;
+    Rational of_log;
+};
+
+struct PowerInfluence {
+    unsigned power = 0;      ///< p
+    Rational smoothing = 1;  ///< eps [dX], > 0
+    unsigned horizon = 1;    ///< delta [dX]
+};
+
+inline constexpr unsigned largest_power = 1000;
+inline constexpr unsigned largest_power_horizon = 100;
+
+/// I(p, n) = int_0^delta xi^n (xi + eps)^-p dxi, in units of eps^(n+1-p).
+WithLog moment(const PowerInfluence& influence, unsigned n);
+
+/// 2/(n+1)! I(p, n)/I(p, 1), n odd, which the continuum's Omega^2 = c^2 k^2 (1 - [3] k^2 + [5] k^4
+/// - ..) has, in units of eps^(n-1).
+double dispersion_coefficient(const PowerInfluence& influence, unsigned n);
+
+/// The same of the chain of the weights below.
+Rational chain_dispersion_coefficient(const PowerInfluence& influence, unsigned n);
+
+/// w_k of bond1d, omega(k)/omega(1) for k = 1 .. delta, the last one halved: half of its cell is
+/// beyond the horizon. A factor says nothing: the chain's modulus is that of the solid.
+std::vector<Rational> power_weights(const PowerInfluence& influence);
+
+/// The modulus of the chain, over the solid's, where its force has the continuum's gamma_p.
+double modulus_of_continuum_factor(const PowerInfluence& influence);
+
+}  // namespace nmbcgen
