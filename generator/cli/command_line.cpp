@@ -279,7 +279,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         app.add_flag("--stdout", request.to_stdout, "print the table instead of writing a file");
     auto* const require_stable =
         app.add_flag("--require-stable", request.require_stable,
-                     "with --G: write the table only where it is certified to be stable");
+                     "with --G: write the table only where it is certified to be stable; with "
+                     "--polarisation, found so as a side of the plane, too");
     bool uncertified_given = false;
     auto* const uncertified = app.add_flag(
         "--uncertified", uncertified_given,

@@ -9,14 +9,11 @@
 #include <numbers>
 #include <optional>
 
+#include "generator/commands/ghost_side.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/families/projected.hpp"
 #include "generator/families/vector_family.hpp"
-#include "generator/names/projected_family.hpp"
-#include "generator/pipeline.hpp"
 #include "generator/plane/side_reflection.hpp"
-#include "generator/plane/strip.hpp"
-#include "generator/stability/half_space.hpp"
 #include "generator/support/on_all_cores.hpp"
 
 namespace nmbcgen {
@@ -24,57 +21,6 @@ namespace {
 
 constexpr std::array angles{0.0, 20.0, 35.0, 40.0, 60.0, 80.0};  // from the normal [degrees]
 constexpr double reflected_xi = 0.1;
-constexpr std::size_t layers = 20;
-constexpr std::size_t strip_wave_numbers = 40;
-constexpr std::size_t wave_samples = 24;  // in each direction
-
-/// A boundary of ghost layers and what was found of it.
-struct GhostSide {
-    std::string name;
-    SideCondition condition;
-    LargestAmplification amplification{};
-    double growth = 0;
-    std::optional<Rational> damping{};  ///< the smallest tau tried with which strips do not grow
-};
-
-/// Z in place of Z^stride.
-std::vector<double> spread(const std::vector<double>& coefficients, std::size_t stride,
-                           double factor) {
-    std::vector<double> spread(stride * (coefficients.size() - 1) + 1);
-    for (std::size_t j = 0; j < coefficients.size(); ++j) {
-        spread[stride * j] = factor * coefficients[j];
-    }
-    return spread;
-}
-
-/// NMBC2 of stride n, component by component, from the chains that waves along x see; nothing where
-/// there is none at this g.
-std::optional<SideCondition> second_order_condition(const SideTask& model,
-                                                    const PlaneLattice& lattice) {
-    SideCondition condition;
-    for (const Polarisation polarisation : {Polarisation::P, Polarisation::S}) {
-        const bool is_P = polarisation == Polarisation::P;
-        const unsigned horizon = horizon_of(model.choice);
-        const Specification what{
-            .family = name_of(
-                {.family = model.family, .model = model.choice, .polarisation = polarisation}),
-            .horizon = horizon,
-            .order = 2,
-            .stride = horizon,
-            .stabilisation = {}};
-        try {
-            const HalfSpace half_space = make_half_space(derive(what), model.g);
-            condition.residual[is_P ? 0 : 1] = {
-                spread(half_space.b, horizon, is_P ? -lattice.speed_P : -lattice.speed_S),
-                spread(half_space.c, horizon, 1)};
-        } catch (const NoSuchBoundary&) {
-            return std::nullopt;
-        } catch (const std::domain_error&) {  // a pole
-            return std::nullopt;
-        }
-    }
-    return condition;
-}
 
 constexpr double drift_shift = 0.002;  // [c/dX] 1e-3 of the factors' other entries
 
@@ -99,72 +45,15 @@ std::vector<GhostSide> ghost_sides(const SideTask& model, const PlaneLattice& la
     std::vector<GhostSide> sides{
         {.name = "NMBC1 as printed, (81)", .condition = published_condition(lattice)},
         {.name = "NMBC1 by component", .condition = polarisation_wise_condition(lattice)}};
-    if (auto second = second_order_condition(model, lattice)) {
-        sides.push_back(
-            {.name = fmt::format("NMBC2 by component{}",
-                                 horizon_of(model.choice) == 1
-                                     ? ""
-                                     : fmt::format(", s = {}", horizon_of(model.choice))),
-             .condition = std::move(*second)});
+    const unsigned stride = horizon_of(model.choice);
+    const Specification second_order{
+        .family = {}, .horizon = stride, .order = 2, .stride = stride, .stabilisation = {}};
+    if (auto second = component_condition(model, lattice, second_order)) {
+        sides.push_back({.name = component_name(2, stride), .condition = std::move(*second)});
     }
     sides.push_back(
         {.name = "Higdon, P and S", .condition = higdon_condition(lattice, drift_shift)});
     return sides;
-}
-
-/// Over the highest frequency: roundings of the eigenvalues of some hundred states.
-constexpr double growth_limit = 1e-9;
-/// Samples reach 1 at the edges of bands, where waves stand, up to the roundings of a double root.
-constexpr double sampled_limit = 1 + 1e-6;
-
-/// 0 where it is roundings.
-double growth_of(const PlaneLattice& lattice, const SideCondition& condition) {
-    const double growth = largest_growth_in_strip(lattice, condition, layers, strip_wave_numbers);
-    constexpr std::size_t steps = 16;
-    return growth > growth_limit * std::sqrt(highest_eigenvalue(lattice, steps)) ? growth : 0;
-}
-
-void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice) {
-    side.amplification = largest_amplification(lattice, side.condition, wave_samples);
-    side.growth = growth_of(lattice, side.condition);
-    const VectorFamily& family = find_vector_family(model.family);
-    if (side.growth == 0 || !family.has_stabilisation) {
-        return;
-    }
-    const VectorModel described = family.describe(model.choice);
-    for (const Rational& damping :
-         {Rational(1, 100), Rational(1, 50), Rational(1, 20), Rational(1, 10), Rational(1, 5),
-          Rational(1, 2), Rational(1), Rational(2)}) {
-        if (growth_of(plane_lattice(described, model.g, damping), side.condition) == 0) {
-            side.damping = damping;
-            return;
-        }
-    }
-}
-
-std::string grade_of(const GhostSide& side) {
-    if (side.growth > 0) {
-        return "grows";
-    }
-    const LargestAmplification& seen = side.amplification;
-    if (2 * seen.examined < seen.samples) {
-        return "unknown";
-    }
-    if (side.amplification.value.alone <= sampled_limit) {
-        return "contractive";
-    }
-    return side.amplification.value.paired <= sampled_limit ? "paired" : "amplifies";
-}
-
-std::string amplification_of(const GhostSide& side) {
-    constexpr double unbounded = 1000;
-    const auto& [alone, paired] = side.amplification.value;
-    if (paired > unbounded) {
-        return "> 1000";
-    }
-    constexpr double many = 10;
-    return fmt::format("{}{:.{}f}", side.condition.is_shared() ? "" : "<= ", paired,
-                       paired > many ? 0 : 3);
 }
 
 template <class Reflected>
@@ -279,7 +168,8 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
         passive->design.strain.size(), described.description, to_string(model.g),
         widest_designed_angle,
         std::sqrt(passive->task.highest_eigenvalue / passive->highest_eigenvalue), table,
-        wave_samples, wave_samples + 1, layers, strip_wave_numbers + 1, reflected_xi);
+        side_samples.waves, side_samples.waves + 1, side_samples.layers,
+        side_samples.wave_numbers + 1, reflected_xi);
 }
 
 std::string side_reflection_csv(const SideTask& model, const std::vector<AbsorbedWave>& absorbed,

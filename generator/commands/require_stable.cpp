@@ -7,8 +7,11 @@
 #include <set>
 #include <string>
 
+#include "generator/commands/ghost_side.hpp"
 #include "generator/exact/rational.hpp"
+#include "generator/families/vector_family.hpp"
 #include "generator/names/names.hpp"
+#include "generator/names/projected_family.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/modal.hpp"
@@ -59,10 +62,47 @@ std::string text_of(const std::vector<StabilityWindow>& windows) {
     return text.empty() ? "none" : text;
 }
 
+/// Waves at normal incidence are in the table's certificate; these are the oblique ones.
+void require_stable_in_plane(const Specification& what, const ProjectedFamily& projected) {
+    const SideTask model{.family = projected.family,
+                         .choice = projected.model,
+                         .g = what.stabilisation.value_or(0),
+                         .time_step = 0};
+    const PlaneLattice lattice = plane_lattice(
+        find_vector_family(model.family).describe(model.choice), model.g, what.damping);
+    const auto condition = component_condition(model, lattice, what);
+    if (!condition) {
+        throw NotStable("the other polarisation has no such condition. Nothing was written.");
+    }
+    GhostSide side{.name = component_name(what.order, what.stride), .condition = *condition};
+    examine(side, model, lattice);
+    const std::string grade = grade_of(side);
+    if (grade == "contractive" || grade == "paired") {
+        return;
+    }
+    std::string options = options_of(projected);
+    options.erase(options.find(" --polarisation"));
+    throw NotStable(fmt::format(
+        "{} is not stable as a side of the plane, g = {}, though it is for waves at normal "
+        "incidence: {}. Nothing was written.\nnmbcgen recommend {} --G {} shows the sides there "
+        "are; the passive one is stable by construction",
+        side.name, to_string(model.g),
+        side.growth > 0
+            ? fmt::format("strips of {} layers grow, Re s = {:.2g} sqrt(E/density)/dX",
+                          side_samples.layers, side.growth)
+            : fmt::format("of {} wave vectors some are amplified, {} times a reflection "
+                          "between like sides",
+                          side.amplification.samples, amplification_of(side)),
+        options, to_string(model.g)));
+}
+
 }  // namespace
 
 void require_stable(const Table& table) {
     if (!table.certificate->modal.empty()) {
+        if (const auto projected = projected_family(table.specification.family)) {
+            require_stable_in_plane(table.specification, *projected);
+        }
         return;
     }
     const Specification& what = table.specification;

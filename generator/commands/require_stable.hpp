@@ -13,7 +13,9 @@ struct NotStable : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Throws NotStable where the modal certificate of a table at a fixed G does not cover that G.
+/// Throws NotStable where the modal certificate of a table at a fixed G does not cover that G, and,
+/// of a wave of a plane, where the condition grows or amplifies as a side of the plane, with its
+/// like for the other polarisation, on the samples of ghost_side.hpp.
 void require_stable(const Table& table);
 
 }  // namespace nmbcgen

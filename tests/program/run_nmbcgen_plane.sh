@@ -130,6 +130,15 @@ refuses 2 "passive designs are of nopd1d, nopd2d, bond2d" passive --family chain
 refuses 2 "passive ends have constant influence" passive --horizon 2 --weights 1,1/2 --G 1
 refuses 2 "designs above 6 take too long" passive --horizon 7 --G 1
 refuses 2 "passive requires --G" passive --horizon 2
+# Stable head-on, but not as a side, component by component; and what is stable as both.
+waves=("${smallest[@]}" --polarisation P --order 1 --stdout --require-stable)
+refuses 4 "strips of 20 layers grow, Re s = 0.0062" "${waves[@]}" --G 0
+refuses 4 "of 1200 wave vectors some are amplified, <= 1.100 times a reflection" "${waves[@]}" --G 1/10
+refuses 4 "nmbcgen recommend --family nopd2d --radius2 1 --nu 1/4 --G 1/10 shows the sides there are" "${waves[@]}" --G 1/10
+refuses 4 "the other polarisation has no such condition" "${smallest[@]}" --polarisation P --order 2 --stdout --require-stable --G 1/5
+try "${waves[@]}" --G 1/5
+expect_exit 0
+expect_no_stderr
 refuses 3 "no passive design was found at G = 1: the lattice itself is stable in steps below 2.26" passive --horizon 2 --G 1 --time-step 5/2
 refuses 2 "--time-step: '-1' is not a non-negative exact number" passive --horizon 2 --G 1 --time-step -1
 refuses 2 "--horizon (or --radius2) is required" passive --G 1

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Conditions on the ghost layers of a side of a plane lattice, and what is found of them on
+/// samples.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "generator/passive/plane_side.hpp"
+#include "generator/plane/side_condition.hpp"
+#include "generator/plane/side_reflection.hpp"
+#include "generator/table/table.hpp"
+
+namespace nmbcgen {
+
+/// A boundary of ghost layers and what was found of it.
+struct GhostSide {
+    std::string name;
+    SideCondition condition;
+    LargestAmplification amplification{};
+    double growth = 0;                  ///< in a strip; 0 where it is roundings
+    std::optional<Rational> damping{};  ///< the smallest tau tried with which strips do not grow
+};
+
+/// How finely sides are sampled.
+struct SideSamples {
+    std::size_t layers = 20;        ///< of the strip between two like sides
+    std::size_t wave_numbers = 40;  ///< steps of those along it
+    std::size_t waves = 24;         ///< in each direction
+};
+inline constexpr SideSamples side_samples;
+
+/// NMBC, component by component, from the chains that P and S waves along x see; nothing where
+/// there is none at this g. what: all but its family and horizon; a condition that is matched in
+/// steps is looked at in continuous time.
+std::optional<SideCondition> component_condition(const SideTask& model, const PlaneLattice& lattice,
+                                                 Specification what);
+
+/// "NMBC2 by component, s = 3"
+std::string component_name(unsigned order, unsigned stride);
+
+/// Finds how the side amplifies waves and whether strips of the lattice grow between two of them;
+/// where they do, the damping that ends it.
+void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice);
+
+/// "grows", "amplifies", "paired", "contractive", or "unknown" where most waves cannot be told.
+std::string grade_of(const GhostSide& side);
+
+/// The largest amplification between two like sides, or a bound: "<= 1.1".
+std::string amplification_of(const GhostSide& side);
+
+}  // namespace nmbcgen
