@@ -104,7 +104,7 @@ Peak largest_over_band(const std::vector<double>& frequencies,
         const double value = function(omega);
         return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
     };
-    const double narrowest = 1e-9 * frequencies.back();
+    const double narrowest = narrowest_piece * frequencies.back();
     Peak highest;
     for (std::size_t i = 0; i + 1 < frequencies.size() && highest.value <= enough; ++i) {
         if (frequencies[i + 1] - frequencies[i] > narrowest) {

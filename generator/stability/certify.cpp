@@ -45,11 +45,11 @@ Certificate certify_open(const Table& table) {
     Certificate certificate;
     certificate.poles = poles(even_and_odd_parts(table));
     ModalWindows modal = modal_windows(table);
-    certificate.max_cfl = stable_steps(table, modal.modal, Grade::paired);
+    certificate.max_cfl = stable_steps(table, modal.modal, modal.critical, Grade::paired);
     if (table.model.damping.empty()) {
         certificate.reflection = scalar_windows(table);
         certificate.max_cfl_contractive =
-            stable_steps(table, modal.contractive, Grade::contractive);
+            stable_steps(table, modal.contractive, modal.critical, Grade::contractive);
     }
     certificate.modal = std::move(modal.modal);
     certificate.contractive = std::move(modal.contractive);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "generator/exact/algebraic_number.hpp"
+#include "generator/stability/band_search.hpp"
 #include "generator/stability/critical_values.hpp"
 #include "generator/stability/modal.hpp"
 
@@ -18,11 +19,9 @@ struct GradedSample {
 };
 
 /// Where the grade is asked for: ascending, from 0 on.
-std::vector<double> sampled_values(const std::vector<AlgebraicNumber>& critical) {
+std::vector<double> sampled_values(const std::vector<double>& critical) {
     std::vector<double> splits{0};
-    for (const AlgebraicNumber& value : critical) {
-        splits.push_back(nearest_double(value));
-    }
+    splits.insert(splits.end(), critical.begin(), critical.end());
     splits.push_back(2 * std::max(4.0, splits.back()));
     std::vector<double> values{0};
     const int parts = std::clamp(400 / int(splits.size()), 8, 24);
@@ -67,7 +66,8 @@ class Search {
           damped_(!table.model.damping.empty()),
           critical_(damped_ ? std::vector<AlgebraicNumber>()
                             : modal_critical_values(table, parts_)) {
-        for (const double G : damped_ ? sampled_values_damped(poles_) : sampled_values(critical_)) {
+        for (const double G :
+             damped_ ? sampled_values_damped(poles_) : sampled_values(critical())) {
             samples_.push_back({G, grade_at(G)});
         }
     }
@@ -98,7 +98,9 @@ class Search {
         } else if (low) {
             found.push_back({*low, std::nullopt});
         }
-        std::erase_if(found, is_sliver);
+        std::erase_if(found, [this](const StabilityWindow& window) {
+            return is_sliver(window) || (!damped_ && is_unseen(window));
+        });
         found = without(jordan_values_, Failure::jordan_block,
                         without(poles_, Failure::pole, std::move(found)));
         if (damped_) {
@@ -109,6 +111,14 @@ class Search {
             });
         }
         return found;
+    }
+
+    std::vector<double> critical() const {
+        std::vector<double> values;
+        for (const AlgebraicNumber& value : critical_) {
+            values.push_back(nearest_double(value));
+        }
+        return values;
     }
 
   private:
@@ -147,7 +157,7 @@ class Search {
         if (const auto exact = exact_edge(left, right, opens)) {
             edge = {.where = *exact, .inner = inner_double(*exact, opens)};
         }
-        if (stands_for_failure(edge)) {
+        if (stands_for_failure(edge, opens)) {
             return edge;
         }
         describe(edge, opens ? left : right, opens);
@@ -176,7 +186,7 @@ class Search {
     }
 
     /// Whether the edge is a pole or a Jordan block, which it then says.
-    bool stands_for_failure(Edge& edge) const {
+    bool stands_for_failure(Edge& edge, bool opens) const {
         const auto* exact = std::get_if<AlgebraicNumber>(&edge.where);
         const auto holds = [exact](const std::vector<AlgebraicNumber>& values) {
             return std::ranges::any_of(values, [exact](const AlgebraicNumber& value) {
@@ -187,6 +197,9 @@ class Search {
             edge.beyond = Failure::pole;
         } else if (exact != nullptr && holds(jordan_values_)) {
             edge.beyond = Failure::jordan_block;
+        }
+        if (edge.beyond != Failure::none) {
+            edge.inner = beside(*exact, opens);
         }
         return edge.beyond != Failure::none;
     }
@@ -224,10 +237,9 @@ class Search {
                     windows[i].low.inner < inner_double(value, false) &&
                     (!windows[i].high || inner_double(value, true) < windows[i].high->inner);
                 if (inside) {
-                    const Edge low{
-                        .where = value, .inner = inner_double(value, true), .beyond = failure};
+                    const Edge low{.where = value, .inner = beside(value, true), .beyond = failure};
                     const Edge high{
-                        .where = value, .inner = inner_double(value, false), .beyond = failure};
+                        .where = value, .inner = beside(value, false), .beyond = failure};
                     windows.insert(windows.begin() + std::ptrdiff_t(i + 1), {low, windows[i].high});
                     windows[i].high = high;
                     break;
@@ -246,12 +258,36 @@ class Search {
                window.high->inner - window.low.inner < narrowest;
     }
 
+    /// Likewise where the window is wider, but ends at both sides because the band between the two
+    /// extrema becomes too narrow, not because nothing is amplified in it.
+    bool is_unseen(const StabilityWindow& window) const {
+        return window.low.inner > 0 && window.high && has_narrow_piece(window.low.inner) &&
+               has_narrow_piece(window.high->inner);
+    }
+
+    bool has_narrow_piece(double G) const {
+        const std::vector<double> frequencies = critical_frequencies(half_space_at(G));
+        const double top = frequencies.back();
+        const auto is_narrow = [top](double one, double next) {
+            constexpr double roundings = 1e-14;
+            return next - one > roundings * top && next - one < 2 * narrowest_piece * top;
+        };
+        return std::ranges::adjacent_find(frequencies, is_narrow) != frequencies.end();
+    }
+
     /// The nearest double not below the value, or not above it.
     static double inner_double(const AlgebraicNumber& value, bool above) {
         const double nearest = nearest_double(value);
         const auto order = compare(value, Rational(nearest));
         const bool outside = above ? order > 0 : order < 0;
         return outside ? std::nextafter(nearest, above ? HUGE_VAL : 0) : nearest;
+    }
+
+    /// The nearest double above the value, or below it.
+    static double beside(const AlgebraicNumber& value, bool above) {
+        const double inner = inner_double(value, above);
+        return compare(value, Rational(inner)) == 0 ? std::nextafter(inner, above ? HUGE_VAL : 0)
+                                                    : inner;
     }
 
     static constexpr double bracket_width = 5e-7;
@@ -272,7 +308,7 @@ ModalWindows modal_windows(const Table& table) {
         throw std::invalid_argument("modal_windows: the table is for one value of G only");
     }
     const Search search(table);
-    return {search.windows(Grade::paired), search.windows(Grade::contractive)};
+    return {search.windows(Grade::paired), search.windows(Grade::contractive), search.critical()};
 }
 
 }  // namespace nmbcgen

@@ -12,6 +12,7 @@ namespace nmbcgen {
 struct ModalWindows {
     std::vector<StabilityWindow> modal;        ///< Grade::paired or better
     std::vector<StabilityWindow> contractive;  ///< Grade::contractive
+    std::vector<double> critical;              ///< values of G, ascending; none of a damped lattice
 };
 
 /// The windows of G >= 0, ascending, of a table whose G is open.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 #include "generator/stability/discrete.hpp"
@@ -51,7 +52,8 @@ class Common {
 
 class Steps {
   public:
-    Steps(const Table& table, Grade least) : table_(table), least_(least) {}
+    Steps(const Table& table, const std::vector<double>& critical, Grade least)
+        : table_(table), critical_(critical), least_(least) {}
 
     void cover(const StabilityWindow& window) {
         constexpr double far = 8;
@@ -93,12 +95,28 @@ class Steps {
         constexpr int deepest = 4;
         const double middle_G = begin.G + (end.G - begin.G) / 2;
         const SteppedSample middle{middle_G, steps_at(middle_G)};
-        const Common common({begin.steps, middle.steps, end.steps});
+        std::vector<StepRange> ranges{begin.steps, middle.steps, end.steps};
+        add_beside_critical(begin.G, end.G, ranges);
+        const Common common(ranges);
         if (!common.is_resolved() && depth < deepest) {
             cover(begin, middle, depth + 1);
             cover(middle, end, depth + 1);
         } else {
             append(begin.G, end.G, common);
+        }
+    }
+
+    /// At the critical values between them a range may have its least value.
+    void add_beside_critical(double low, double high, std::vector<StepRange>& ranges) {
+        for (const double critical : critical_) {
+            constexpr double aside = 1e-5;
+            for (const double G : {critical * (1 - aside), critical * (1 + aside)}) {
+                if (low < G && G < high) {
+                    const auto [known, is_new] = beside_critical_.try_emplace(G);
+                    known->second = is_new ? steps_at(G) : known->second;
+                    ranges.push_back(known->second);
+                }
+            }
         }
     }
 
@@ -116,15 +134,18 @@ class Steps {
     }
 
     const Table& table_;
+    const std::vector<double>& critical_;
     Grade least_;
+    std::map<double, StepRange> beside_critical_;  ///< by G
     std::vector<StableStep> steps_;
 };
 
 }  // namespace
 
 std::vector<StableStep> stable_steps(const Table& table,
-                                     const std::vector<StabilityWindow>& windows, Grade least) {
-    Steps steps(table, least);
+                                     const std::vector<StabilityWindow>& windows,
+                                     const std::vector<double>& critical, Grade least) {
+    Steps steps(table, critical, least);
     for (const StabilityWindow& window : windows) {
         steps.cover(window);
     }

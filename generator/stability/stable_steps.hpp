@@ -12,12 +12,14 @@
 namespace nmbcgen {
 
 /// Pieces of G within the windows, ascending, each with steps that have this grade in all of it; a
-/// piece without them is left out. They are those of stable_range() at both ends and in the middle,
-/// where their largest cfl differ by more than 0.06, or their `from` by more than 0.01, for smaller
-/// pieces. For what may lie between, cfl is 0.01 less than the least of the three, and `from`,
-/// where one of them has it, as much more than the largest as they differ, 0.01 at least. A window
-/// without an end is sampled to 1000 times where it begins.
+/// piece without them is left out. They are those of stable_range() at both ends, in the middle and
+/// at both sides of every critical value inside; where their largest cfl differ by more than 0.06,
+/// or their `from` by more than 0.01, for smaller pieces. For what may lie between, cfl is 0.01
+/// less than the least of them, and `from`, where one of them has it, as much more than the largest
+/// as they differ, 0.01 at least. A window without an end is sampled to 1000 times where it begins.
+/// critical: values of G, ascending.
 std::vector<StableStep> stable_steps(const Table& table,
-                                     const std::vector<StabilityWindow>& windows, Grade least);
+                                     const std::vector<StabilityWindow>& windows,
+                                     const std::vector<double>& critical, Grade least);
 
 }  // namespace nmbcgen

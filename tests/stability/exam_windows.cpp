@@ -13,6 +13,7 @@
 #include "generator/pipeline.hpp"
 #include "generator/stability/certify.hpp"
 #include "generator/stability/critical_values.hpp"
+#include "generator/stability/discrete.hpp"
 #include "generator/stability/modal.hpp"
 #include "generator/stability/modal_windows.hpp"
 
@@ -264,6 +265,31 @@ TEST_CASE("on both sides of C(1) = 0 a mode grows or a wave resonates") {
             }
         }
     }
+}
+
+// About G = 2.28 two extrema of the band change their order. The band between them is narrower than
+// 1e-9 of it over 0.006 of G, and in it waves are amplified by up to 6.7e-6 where one end meets any
+// other. Just below G* = 2.448 steps of cfl 0.86 amplify waves by up to 5.9e-4.
+TEST_CASE("what is narrow in the band or in G is no window, and limits the steps") {
+    const auto certificate = nmbcgen::certify(nmbcgen::derive({"nopd1d", 5, 1, 5, {}}));
+    const double least_contractive = certificate.contractive.front().low.inner;
+    CHECK(least_contractive > 2.448);
+    CHECK(certificate.max_cfl_contractive.front().window.low >= least_contractive);
+    for (const double G : {2.44, 2.443, 2.4432, 2.445, 2.448}) {
+        const auto half_space =
+            nmbcgen::make_half_space(nmbcgen::derive({"nopd1d", 5, 1, 5, {}}), Rational(G));
+        const auto piece = std::ranges::find_if(
+            certificate.max_cfl, [G](const auto& steps) { return G <= steps.window.high; });
+        REQUIRE(piece != certificate.max_cfl.end());
+        CHECK(piece->cfl <= nmbcgen::stable_range(half_space).largest);
+    }
+}
+
+TEST_CASE("a value with C(1) = 0 that is a double is not in the window beside it") {
+    const auto windows =
+        nmbcgen::modal_windows(nmbcgen::derive({"nopd1d", 1, 2, 1, {}, Rational(1) / 50}));
+    CHECK(windows.modal.back().low.beyond == Failure::jordan_block);
+    CHECK(windows.modal.back().low.inner == std::nextafter(1.0, 2.0));
 }
 
 TEST_CASE("a table at a fixed G has that point for a window, or none") {
