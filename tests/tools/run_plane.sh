@@ -26,6 +26,9 @@ energy_left 3.5e-5 3.7e-5 "$scene" --set boundary.kind=extended
 energy_left 1.70e-3 1.75e-3 "$scene" "${printed[@]}"
 energy_left 1.75e-3 1.80e-3 "$scene" "${printed[@]}" --set model.radius2=4 --set model.G=1
 energy_left 2.6e-5 2.8e-5 "$scene" --set boundary.kind=higdon --set boundary.allow_unstable=true --set model.G=1
+# Made for wide angles, it lets more of the waves that come head-on back.
+energy_left 2.4e-4 2.7e-4 "$scene" --set boundary.kind=higdon --set boundary.absorb='["P:30", "S:60"]' \
+    --set boundary.allow_unstable=true --set model.G=0.7853981633974483
 energy_left 0.9 1 "$scene" --set boundary.kind=free
 energy_left 0.9 1 "$scene" --set boundary.kind=fixed
 energy_left 0.01 0.03 "$scene" --set boundary.kind=sponge --set boundary.layer=60
@@ -183,6 +186,13 @@ setting 2 "there is no committed table of nopd2d_r1_nu1o4_P, order 3" boundary.k
     boundary.allow_unstable=true
 setting 4 "Passive sides are stable by construction" boundary.kind=nmbc
 setting 4 "Passive sides are stable by construction" boundary.top.kind=higdon
+for bad in '[]' '["P:1", "P:2", "S:3"]'; do
+    setting 2 'must have one wave or two, such as ["P:30", "S:60"]' boundary.kind=higdon "boundary.absorb=$bad"
+done
+for bad in P P:90 Q:3 P:-1 P:nan; do
+    setting 2 "has \"$bad\": a wave is P or S and the angle" boundary.kind=higdon "boundary.absorb=[\"$bad\"]"
+done
+setting 2 'boundary.absorb does not count for kind "passive"' 'boundary.absorb=["P:3"]'
 setting 4 "between these sides steps below" time.step=1
 setting 2 "both step and cfl" time.step=0.01 time.cfl=0.1
 setting 2 "steps, more than 1e+12" time.end=1e300

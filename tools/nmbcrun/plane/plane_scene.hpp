@@ -26,13 +26,21 @@ enum class SideKind {
     periodic,  ///< the opposite side is its neighbour
     extended,  ///< more of the same lattice, fixed at its far end
     nmbc,      ///< (60) on the ghost layers, component by component
-    higdon,    ///< Higdon's product of the P and the S speed on the ghost layers
+    higdon,    ///< Higdon's product for given waves on the ghost layers
     sponge,    ///< a layer that damps the velocity
     pml,       ///< a perfectly matched layer
 };
 
 /// As a scene spells it, such as "fixed".
 std::string_view name_of(SideKind kind);
+
+/// A long wave, and the angle from the side's normal at which it comes.
+struct ObliqueWave {
+    bool is_P = true;
+    double degrees = 0;  ///< 0 <= degrees < 90
+
+    friend bool operator==(const ObliqueWave&, const ObliqueWave&) = default;
+};
 
 struct PlaneSideChoice {
     SideKind kind = SideKind::passive;
@@ -41,6 +49,7 @@ struct PlaneSideChoice {
     int order = 1;
     int stride = 1;
     bool as_printed = false;  ///< (81): the speed of P waves for both components
+    std::vector<ObliqueWave> absorb{{true, 0}, {false, 0}};  ///< by a higdon, a factor each
     // Of a sponge or a perfectly matched layer:
     double profile = 2;    ///< exponent of the losses in the depth
     double target = 0.01;  ///< amplitude that the continuum sends back

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <nmbc/tables/tables.hpp>
 #include <numbers>
@@ -85,6 +86,20 @@ nmbc::MatchingSide matching_side_of(const PlaneScene& scene, const PlaneSideChoi
         coefficients =
             nmbc::boundary_coefficients(*table, scene.G / std::numbers::pi, nmbc::allow_unstable);
     }
+    return side;
+}
+
+/// A factor for each wave, of its apparent speed across the side.
+nmbc::HigdonSide higdon_side_of(const PlaneScene& scene, const PlaneSideChoice& choice) {
+    const nmbc::PlaneModel model = model_of(scene);
+    nmbc::HigdonSide side;
+    for (const ObliqueWave& wave : choice.absorb) {
+        side.speeds.push_back((wave.is_P ? model.speed_P() : model.speed_S()) /
+                              std::cos(wave.degrees * std::numbers::pi / 180));
+    }
+    // Without decay a field that is linear in time satisfies a product, and roundings drift.
+    constexpr double decay = 0.002;
+    side.decay = choice.absorb.size() > 1 ? decay : 0;
     return side;
 }
 
@@ -173,12 +188,8 @@ nmbc::PlaneSides sides_of(const PlaneScene& scene) {
                 return nmbc::PeriodicSide{};
             case SideKind::nmbc:
                 return matching_side_of(scene, scene.sides[number]);
-            case SideKind::higdon: {
-                const nmbc::PlaneModel model = model_of(scene);
-                // Without decay a field that is linear in time satisfies it, and roundings drift.
-                constexpr double decay = 0.002;
-                return nmbc::HigdonSide{{model.speed_P(), model.speed_S()}, decay};
-            }
+            case SideKind::higdon:
+                return higdon_side_of(scene, scene.sides[number]);
             case SideKind::sponge:
                 return sponge_side_of(scene, scene.sides[number]);
             case SideKind::pml:

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/scene/read_choice.hpp"
 
 namespace nmbcrun {
@@ -26,6 +29,8 @@ std::vector<std::string_view> keys_of(SideKind kind) {
     switch (kind) {
         case SideKind::nmbc:
             return {"order", "stride", "as_printed"};
+        case SideKind::higdon:
+            return {"absorb"};
         case SideKind::extended:
             return {"layer"};
         case SideKind::sponge:
@@ -34,6 +39,37 @@ std::vector<std::string_view> keys_of(SideKind kind) {
         default:
             return {};
     }
+}
+
+/// "P:30"
+std::optional<ObliqueWave> oblique_wave(const std::string& text) {
+    if (text.size() < 3 || (text[0] != 'P' && text[0] != 'S') || text[1] != ':') {
+        return std::nullopt;
+    }
+    ObliqueWave wave{.is_P = text[0] == 'P'};
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data() + 2, end, wave.degrees);
+    const bool is_angle = error == std::errc() && stop == end;
+    return is_angle && wave.degrees >= 0 && wave.degrees < 90 ? std::optional(wave) : std::nullopt;
+}
+
+std::vector<ObliqueWave> read_waves(SceneReader& reader, const std::string& key) {
+    std::vector<ObliqueWave> waves;
+    for (const std::string& text : reader.texts(key)) {
+        const auto wave = oblique_wave(text);
+        if (!wave) {
+            reader.fail(key,
+                        fmt::format("has \"{}\": a wave is P or S and the angle from the normal "
+                                    "at which it comes, 0 or more and below 90 degrees, such "
+                                    "as \"P:30\"",
+                                    printable(text.substr(0, 60))));
+        }
+        waves.push_back(*wave);
+    }
+    if (waves.empty() || waves.size() > 2) {
+        reader.fail(key, "must have one wave or two, such as [\"P:30\", \"S:60\"]");
+    }
+    return waves;
 }
 
 PlaneSideChoice read_side(SceneReader& reader, const std::string& group,
@@ -48,6 +84,9 @@ PlaneSideChoice read_side(SceneReader& reader, const std::string& group,
     }
     side.order = int(reader.whole_number(group + ".order", 1, 10).value_or(side.order));
     side.stride = int(reader.whole_number(group + ".stride", 1, 1000).value_or(side.stride));
+    if (reader.has(group + ".absorb")) {
+        side.absorb = read_waves(reader, group + ".absorb");
+    }
     side.as_printed = reader.truth(group + ".as_printed").value_or(side.as_printed);
     side.profile = reader.number(group + ".profile", up_to_10).value_or(side.profile);
     side.target = reader.number(group + ".target", between_0_and_1).value_or(side.target);
@@ -61,7 +100,7 @@ void refuse_idle_keys(SceneReader& reader, const std::string& group,
     const bool kind_is_overridden =
         reader.is_overridden("boundary.kind") || reader.is_overridden(group + ".kind");
     for (const std::string_view name :
-         {"order", "stride", "as_printed", "layer", "profile", "target"}) {
+         {"order", "stride", "as_printed", "absorb", "layer", "profile", "target"}) {
         const std::string key = fmt::format("{}.{}", group, name);
         const bool counts = std::ranges::any_of(sides, [&](const PlaneSideChoice& side) {
             const auto keys = keys_of(side.kind);
@@ -121,6 +160,20 @@ bool is_artificial(SideKind kind) {
     return kind != SideKind::fixed && kind != SideKind::free && kind != SideKind::periodic;
 }
 
+namespace {
+
+/// "P at 30 and S at 60 degrees"
+std::string text_of(const std::vector<ObliqueWave>& waves) {
+    std::string text;
+    for (const ObliqueWave& wave : waves) {
+        text += fmt::format("{}{} at {:g}", text.empty() ? "" : " and ", wave.is_P ? 'P' : 'S',
+                            wave.degrees);
+    }
+    return text + " degrees";
+}
+
+}  // namespace
+
 std::string heading_of(const PlaneSideChoice& side) {
     switch (side.kind) {
         case SideKind::nmbc:
@@ -128,7 +181,7 @@ std::string heading_of(const PlaneSideChoice& side) {
                        ? std::string("NMBC1 as printed, (81)")
                        : fmt::format("NMBC{} by component, stride {}", side.order, side.stride);
         case SideKind::higdon:
-            return "higdon of the P and S speeds";
+            return "higdon for " + text_of(side.absorb);
         case SideKind::sponge:
         case SideKind::pml:
             return fmt::format("{} of {} nodes, profile {}, target {}", name_of(side.kind),
