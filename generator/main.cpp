@@ -158,6 +158,13 @@ void print_curves(std::string_view family, const PlaneCurves& curves,
     }
 }
 
+std::string passive_text(const Request& request) {
+    if (request.end) {
+        return request.as_header ? passive_header(*request.end) : passive_json(*request.end);
+    }
+    return request.as_header ? passive_header(*request.side) : passive_json(*request.side);
+}
+
 /// Puts a time step in the place of cfl.
 Request settled(Request request) {
     if (request.cfl) {
@@ -187,14 +194,7 @@ int run(const Request& request) {
             }));
             return done;
         case Action::passive:
-            print(with_progress([&request](const Progress&) {
-                if (!request.end) {
-                    return request.as_header ? passive_header(*request.side)
-                                             : passive_json(*request.side);
-                }
-                return request.as_header ? passive_header(*request.end)
-                                         : passive_json(*request.end);
-            }));
+            print(with_progress([&request](const Progress&) { return passive_text(request); }));
             return done;
         case Action::optimise:
             print(with_progress([&request](const Progress& progress) {

@@ -156,7 +156,7 @@ CLI::App* add_influence(CLI::App& app, Request& request) {
                fmt::format("p of (|xi| + eps)^-p, 0 to {}", largest_power))
         ->required();
     const auto parse_smoothing = [](const std::string& text) {
-        const Rational eps = parse_rational(text);
+        Rational eps = parse_rational(text);
         if (eps == 0) {
             throw std::invalid_argument("the smoothing length must be above 0");
         }

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nmbc/nmbc.hpp>
-#include <span>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -99,7 +97,7 @@ TEST_CASE("under no traction a mirror is a free end") {
 
 TEST_CASE("a bar under a constant strain stays as it is, between a displacement and a traction") {
     constexpr double strain = 0.25;
-    for (const std::size_t horizon : {1, 2, 3, 7}) {
+    for (const std::size_t horizon : {1U, 2U, 3U, 7U}) {
         const nmbc::Lattice lattice = bonds(horizon);
         for (const Closure closure : closures) {
             CAPTURE(horizon);
@@ -174,7 +172,6 @@ double error_of_wave(Closure closure, OnSurface given, double width) {
     double error = 0;
     while (chain.time() < 2.5 * middle) {
         chain.step();
-        const std::span<const double> u = std::as_const(chain).displacement();
         for (std::size_t i = chain.first_interior(); i + chain.ghosts() < chain.nodes(); ++i) {
             error = std::max(
                 error, std::abs(chain.displacement()[i] - g(chain.time() - place(chain, i) / c)));
@@ -199,7 +196,7 @@ TEST_CASE("what is given in time goes in as a wave, to second order in dX") {
 }
 
 TEST_CASE("in the longest steps that a surface node allows nothing grows") {
-    for (const std::size_t horizon : {1, 2, 3, 5, 10}) {
+    for (const std::size_t horizon : {1U, 2U, 3U, 5U, 10U}) {
         const nmbc::Lattice lattice = bonds(horizon);
         for (const auto given : {OnSurface::displacement, OnSurface::traction}) {
             const std::size_t nodes = 3 * horizon + 5;

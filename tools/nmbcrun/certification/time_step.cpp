@@ -29,6 +29,33 @@ bool is_matched(const Boundary& boundary) {
     return takes_table(boundary.kind) && boundary.matched_step != "0";
 }
 
+void shorten(AutomaticStep& step, double cfl, std::string limit) {
+    if (cfl < step.cfl) {
+        step.cfl = cfl;
+        step.limit = std::move(limit);
+    }
+}
+
+/// Of the fastest mode beside a surface node, or of the interior: omega_max over its frequency.
+double surface_node_cfl(const Scene& scene, const Boundary& boundary,
+                        const nmbc::Lattice& lattice) {
+    constexpr double rounding = 1e-9;  // of the largest eigenvalue
+    return (1 - rounding) * nmbc::maximum_frequency(lattice) /
+           std::sqrt(nmbc::largest_eigenvalue(lattice, boundary.given, scene.nodes));
+}
+
+std::string why_uncertified(const Scene& scene, const Boundary& boundary) {
+    const nmbc::MatchingTable& table = table_of(scene, boundary);
+    const TableFile* uncertified = uncertified_file(scene, table);
+    return fmt::format("{} at G = {}: {}{}{}", heading_of(boundary), scene.G,
+                       uncertified == nullptr
+                           ? ""
+                           : fmt::format("its table, in {}, was written with --uncertified; ",
+                                         uncertified->name()),
+                       boundary.ghosts == nmbc::GhostRule::midpoint ? "" : "with midpoint ghosts, ",
+                       nmbc::certified_choices(table, scene.G, tables_of(scene)));
+}
+
 /// The least of what each end's table is certified for with its like, where anything comes back
 /// from the other end. cfl = 0: nothing is, for the reason in `limit`.
 AutomaticStep with_their_like(const Scene& scene, const nmbc::Lattice& lattice) {
@@ -39,45 +66,26 @@ AutomaticStep with_their_like(const Scene& scene, const nmbc::Lattice& lattice) 
             return {0, fmt::format("an end that is {}: there is no certificate for this kind",
                                    heading_of(*boundary))};
         }
-        if (boundary->kind == BoundaryKind::passive && DesignedEnd::largest_cfl < step.cfl) {
-            step.cfl = DesignedEnd::largest_cfl;
-            step.limit = "what passive ends are designed for";
+        if (boundary->kind == BoundaryKind::passive) {
+            shorten(step, DesignedEnd::largest_cfl, "what passive ends are designed for");
         }
         if (boundary->kind == BoundaryKind::snm) {
-            // omega_max over that of the surface's own mode, or of the interior and its margin.
-            const double cfl =
-                nmbc::maximum_frequency(lattice) /
-                std::sqrt(nmbc::largest_eigenvalue(lattice, boundary->given, scene.nodes));
-            if (cfl < step.cfl) {
-                step.cfl = cfl * (1 - 1e-9);
-                step.limit = "what a surface node allows";
-            }
+            shorten(step, surface_node_cfl(scene, *boundary, lattice),
+                    "what a surface node allows");
         }
         const Boundary& opposite = boundary == &scene.left ? scene.right : scene.left;
         const double time_step = 2 * step.cfl / nmbc::maximum_frequency(lattice);
         if (!takes_table(boundary->kind) || is_half_line(scene, opposite, lattice, time_step)) {
             continue;
         }
-        const nmbc::MatchingTable& table = table_of(scene, *boundary);
-        const bool midpoint = boundary->ghosts == nmbc::GhostRule::midpoint;
-        const auto steps =
-            midpoint ? nmbc::certified_steps(table, scene.G) : nmbc::StableStep{{}, 0};
+        const auto steps = boundary->ghosts == nmbc::GhostRule::midpoint
+                               ? nmbc::certified_steps(table_of(scene, *boundary), scene.G)
+                               : nmbc::StableStep{{}, 0};
         if (steps.cfl == 0) {
-            const TableFile* uncertified = uncertified_file(scene, table);
-            return {
-                0, fmt::format("{} at G = {}: {}{}{}", heading_of(*boundary), scene.G,
-                               uncertified == nullptr ? ""
-                                                      : fmt::format("its table, in {}, was written "
-                                                                    "with --uncertified; ",
-                                                                    uncertified->name()),
-                               midpoint ? "" : "with midpoint ghosts, ",
-                               nmbc::certified_choices(table, scene.G, tables_of(scene)))};
+            return {0, why_uncertified(scene, *boundary)};
         }
         step.from = std::max(step.from, steps.from);
-        if (steps.cfl < step.cfl) {
-            step.cfl = steps.cfl;
-            step.limit = "the largest certified for " + heading_of(*boundary);
-        }
+        shorten(step, steps.cfl, "the largest certified for " + heading_of(*boundary));
     }
     return step;
 }

@@ -67,7 +67,7 @@ std::vector<ObliqueWave> read_waves(SceneReader& reader, const std::string& key)
         waves.push_back(*wave);
     }
     if (waves.empty() || waves.size() > 2) {
-        reader.fail(key, "must have one wave or two, such as [\"P:30\", \"S:60\"]");
+        reader.fail(key, R"(must have one wave or two, such as ["P:30", "S:60"])");
     }
     return waves;
 }

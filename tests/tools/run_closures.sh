@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# tools/scripts/paper-closures: the table of its page, and what it refuses.
+# Usage: run_closures.sh NMBCRUN SOURCE_FOLDER (absolute)
+source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
+bin=$(dirname "$program")
+program=$2/tools/scripts/paper-closures
+
+try --nodes 100 --bin "$bin"
+expect_exit 0
+expect_no_stderr
+expect "the page's table" diff \
+    <(sed -n 's/^| \(printed\|corrected\) | `\(.*\)` | \(.*\) | \(.*\) | \(.*\) |$/\2,\1,100,\3,\4,\5/p' "$2/docs/how-to/end-a-body.md") \
+    <(tail -n +2 "$scratch/stdout")
+try --nodes 20 --bin "$bin" --plot bar.svg
+expect_exit 0
+expect_file bar.svg
+
+refuses() { # TEXT ARGUMENT..
+    local text=$1
+    shift
+    try "$@"
+    expect_exit 2
+    expect_stderr "$text"
+    expect_no_stdout
+}
+refuses "--nodes needs a multiple of 10" --nodes 15
+refuses "--nodes needs a multiple of 10" --nodes 0
+refuses "--nodes needs a multiple of 10" --nodes
+refuses "--plot needs a file that ends in .svg" --plot bar.png
+refuses "there is no program nowhere/nmbcgen" --bin nowhere
+refuses "no such option: 'all'" all
+finish
