@@ -21,6 +21,7 @@
 #include "generator/commands/require_stable.hpp"
 #include "generator/commands/time_step.hpp"
 #include "generator/emit/emit.hpp"
+#include "generator/lattice/projection.hpp"
 #include "generator/names/names.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/support/certificate_cache.hpp"
@@ -222,6 +223,13 @@ int run(const Request& request) {
             print(request.as_json ? power_influence_json(request.influence)
                                   : power_influence_text(request.influence));
             return done;
+        case Action::taylor:
+            print(request.as_json ? plane_series_json(request.series)
+                                  : plane_series_text(request.series));
+            return done;
+        case Action::oblique:
+            print(request.as_json ? oblique_json(request.oblique) : oblique_text(request.oblique));
+            return done;
         case Action::closed_forms:
             print(request.closed_format->emit(closed_forms(
                 find_family(request.specification.family), request.specification.order)));
@@ -244,6 +252,9 @@ int main(int argc, char** argv) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::no_such_boundary;
     } catch (const nmbcgen::NoSuchBonds& reason) {
+        std::cerr << "nmbcgen: " << reason.what() << "\n";
+        return nmbcgen::no_such_boundary;
+    } catch (const nmbcgen::NoProjection& reason) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::no_such_boundary;
     } catch (const nmbcgen::NoSuchModel& reason) {

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "generator/cli/model_options.hpp"
 #include "generator/cli/option_values.hpp"
 #include "generator/cli/parsed_option.hpp"
 #include "generator/cli/print_options.hpp"
@@ -14,29 +15,6 @@
 
 namespace nmbcgen {
 namespace {
-
-/// --radius2 and what goes with it.
-CLI::Option* add_plane_model(CLI::App& app, PlaneOptions& plane) {
-    CLI::Option* const radius =
-        add_parsed(app, "--radius2", plane.radius_squared, parse_radius_squared,
-                   "of a plane family, in place of --horizon: square of a node's family radius "
-                   "delta in units of dX^2, a sum of two squares such as 1, 2, 4, 5, 8, 9");
-    add_parsed(app, "--nu", plane.poisson, parse_signed_rational,
-               "of nopd2d: Poisson's ratio, an exact number such as 1/4")
-        ->needs(radius);
-    add_parsed(app, "--state", plane.plane_strain, parse_plane_state,
-               "of nopd2d: plane stress or strain (default stress)")
-        ->needs(radius);
-    return radius;
-}
-
-CLI::Option* add_plane(CLI::App& app, PlaneOptions& plane) {
-    CLI::Option* const radius = add_plane_model(app, plane);
-    add_parsed(app, "--polarisation", plane.polarisation, parse_polarisation,
-               "of a plane family: P or S waves, at normal incidence")
-        ->needs(radius);
-    return radius;
-}
 
 /// The size of the neighbourhood, of a chain or of a plane lattice.
 void require_one_of(CLI::App& app, CLI::Option* horizon, CLI::Option* radius) {
@@ -61,14 +39,6 @@ struct SpecificationOptions {
     CLI::Option* cfl;
     CLI::Option* G;
 };
-
-CLI::Option* add_weights(CLI::App& app, std::optional<WeightChoice>& weights) {
-    return add_parsed(app, "--weights", weights, parse_weights,
-                      "influence function: w_1,w_2,.. of bonds of 1, 2, .. dX, exact numbers, or " +
-                          influence_names() +
-                          " (default constant); of bond2d: w of the energy w (R . du)^2/2 of each "
-                          "class of bonds R, shortest first");
-}
 
 SpecificationOptions add_specification(CLI::App& app, Request& request, Pending& pending) {
     Specification& what = request.specification;
@@ -144,7 +114,7 @@ CLI::App* add_dispersion(CLI::App& app, Curves& curves, Pending& pending) {
     add_parsed(
         *dispersion, "--angle", pending.plane.angles, parse_angles,
         "of a plane family: directions of the waves against x in degrees, with commas between "
-        "(default 0,15,30,45)");
+        "(default 0,15,30,45), or as FROM..TO/STEP, such as 0..90/5");
     add_weights(*dispersion, pending.weights);
     add_parsed(*dispersion, "--G", curves.G, parse_rationals,
                "values of the stabilisation G (of nopd2d: g = G/pi), exact numbers with commas "
@@ -315,6 +285,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     auto* const bonds = add_bonds(app, request);
     auto* const closure = add_closure(app, request);
     auto* const influence = add_influence(app, request);
+    auto* const taylor = add_taylor(app, request, pending);
+    auto* const oblique = add_oblique(app, request, pending);
     app.footer(
         "Exit codes: 0 done; 1 the committed set is stale; 2 wrong arguments; 3 there is no such "
         "boundary\ncondition; 4 it is not certified to be stable (--require-stable); 5 a file "
@@ -350,6 +322,10 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
             request.action = Action::closure;
         } else if (influence->parsed()) {
             request.action = Action::influence;
+        } else if (taylor->parsed()) {
+            request.action = Action::taylor;
+        } else if (oblique->parsed()) {
+            request.action = Action::oblique;
         }
         settle(request, pending, app);
     } catch (const CLI::Success& help) {

@@ -8,9 +8,11 @@
 #include "generator/commands/bonds.hpp"
 #include "generator/commands/closure.hpp"
 #include "generator/commands/dispersion.hpp"
+#include "generator/commands/oblique.hpp"
 #include "generator/commands/optimise.hpp"
 #include "generator/commands/passive.hpp"
 #include "generator/commands/plane_dispersion.hpp"
+#include "generator/commands/plane_series.hpp"
 #include "generator/commands/plane_sides.hpp"
 #include "generator/commands/recommend.hpp"
 #include "generator/emit/closed_forms.hpp"
@@ -32,7 +34,9 @@ enum class Action {
     closed_forms,
     bonds,
     closure,
-    influence
+    influence,
+    taylor,
+    oblique
 };
 
 struct Request {
@@ -57,6 +61,8 @@ struct Request {
     BondsTask bonds;                                                ///< of Action::bonds
     ClosureTask closure;                                            ///< of Action::closure
     PowerInfluence influence;                                       ///< of Action::influence
+    PlaneSeriesTask series;                                         ///< of Action::taylor
+    ObliqueTask oblique;                                            ///< of Action::oblique
     bool as_json = false;                        ///< what these print, in place of text
     std::optional<std::filesystem::path> cache;  ///< folder of kept certificates
     std::filesystem::path folder = "generated/nmbc/tables";

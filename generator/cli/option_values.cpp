@@ -93,8 +93,12 @@ std::string chain_family_names() {
     return names_of(families());
 }
 
+std::string plane_family_names() {
+    return names_of(vector_families());
+}
+
 std::string family_names() {
-    return chain_family_names() + ", " + names_of(vector_families());
+    return chain_family_names() + ", " + plane_family_names();
 }
 
 std::string format_names() {
@@ -158,6 +162,14 @@ std::string parse_chain_family(const std::string& text) {
     if (std::ranges::find(families(), text, &Family::name) == families().end()) {
         throw std::invalid_argument(
             "'" + text + "' is not a family of chains; allowed: " + chain_family_names());
+    }
+    return text;
+}
+
+std::string parse_plane_family(const std::string& text) {
+    if (vector_family(text) == nullptr) {
+        throw std::invalid_argument("'" + text +
+                                    "' is not a plane family; allowed: " + plane_family_names());
     }
     return text;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/commands/oblique.hpp"
 #include "generator/commands/plane_sides.hpp"
 #include "generator/commands/recommend.hpp"
 #include "generator/emit/closed_forms.hpp"
@@ -25,15 +26,22 @@ unsigned parse_samples(const std::string& text);  ///< 1 to a million
 /// The names that are allowed, with commas between.
 std::string family_names();
 std::string chain_family_names();
+std::string plane_family_names();
 std::string format_names();
 std::string influence_names();
 
 std::string parse_family(const std::string& text);
 std::string parse_chain_family(const std::string& text);  ///< no plane family
-unsigned parse_radius_squared(const std::string& text);   ///< 1 to 99
-bool parse_plane_state(const std::string& text);          ///< "strain", or "stress": false
+std::string parse_plane_family(const std::string& text);
+unsigned parse_radius_squared(const std::string& text);  ///< 1 to 99
+bool parse_plane_state(const std::string& text);         ///< "strain", or "stress": false
 Polarisation parse_polarisation(const std::string& text);
-std::vector<double> parse_angles(const std::string& text);  ///< -180 to 180 degrees
+/// -180 to 180 degrees: a list, or FROM..TO/STEP.
+std::vector<double> parse_angles(const std::string& text);
+/// Exact ones: 0, 30, 45, 60, 90, or X:Y of whole numbers.
+Direction parse_direction(const std::string& text);
+/// P:DIRECTION or S:DIRECTION below 90 degrees, one or two of them with a comma between.
+std::vector<ObliqueWave> parse_oblique_waves(const std::string& text);
 /// P:DEGREES or S:DEGREES, one or two of them with a comma between.
 std::vector<AbsorbedWave> parse_absorbed(const std::string& text);
 const Format* parse_format(const std::string& text);

@@ -2,6 +2,7 @@
 /// The values of options of plane families.
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
@@ -40,16 +41,94 @@ Polarisation parse_polarisation(const std::string& text) {
     return text == "P" ? Polarisation::P : Polarisation::S;
 }
 
+namespace {
+
+double parse_angle(const std::string& text) {
+    constexpr double half_turn = 180;
+    const std::optional<double> angle = number_of(text);
+    if (!angle || !(std::abs(*angle) <= half_turn)) {
+        throw std::invalid_argument("'" + text.substr(0, 60) +
+                                    "' is not an angle from -180 to 180 degrees");
+    }
+    return *angle;
+}
+
+/// FROM..TO/STEP; of other texts nothing.
+std::optional<std::vector<double>> angle_range(const std::string& text) {
+    const std::size_t dots = text.find("..");
+    const std::size_t slash = text.find('/');
+    if (dots == std::string::npos || slash == std::string::npos || slash < dots) {
+        return std::nullopt;
+    }
+    const double from = parse_angle(text.substr(0, dots));
+    const double to = parse_angle(text.substr(dots + 2, slash - dots - 2));
+    const std::optional<double> step = number_of(text.substr(slash + 1));
+    constexpr double least = 0.5;  // a thousand rays at most
+    if (!(from < to) || !step || !(*step >= least)) {
+        throw std::invalid_argument(
+            "'" + text.substr(0, 60) +
+            "' is no range such as 0..90/5: FROM below TO, steps of 0.5 degrees or more");
+    }
+    std::vector<double> angles;
+    constexpr double roundings = 1e-9;
+    for (unsigned i = 0; from + i * *step <= to + roundings; ++i) {
+        angles.push_back(from + i * *step);
+    }
+    return angles;
+}
+
+}  // namespace
+
 std::vector<double> parse_angles(const std::string& text) {
-    return parse_list<double>(text, [](const std::string& item) {
-        constexpr double half_turn = 180;
-        const std::optional<double> angle = number_of(item);
-        if (!angle || !(std::abs(*angle) <= half_turn)) {
+    const auto range = angle_range(text);
+    return range ? *range : parse_list<double>(text, parse_angle);
+}
+
+Direction parse_direction(const std::string& text) {
+    static const std::map<std::string, Rational> exact{{"0", 1},
+                                                       {"30", Rational(3, 4)},
+                                                       {"45", Rational(1, 2)},
+                                                       {"60", Rational(1, 4)},
+                                                       {"90", 0}};
+    if (const auto known = exact.find(text); known != exact.end()) {
+        return {.cosine_squared = known->second, .text = text};
+    }
+    const std::size_t colon = text.find(':');
+    constexpr unsigned largest = 1000;
+    if (colon == std::string::npos) {
+        throw std::invalid_argument(
+            "'" + text.substr(0, 60) +
+            "' is no direction with an exact cosine: 0, 30, 45, 60 or 90 degrees, or X:Y of whole "
+            "numbers, such as 10:7 for 35 degrees nearly");
+    }
+    const Rational x = parse_whole_number(text.substr(0, colon), largest, 0);
+    const Rational y = parse_whole_number(text.substr(colon + 1), largest, 0);
+    if (x == 0 && y == 0) {
+        throw std::invalid_argument("0:0 is no direction");
+    }
+    return {.cosine_squared = x * x / (x * x + y * y), .text = text};
+}
+
+std::vector<ObliqueWave> parse_oblique_waves(const std::string& text) {
+    std::vector<ObliqueWave> waves;
+    for (const std::string& item : items_of(text)) {
+        const bool is_wave =
+            item.size() > 2 && item[1] == ':' && (item.front() == 'P' || item.front() == 'S');
+        if (!is_wave) {
             throw std::invalid_argument("'" + item.substr(0, 60) +
-                                        "' is not an angle from -180 to 180 degrees");
+                                        "' is no wave such as P:0, S:45 or S:3:4");
         }
-        return *angle;
-    });
+        waves.push_back({.polarisation = parse_polarisation(item.substr(0, 1)),
+                         .direction = parse_direction(item.substr(2))});
+        if (waves.back().direction.cosine_squared == 0) {
+            throw std::invalid_argument("'" + item.substr(0, 60) +
+                                        "' goes along the side: an angle below 90 is needed");
+        }
+    }
+    if (waves.size() > 2) {
+        throw std::invalid_argument("one or two waves are allowed");
+    }
+    return waves;
 }
 
 std::vector<AbsorbedWave> parse_absorbed(const std::string& text) {

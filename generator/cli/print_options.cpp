@@ -8,6 +8,7 @@
 
 #include "generator/bonds/square_bonds.hpp"
 #include "generator/cli/comma_list.hpp"
+#include "generator/cli/model_options.hpp"
 #include "generator/cli/option_values.hpp"
 #include "generator/cli/parsed_option.hpp"
 #include "generator/cli/whole_number.hpp"
@@ -173,6 +174,46 @@ CLI::App* add_influence(CLI::App& app, Request& request) {
         ->required();
     add_format(*influence, request);
     return influence;
+}
+
+CLI::App* add_taylor(CLI::App& app, Request& request, Pending& pending) {
+    PlaneSeriesTask& task = request.series;
+    auto* const taylor = app.add_subcommand(
+        "taylor",
+        "Taylor coefficients of waves of a plane lattice in any direction, exact "
+        "(docs/how-to/oblique-waves.md)");
+    add_parsed(*taylor, "--family", task.family, parse_plane_family,
+               "plane family: " + plane_family_names() + " (default nopd2d)");
+    add_plane(*taylor, pending.plane)->required();
+    add_weights(*taylor, pending.weights);
+    add_parsed(*taylor, "--order", task.order, parse_closed_order, "N: a_1 to a_{2N+1}, 1 to 12")
+        ->required();
+    add_parsed(*taylor, "--direction", task.direction, parse_direction,
+               "of the wave vector against x: 0, 30, 45, 60 or 90 degrees, or X:Y, such as 3:4 "
+               "(default: every angle)");
+    add_format(*taylor, request);
+    return taylor;
+}
+
+CLI::App* add_oblique(CLI::App& app, Request& request, Pending& pending) {
+    ObliqueTask& task = request.oblique;
+    auto* const oblique = app.add_subcommand(
+        "oblique",
+        "coefficients of NMBC1 of a plane's side matched at an angle, or of the product of two "
+        "(docs/how-to/oblique-waves.md)");
+    add_parsed(*oblique, "--family", task.family, parse_plane_family,
+               "plane family: " + plane_family_names() + " (default nopd2d)");
+    add_plane_model(*oblique, pending.plane)->required();
+    add_weights(*oblique, pending.weights);
+    add_parsed(*oblique, "--absorb", task.waves, parse_oblique_waves,
+               "waves and their angles from the normal of the side: P:0, P:45, or P:30,S:60; exact "
+               "angles are 0, 30, 45, 60 degrees and X:Y, such as S:3:4")
+        ->required();
+    add_parsed(*oblique, "--decay", task.decay, parse_rational,
+               "e, which keeps a product from drifting, an exact number in sqrt(E/density)/dX "
+               "(default 1/500; of one wave 0)");
+    add_format(*oblique, request);
+    return oblique;
 }
 
 }  // namespace nmbcgen

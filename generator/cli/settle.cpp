@@ -38,18 +38,6 @@ void require_options_behind(const CLI::App& app) {
     }
 }
 
-const std::string& family_of(const Request& request) {
-    switch (request.action) {
-        case Action::recommend:
-        case Action::passive:
-            return request.question.family;
-        case Action::dispersion:
-            return request.curves.family;
-        default:
-            return request.specification.family;
-    }
-}
-
 /// The option or the command that asks for a G; empty where none is needed.
 std::string needs_G(const Request& request, const CLI::App& used) {
     const Action action = request.action;

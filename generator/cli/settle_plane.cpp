@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "generator/families/family.hpp"
 #include "generator/families/projected.hpp"
@@ -122,13 +123,27 @@ void settle_side(Request& request, const VectorFamily& family, const VectorChoic
 
 }  // namespace
 
+std::string& family_of(Request& request) {
+    switch (request.action) {
+        case Action::recommend:
+        case Action::passive:
+            return request.question.family;
+        case Action::dispersion:
+            return request.curves.family;
+        case Action::taylor:
+            return request.series.family;
+        case Action::oblique:
+            return request.oblique.family;
+        default:
+            return request.specification.family;
+    }
+}
+
 void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
     const bool designs = request.action == Action::passive;
     const bool recommends = request.action == Action::recommend || designs;
     const bool disperses = request.action == Action::dispersion;
-    std::string& family = recommends  ? request.question.family
-                          : disperses ? request.curves.family
-                                      : request.specification.family;
+    std::string& family = family_of(request);
     const VectorFamily* const known = vector_family(family);
     if (known == nullptr) {
         refuse_options(family, used);
@@ -149,12 +164,26 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
     require_model("--radius2", [&] { neighbours_in_plane(choice.radius_squared); });
     require_model(blamed, [&] { known->describe(choice); });
     if (disperses) {
-        if (request.curves.limit) {
-            throw CLI::ValidationError("--limit", "plane families state no continuum limit");
+        const bool limit = std::exchange(request.curves.limit, false);
+        if (limit && known->limit == nullptr) {
+            throw CLI::ValidationError("--limit", family + " states no continuum limit");
         }
         request.plane_curves = {.model = choice,
                                 .angles = plane.angles.value_or(std::vector<double>{0, 15, 30, 45}),
-                                .samples = request.curves.samples};
+                                .samples = request.curves.samples,
+                                .limit = limit};
+        return;
+    }
+    if (request.action == Action::taylor) {
+        if (!plane.polarisation) {
+            throw CLI::RequiredError("--polarisation");
+        }
+        request.series.choice = choice;
+        request.series.polarisation = *plane.polarisation;
+        return;
+    }
+    if (request.action == Action::oblique) {
+        request.oblique.choice = choice;
         return;
     }
     if (recommends && !plane.polarisation) {

@@ -8,6 +8,9 @@
 
 namespace nmbcgen {
 
+/// That of the request's action.
+std::string& family_of(Request& request);
+
 /// Puts a plane family and its options into the request: for dispersion as they are, otherwise as
 /// the name of a projected family, with its horizon. Takes the weights, which are those of bond
 /// classes then. Throws CLI::ParseError where they do not fit the family, or there is no such

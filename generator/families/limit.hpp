@@ -12,4 +12,12 @@ struct SquaredFrequency {
     Real slope;
 };
 
+/// The same of P and S waves of a plane, in doubles: omega^2 [E/(rho dX^2)].
+struct PlaneLimit {
+    double P = 0;
+    double P_slope = 0;
+    double S = 0;
+    double S_slope = 0;
+};
+
 }  // namespace nmbcgen

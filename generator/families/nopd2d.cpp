@@ -3,6 +3,8 @@
 /// stabilised after Silling (Nicely 2018, sections 2, 3 and 6).
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/family.hpp"
@@ -125,6 +127,29 @@ std::vector<VectorSquare> nopd2d_at_edge(const VectorChoice& choice, unsigned la
 
 Rational nopd2d_largest_beta(const VectorChoice& choice) {
     return 2 * moduli_of(choice).shear;
+}
+
+PlaneLimit nopd2d_limit(const VectorChoice& choice, double g, double xi) {
+    // Sums over the family become integrals over a disc, of R sin(xi . R) and cos(xi . R): with
+    // x = delta xi, |kappa| = 8 J_2(x)/(delta x), and the mean of 2 (1 - cos) less that of the
+    // uniform part is 2 - 4 J_1(x)/x - 16 J_2(x)^2/x^2. (J_n/x^n)' = -J_{n+1}/x^n.
+    const auto [bulk, shear] = moduli_of(choice);
+    const double delta = std::sqrt(double(choice.radius_squared));
+    const double x = delta * xi;
+    const auto over_x = [x](double order) { return std::cyl_bessel_j(order, x) / x; };
+    const double slope_of_second = over_x(2) / x - over_x(3);  // of J_2/x by x
+    const double gradient = 64 / (delta * delta) * over_x(2) * over_x(2);
+    const double gradient_slope = 128 / delta * over_x(2) * slope_of_second;
+    const double micromodulus = 12 * g * nearest_double(bulk) / std::pow(delta, 4);
+    const double rest = micromodulus * (2 - 4 * over_x(1) - 16 * over_x(2) * over_x(2));
+    const double rest_slope =
+        micromodulus * delta * (4 * over_x(2) - 32 * over_x(2) * slope_of_second);
+    const double P = nearest_double(bulk + shear);
+    const double S = nearest_double(shear);
+    return {.P = P * gradient + rest,
+            .P_slope = P * gradient_slope + rest_slope,
+            .S = S * gradient + rest,
+            .S_slope = S * gradient_slope + rest_slope};
 }
 
 }  // namespace nmbcgen

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/families/limit.hpp"
 #include "generator/table/vector_model.hpp"
 
 namespace nmbcgen {
@@ -27,6 +28,10 @@ struct VectorFamily {
                                          const Rational& beta);
     /// Up to this beta the energy is a sum of squares; 0: the family has none.
     Rational (*largest_beta)(const VectorChoice& choice);
+    /// The continuum limit at a fixed radius delta, nullptr where a family states none: what the
+    /// model with radius k delta and stabilisation k^2 g on a lattice of spacing dX/k tends to as
+    /// k -> infinity, at every angle, for xi > 0 [1/dX].
+    PlaneLimit (*limit)(const VectorChoice& choice, double g, double xi) = nullptr;
 };
 
 /// The families there are, in the order they are listed to a user.
@@ -54,5 +59,6 @@ std::vector<VectorSquare> nopd2d_at_edge(const VectorChoice& choice, unsigned la
 std::vector<VectorSquare> bond2d_at_edge(const VectorChoice& choice, unsigned layer,
                                          const Rational& beta);
 Rational nopd2d_largest_beta(const VectorChoice& choice);
+PlaneLimit nopd2d_limit(const VectorChoice& choice, double g, double xi);
 
 }  // namespace nmbcgen

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// The plane of Nicely 2018, sections 6 and 7: which printed formula holds, (65) to (74),
-/// (80), (81), (84), (85).
+/// The plane of Nicely 2018, sections 6 and 7: which printed formula holds, (61) to (66), (68),
+/// (70) to (74), (80), (81), (84). (67) and (69) define waves and angles; (85):
+/// tests/plane/exam_side_reflection.cpp.
 /// Units E = rho = dX = 1; angles enter as X = xi_x, Y = xi_y; g = G/pi.
 #include <doctest/doctest.h>
 
 #include <array>
 
 #include "generator/exact/rational_function.hpp"
+#include "generator/exact/real_roots.hpp"
+#include "generator/families/family.hpp"
 #include "generator/families/vector_family.hpp"
+#include "generator/lattice/band.hpp"
 #include "generator/lattice/force_constants.hpp"
 #include "generator/lattice/projection.hpp"
+#include "generator/lattice/symbol.hpp"
 #include "tests/support/laurent.hpp"
 
 using namespace nmbcgen;
@@ -84,6 +89,66 @@ Laurent wrong_neighbours_state(unsigned radius_squared) {
 }
 
 }  // namespace
+
+TEST_CASE("(61) to (64): shape tensor, deformation gradient and strain hold") {
+    for (const unsigned radius_squared : {1U, 2U, 4U, 5U, 8U, 9U}) {
+        const auto family = neighbours_in_plane(radius_squared);
+        std::array<int, 3> K{};  // (61): xx, xy, yy
+        for (const auto& [i, j, none] : family) {
+            K[0] += i * i;
+            K[1] += i * j;
+            K[2] += j * j;
+        }
+        CHECK(K[1] == 0);
+        // (62): F_ab = delta_ab + sum of (u_a,J - u_a,I) R_b/K_bb. The squares are of e_xx + e_yy,
+        // e_xx - e_yy and 2 e_xy.
+        const auto energy = nopd2d({.radius_squared = radius_squared, .poisson = quarter}).energy;
+        for (const VectorTerm& term : energy[0].terms) {
+            const auto& [i, j, none] = term.offset;
+            CHECK(term.factors == std::array{Rational(i, K[0]), Rational(j, K[2]), Rational(0)});
+        }
+        for (const VectorTerm& term : energy[1].terms) {
+            const auto& [i, j, none] = term.offset;
+            CHECK(term.factors == std::array{Rational(i, K[0]), Rational(-j, K[2]), Rational(0)});
+        }
+        for (const VectorTerm& term : energy[2].terms) {
+            const auto& [i, j, none] = term.offset;
+            CHECK(term.factors == std::array{Rational(j, K[2]), Rational(i, K[0]), Rational(0)});
+        }
+        for (std::size_t square = 0; square < 3; ++square) {
+            CHECK(energy[square].terms.size() == family.size());
+        }
+        // (63), (64): 1/(2 dX) and 1/(4 dX).
+        CHECK((radius_squared != 1 || (K[0] == 2 && K[2] == 2)));
+    }
+}
+
+TEST_CASE("(65): the normal stresses hold") {
+    const VectorModel model = nopd2d({.radius_squared = 1, .poisson = quarter});
+    // sigma_xx = d(energy)/d(e_xx), of u_{I+1,J} = 1 (e_xx = 1/2) and of v_{I,J+1} = 1 (e_yy =
+    // 1/2).
+    const Rational sum = evaluate(model.energy[0].weight, 0);
+    const Rational difference = evaluate(model.energy[1].weight, 0);
+    const Rational printed = 1 / (2 * (1 - quarter) * (1 + quarter));
+    CHECK((sum + difference) / 2 == printed);
+    CHECK((sum - difference) / 2 == quarter * printed);
+}
+
+TEST_CASE("Fig. 12: along x radius 3 has as many zero-energy modes as radius 2, not one more") {
+    const auto zeros = [](const std::vector<Polynomial>& symbol) {
+        std::vector<Rational> in_x;  // omega^2 at G = 0
+        for (const Polynomial& coefficient : band(symbol)) {
+            in_x.push_back(evaluate(coefficient, 0));
+        }
+        return count_real_roots(Polynomial(in_x), -1, 1) - 1;  // xi = 0 apart
+    };
+    const std::array in_plane{1U, 2U, 2U};
+    for (const unsigned n : {1U, 2U, 3U}) {
+        const VectorModel model = nopd2d({.radius_squared = n * n, .poisson = quarter});
+        CHECK(zeros(symbol_of(project(model, 0).energy)) == in_plane[n - 1]);
+        CHECK(zeros(make_model("nopd1d", n).symbol) == n);
+    }
+}
 
 TEST_CASE("(65): the shear stress is halved") {
     // Of u_{I,J+1} = 1 alone: e_xy = 1/4, so that sigma_xy = 2 mu e_xy = 1/(4 (1 + nu)); printed is

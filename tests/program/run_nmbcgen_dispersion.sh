@@ -88,19 +88,34 @@ try dispersion "${plane[@]}" --G 0 --angle 0,30 --samples 40
 expect_exit 0
 expect_no_stderr
 expect "what (70) is where it is right" awk -F, '
-    NR == 1 { bad = $0 != "wave,radius2,g,angle,xi,omega,phase_velocity,group_velocity,group_angle"; next }
-    { rows += 1; alpha = $4 * atan2(0, -1) / 180; x = $5 * cos(alpha); y = $5 * sin(alpha)
-      square = ($1 == "P" ? 16 / 15 : 2 / 5) * (sin(x) ^ 2 + sin(y) ^ 2)
-      if (($6 ^ 2 - square) ^ 2 > 1e-24 || ($6 / $5 - $7) ^ 2 > 1e-24) { print; bad = 1 }
-      if ($6 < 1e-7) next
-      gx = sin(2 * x); gy = sin(2 * y); size = ($1 == "P" ? 8 / 15 : 1 / 5) * sqrt(gx ^ 2 + gy ^ 2) / $6
-      if (($8 - size) ^ 2 > 1e-20) { print; bad = 1 } }
+    NR == 1 { bad = $0 != "model,wave,radius2,g,angle,xi,omega,phase_velocity,group_velocity,group_angle"; next }
+    { rows += 1; alpha = $5 * atan2(0, -1) / 180; x = $6 * cos(alpha); y = $6 * sin(alpha)
+      square = ($2 == "P" ? 16 / 15 : 2 / 5) * (sin(x) ^ 2 + sin(y) ^ 2)
+      if ($1 != "lattice" || ($7 ^ 2 - square) ^ 2 > 1e-24 || ($7 / $6 - $8) ^ 2 > 1e-24) { print; bad = 1 }
+      if ($7 < 1e-7) next
+      gx = sin(2 * x); gy = sin(2 * y); size = ($2 == "P" ? 8 / 15 : 1 / 5) * sqrt(gx ^ 2 + gy ^ 2) / $7
+      if (($9 - size) ^ 2 > 1e-20) { print; bad = 1 } }
     END { exit bad || rows != 160 }' "$scratch/stdout"
 try dispersion "${plane[@]}" --G 0,1/2
 expect "four angles, 200 wave numbers, two waves, two values of g" test "$(wc -l <"$scratch/stdout")" -eq 3201
 try dispersion --family bond2d --radius2 2 --weights 1,1/2 --samples 1
 expect_exit 0
-refuses "--limit: plane families state no continuum limit" "${plane[@]}" --G 0 --limit
+refuses "--limit: bond2d states no continuum limit" --family bond2d --radius2 2 --weights 1,1/2 --limit
+
+# The limit is the same at every angle, and travels along or against the wave vector.
+try dispersion "${plane[@]}" --G 0,1/2 --angle 0..30/15 --limit --samples 5
+expect_exit 0
+expect "three angles, two models, two waves, two values of g" test "$(wc -l <"$scratch/stdout")" -eq 121
+expect "no angle in the limit" awk -F, '
+    $1 != "limit" { next }
+    { which = $2 "," $4; turn = ($10 - $5 + 540) % 360
+      if (($10 - $5) ^ 2 > 1e-16 && (turn - 0) ^ 2 > 1e-16) { print; bad = 1 }
+      if ($5 == 0) at[which "," $6] = $7
+      if ($5 == 0 && $6 < 0.7 && ($2 == "P" ? 16 / 15 : 2 / 5) < $8 ^ 2 && $4 == 0) { print; bad = 1 } }
+    END { for (one in at) rows++; exit bad || rows != 20 }' "$scratch/stdout"
+for bad in 30..0/5 0..90/0 0..90/x 0..90/0.1 0..181/5 ..90/5 0..90/; do
+    refuses "--angle: '" "${plane[@]}" --G 0 --angle "$bad"
+done
 refuses "--angle: '181' is not an angle from -180 to 180 degrees" "${plane[@]}" --G 0 --angle 181
 refuses "--angle: nopd1d is no plane family" --horizon 1 --G 0 --angle 1
 refuses "--radius2 is required" --family nopd2d --horizon 1 --G 0

@@ -9,6 +9,7 @@ source=$2
 try_document "$source/docs/how-to/plane-waves.md" "$source"
 expect_file tables/nopd2d_r4_nu1o4_P_n2_order1.hpp
 expect_picture docs/images/plane_dispersion.svg "$source"
+expect_picture docs/images/dispersion_surface.svg "$source"
 
 # The polar picture of docs/how-to/plane-sides.md.
 mkdir -p docs/images
