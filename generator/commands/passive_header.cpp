@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <numbers>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "generator/commands/passive.hpp"
 #include "generator/exact/rational.hpp"
@@ -25,35 +28,56 @@ std::string rows_of(const std::vector<double>& entries, std::size_t columns) {
     return text;
 }
 
+/// A header of one object. options: behind nmbcgen passive; type: of the runtime, which `include`
+/// has; about: what it is, a sentence; members: `.NAME = VALUE`.
+std::string header_of(std::string_view options, std::string_view include, std::string_view about,
+                      std::string_view type, std::string_view name,
+                      const std::vector<std::string>& members) {
+    return fmt::format(
+        "// SPDX-License-Identifier: MIT\n"
+        "// Made by nmbcgen passive {} --header\n"
+        "// clang-format off\n"
+        "#pragma once\n\n"
+        "#include <nmbc/{}>\n\n"
+        "namespace nmbc::generated {{\n\n"
+        "/// {}\n"
+        "inline const {} {}{{\n    {}}};\n\n"
+        "}}  // namespace nmbc::generated\n",
+        options, include, about, type, name, fmt::join(members, ",\n    "));
+}
+
+std::string step_option(const Rational& step) {
+    return step == 0 ? "" : " --time-step " + to_string(step);
+}
+
+std::string step_name(const Rational& step) {
+    return step == 0 ? "" : "_dt" + p_over_q(step);
+}
+
 }  // namespace
 
 std::string passive_header(const ChainModel& model) {
     const DesignedSide side = passive_end(model);
     const nmbc::PassiveEnd end = for_runtime(side, side.task.at(0));
-    const std::string name =
+    const std::string made_for = model.time_step == 0
+                                     ? "short steps"
+                                     : fmt::format("steps of {} dX/c", to_string(model.time_step));
+    return header_of(
+        fmt::format("--horizon {} --G {}{}", model.horizon, to_string(model.G),
+                    step_option(model.time_step)),
+        "passive.hpp",
+        fmt::format("A passive end of nopd1d, n = {}, G = {}, designed for {}.", model.horizon,
+                    to_string(model.G), made_for),
+        "PassiveEnd",
         fmt::format("passive_nopd1d_n{}_G{}{}", model.horizon, p_over_q(model.G),
-                    model.time_step == 0 ? "" : "_dt" + p_over_q(model.time_step));
-    return fmt::format(
-        "// SPDX-License-Identifier: MIT\n"
-        "// Made by nmbcgen passive --horizon {1} --G {2}{3} --header\n"
-        "#pragma once\n\n"
-        "#include <nmbc/passive.hpp>\n\n"
-        "namespace nmbc::generated {{\n\n"
-        "/// A passive end of nopd1d, n = {1}, G = {2}, designed for {4}.\n"
-        "inline const PassiveEnd {0}{{\n"
-        "    .rows = {5},\n"
-        "    .stiffness =\n    {{{6}}},\n"
-        "    .mass =\n    {{{7}}},\n"
-        "    .dashpots =\n    {{{8}}},\n"
-        "    .highest_eigenvalue = {9:.17g},\n"
-        "    .further = {10}}};\n\n"
-        "}}  // namespace nmbc::generated\n",
-        name, model.horizon, to_string(model.G),
-        model.time_step == 0 ? "" : " --time-step " + to_string(model.time_step),
-        model.time_step == 0 ? "short steps" : "steps of " + to_string(model.time_step) + " dX/c",
-        end.rows, rows_of(end.stiffness, end.stiffness.size() / end.rows),
-        rows_of(end.mass, end.mass.size()), rows_of(end.dashpots, end.mass.size()),
-        end.highest_eigenvalue, end.further);
+                    step_name(model.time_step)),
+        {fmt::format(".rows = {}", end.rows),
+         fmt::format(".stiffness =\n    {{{}}}",
+                     rows_of(end.stiffness, end.stiffness.size() / end.rows)),
+         fmt::format(".mass =\n    {{{}}}", rows_of(end.mass, end.mass.size())),
+         fmt::format(".dashpots =\n    {{{}}}", rows_of(end.dashpots, end.mass.size())),
+         fmt::format(".highest_eigenvalue = {:.17g}", end.highest_eigenvalue),
+         fmt::format(".further = {}", end.further)});
 }
 
 std::string passive_header(const SideTask& model) {
@@ -85,30 +109,18 @@ std::string passive_header(const SideTask& model) {
                                choice.radius_squared, nearest_double(nu),
                                nearest_double(model.g) * std::numbers::pi, state);
     }
-    if (model.time_step != 0) {
-        name += "_dt" + p_over_q(model.time_step);
-        options += " --time-step " + to_string(model.time_step);
-    }
-    return fmt::format(
-        "// SPDX-License-Identifier: MIT\n"
-        "// Made by nmbcgen passive --family {1} {2} --header\n"
-        "// clang-format off\n"
-        "#pragma once\n\n"
-        "#include <nmbc/plane_sides.hpp>\n\n"
-        "namespace nmbc::generated {{\n\n"
-        "/// A passive side of the lattice that it was made for.\n"
-        "inline const PassiveSide {0}{{\n"
-        "    .strain = {{{3}}},\n"
-        "    .stabilisation = {{{4}}},\n"
-        "    .mass = {{std::vector<double>{{{5}}},\n             {{{6}}}}},\n"
-        "    .dashpots = {{std::vector<double>\n    {{{7}}},\n    {{{8}}}}},\n"
-        "    .null_lagrangian = {9:.17g},\n"
-        "    .made_for = {10}}};\n\n"
-        "}}  // namespace nmbc::generated\n",
-        name, model.family, options, rows_of(side.strain, layers),
-        rows_of(side.stabilisation, layers), rows_of(side.mass[0], layers),
-        rows_of(side.mass[1], layers), rows_of(side.dashpots[0], layers),
-        rows_of(side.dashpots[1], layers), side.null_lagrangian, made_for);
+    return header_of(
+        fmt::format("--family {} {}{}", model.family, options, step_option(model.time_step)),
+        "plane_sides.hpp", "A passive side of the lattice that it was made for.", "PassiveSide",
+        name + step_name(model.time_step),
+        {fmt::format(".strain = {{{}}}", rows_of(side.strain, layers)),
+         fmt::format(".stabilisation = {{{}}}", rows_of(side.stabilisation, layers)),
+         fmt::format(".mass = {{std::vector<double>{{{}}},\n             {{{}}}}}",
+                     rows_of(side.mass[0], layers), rows_of(side.mass[1], layers)),
+         fmt::format(".dashpots = {{std::vector<double>\n    {{{}}},\n    {{{}}}}}",
+                     rows_of(side.dashpots[0], layers), rows_of(side.dashpots[1], layers)),
+         fmt::format(".null_lagrangian = {:.17g}", side.null_lagrangian),
+         fmt::format(".made_for = {}", made_for)});
 }
 
 }  // namespace nmbcgen

@@ -8,6 +8,9 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "generator/commands/ghost_side.hpp"
 #include "generator/exact/rational.hpp"
@@ -69,26 +72,57 @@ std::string reflections_of(const PlaneLattice& lattice, Reflected reflected) {
 
 constexpr const char* row_format = "{:<26} {:<11} {:>10} {:>9} {:>5} {}\n";
 
-std::string row_of(const GhostSide& side, const PlaneLattice& lattice, std::size_t reach) {
+/// A lattice and the sides there are for it.
+struct SidesOfLattice {
+    SideTask model;
+    VectorModel described;
+    PlaneLattice lattice;
+    std::vector<GhostSide> ghosts;  ///< all but the passive one
+    std::size_t reach = 0;
+
+    SidesOfLattice(const SideTask& task, const std::vector<AbsorbedWave>& absorbed)
+        : model(task),
+          described(find_vector_family(task.family).describe(task.choice)),
+          lattice(plane_lattice(described, task.g, 0)),
+          ghosts(ghost_sides(task, lattice)),
+          reach(lateral_chain(lattice, 0).reach()) {
+        if (!absorbed.empty()) {
+            ghosts.push_back(side_absorbing(absorbed, lattice));
+        }
+    }
+
+    double reflected_by(const GhostSide& side, const ArrivingWave& wave) const {
+        return reflected_in_plane(wave, side.condition, reach);
+    }
+};
+
+/// Works on all cores: passive_side(design) and ghost_side(i).
+template <class PassiveSide, class Ghost>
+void for_each_side(const SidesOfLattice& sides, const Progress& progress, PassiveSide passive_side,
+                   Ghost ghost_side) {
+    std::atomic<std::size_t> done = 0;
+    const std::size_t all = sides.ghosts.size() + 1;
+    progress(0, all);
+    on_all_cores(all, [&](std::size_t i) {
+        if (i == 0) {
+            passive_side(designed(sides.model));
+        } else {
+            ghost_side(i - 1);
+        }
+        progress(++done, all);
+    });
+}
+
+std::string row_of(const GhostSide& side, const SidesOfLattice& sides) {
     const bool grows = side.growth > 0;
     return fmt::format(row_format, side.name, grade_of(side), amplification_of(side),
                        grows ? fmt::format("{:.2g}", side.growth) : "none",
                        side.damping ? to_string(*side.damping)
                        : grows      ? "-"
                                     : "0",
-                       reflections_of(lattice, [&](const ArrivingWave& wave) {
-                           return reflected_in_plane(wave, side.condition, reach);
+                       reflections_of(sides.lattice, [&](const ArrivingWave& wave) {
+                           return sides.reflected_by(side, wave);
                        }));
-}
-
-/// The sides there are, the passive one apart.
-std::vector<GhostSide> ghost_sides_with(const std::vector<AbsorbedWave>& absorbed,
-                                        const SideTask& model, const PlaneLattice& lattice) {
-    std::vector<GhostSide> sides = ghost_sides(model, lattice);
-    if (!absorbed.empty()) {
-        sides.push_back(side_absorbing(absorbed, lattice));
-    }
-    return sides;
 }
 
 template <class Reflected>
@@ -121,29 +155,18 @@ std::string heading() {
 
 std::string side_recommendation(const SideTask& model, const std::vector<AbsorbedWave>& absorbed,
                                 const Progress& progress) {
-    const VectorModel described = find_vector_family(model.family).describe(model.choice);
-    const PlaneLattice lattice = plane_lattice(described, model.g, 0);
-    std::vector<GhostSide> sides = ghost_sides_with(absorbed, model, lattice);
+    SidesOfLattice sides(model, absorbed);
     std::optional<DesignedSide> passive;
-    std::atomic<std::size_t> done = 0;
-    const std::size_t all = sides.size() + 1;
-    progress(0, all);
-    on_all_cores(all, [&](std::size_t i) {
-        if (i == 0) {
-            passive = designed(model);
-        } else {
-            examine(sides[i - 1], model, lattice);
-        }
-        progress(++done, all);
-    });
+    for_each_side(
+        sides, progress, [&](DesignedSide&& side) { passive = std::move(side); },
+        [&](std::size_t i) { examine(sides.ghosts[i], model, sides.lattice); });
     std::string table =
         heading() + fmt::format(row_format, "passive", "passive", "no", "none", "0",
-                                reflections_of(lattice, [&](const ArrivingWave& wave) {
+                                reflections_of(sides.lattice, [&](const ArrivingWave& wave) {
                                     return reflected_by_edge(passive->task, passive->edge, wave);
                                 }));
-    const std::size_t reach = lateral_chain(lattice, 0).reach();
-    for (const GhostSide& side : sides) {
-        table += row_of(side, lattice, reach);
+    for (const GhostSide& side : sides.ghosts) {
+        table += row_of(side, sides);
     }
     return fmt::format(
         "passive, on the {} outermost layers of {}, g = {}\n"
@@ -165,7 +188,7 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
         "  forces tau times those of the stabilisation at g = 1 on velocities [dX "
         "sqrt(density/E)]; -: none\n"
         "degrees: from the normal; reflected energy of P/S, xi = {:g}/dX\n",
-        passive->design.strain.size(), described.description, to_string(model.g),
+        passive->design.strain.size(), sides.described.description, to_string(model.g),
         widest_designed_angle,
         std::sqrt(passive->task.highest_eigenvalue / passive->highest_eigenvalue), table,
         side_samples.waves, side_samples.waves + 1, side_samples.layers,
@@ -174,27 +197,21 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
 
 std::string side_reflection_csv(const SideTask& model, const std::vector<AbsorbedWave>& absorbed,
                                 const Progress& progress) {
-    const VectorModel described = find_vector_family(model.family).describe(model.choice);
-    const PlaneLattice lattice = plane_lattice(described, model.g, 0);
-    const std::vector<GhostSide> sides = ghost_sides_with(absorbed, model, lattice);
-    const std::size_t reach = lateral_chain(lattice, 0).reach();
-    std::vector<std::string> rows(sides.size() + 1);
-    std::atomic<std::size_t> done = 0;
-    progress(0, rows.size());
-    on_all_cores(rows.size(), [&](std::size_t i) {
-        if (i == 0) {
-            const DesignedSide passive = designed(model);
-            rows[i] = reflection_rows("passive", lattice, [&](const ArrivingWave& wave) {
+    const SidesOfLattice sides(model, absorbed);
+    std::vector<std::string> rows(sides.ghosts.size() + 1);
+    for_each_side(
+        sides, progress,
+        [&](const DesignedSide& passive) {
+            rows[0] = reflection_rows("passive", sides.lattice, [&](const ArrivingWave& wave) {
                 return reflected_by_edge(passive.task, passive.edge, wave);
             });
-        } else {
-            const GhostSide& side = sides[i - 1];
-            rows[i] = reflection_rows(side.name, lattice, [&](const ArrivingWave& wave) {
-                return reflected_in_plane(wave, side.condition, reach);
+        },
+        [&](std::size_t i) {
+            const GhostSide& side = sides.ghosts[i];
+            rows[i + 1] = reflection_rows(side.name, sides.lattice, [&](const ArrivingWave& wave) {
+                return sides.reflected_by(side, wave);
             });
-        }
-        progress(++done, rows.size());
-    });
+        });
     std::string csv = "boundary,wave,xi,degrees,reflected\n";
     for (const std::string& of_side : rows) {
         csv += of_side;

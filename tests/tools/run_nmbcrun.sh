@@ -146,6 +146,16 @@ expect_stderr "fed_field.csv, which this run would replace or remove"
 expect_no_stdout
 expect "nothing changed" diff -r "$scratch/before" "$scratch/scenes"
 
+# Nor does it go on with a file that has changed.
+history=("$scratch/scenes/fed.toml" "${short[@]}" --set force.history=csv --set force.file=history.csv
+    --set force.centre=250 --out "$scratch/pushed")
+try run "${history[@]}" --keep-checkpoint
+expect_exit 0
+printf 'time,force\n0,0\n1,3\n2,0\n' >"$scratch/scenes/history.csv"
+try run "${history[@]}" --resume
+expect_exit 2
+expect_stderr "there the checksum of $scratch/scenes/history.csv is"
+
 # The files of one run: what an earlier one of that name has published beside its energies goes.
 everything=(--set output.field=true --set 'output.probes=[7]' --set output.snapshots=50)
 unstable=(--set boundary.order=2 --set model.G=1 --set boundary.allow_unstable=true)

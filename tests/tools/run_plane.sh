@@ -139,6 +139,31 @@ for sides in "boundary.left.kind=higdon" "boundary.kind=pml boundary.layer=10"; 
     rm -r whole stopped
 done
 
+# The energies so far can be read; what a run reads it does not replace, nor what is not its own.
+mkdir scenes
+cp "$scene" scenes/pushed.toml
+printf 'time,force\n0,0\n1,2\n2,0\n' >scenes/pushed_probes.csv
+pushed=(run scenes/pushed.toml --quiet --set output.probes=[] --set force.history=csv --set force.component=x
+    --set force.half_width=2 --set force.centre=[20,20])
+try "${pushed[@]}" --set force.file=pushed_probes.csv --out scenes
+expect_exit 2
+expect_stderr "the scene reads scenes/pushed_probes.csv, which this run would replace or remove"
+expect_no_stdout
+mv scenes/pushed_probes.csv scenes/history.csv
+echo "of something else" >scenes/pushed_cracks.csv
+"$program" "${pushed[@]}" --set force.file=history.csv --out scenes --set time.end=1000 >"$scratch/stdout" 2>&1 &
+running=$!
+until grep -qs '^[0-9]' scenes/pushed.csv.part; do sleep 0.05; done
+kill -TERM $running
+wait $running || true
+expect "stopped" test -e scenes/pushed.checkpoint
+expect "another's file stays" grep -q "of something else" scenes/pushed_cracks.csv
+printf 'time,force\n0,0\n1,3\n2,0\n' >scenes/history.csv
+try "${pushed[@]}" --set force.file=history.csv --out scenes --set time.end=1000 --resume
+expect_exit 2
+expect_stderr "is of another scene: there the checksum of scenes/history.csv is"
+rm -r scenes
+
 # verify: 4 % of the pulse comes back; sides so far off that nothing does.
 try verify "$scene" --tolerance 0.05 --quiet
 expect_exit 0
@@ -195,7 +220,7 @@ done
 setting 2 'boundary.absorb does not count for kind "passive"' 'boundary.absorb=["P:3"]'
 setting 4 "between these sides steps below" time.step=1
 setting 2 "both step and cfl" time.step=0.01 time.cfl=0.1
-setting 2 "steps, more than 1e+12" time.end=1e300
+setting 2 "steps; at most 1e15" time.end=1e300
 setting 2 "at most 100000000 are allowed" boundary.kind=extended time.end=1e6
 setting 2 "at most 100000000 are allowed" boundary.kind=sponge boundary.layer=10000000
 setting 2 "makes the wave speed sqrt(youngs_modulus / density)" material.density=1e-320

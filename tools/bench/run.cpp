@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <ctime>
 #include <filesystem>
 #include <string>
@@ -18,6 +18,8 @@
 
 namespace {
 
+using boost::math::statistics::median;
+
 template <class Work>
 double seconds(Work work) {
     const auto now = [] {
@@ -28,12 +30,6 @@ double seconds(Work work) {
     const double start = now();
     work();
     return now() - start;
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
 }
 
 void measure(const nmbcrun::Scene& scene) {

@@ -31,11 +31,6 @@ std::string heading_of(const Simulation& simulation) {
                               scene.spacing, simulation.chain().parameters().wave_speed());
 }
 
-std::string heading_of(const Plan& plan) {
-    return fmt::format("{:.6g} (cfl = {:.3g}){}", plan.time_step, plan.cfl,
-                       plan.limit.empty() ? "" : ": " + plan.limit);
-}
-
 void print_samples(std::span<const Sample> samples, double peak, bool damped) {
     fmt::print("{:>10}  {:>12}  {:>12}  {:>14}  {:>12}  {:>10}{}\n", "time", "kinetic", "strain",
                "stabilisation", "total", "of peak", damped ? "        damped" : "");

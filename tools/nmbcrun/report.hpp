@@ -6,14 +6,13 @@
 #include <string>
 
 #include "tools/nmbcrun/output/sample.hpp"
+#include "tools/nmbcrun/output/stoppable_run.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 
 namespace nmbcrun {
 
 /// The scene, before the run, in lines; not how long that is.
 std::string heading_of(const Simulation& simulation);
-/// The time step, and what limits it.
-std::string heading_of(const Plan& plan);
 
 /// A table of the samples.
 void print_samples(std::span<const Sample> samples, double peak, bool damped);

@@ -15,7 +15,7 @@
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
-#include "tools/nmbcrun/scene/printable.hpp"
+#include "tools/nmbcrun/output/warnings.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 
@@ -120,7 +120,7 @@ bool verify(const Scene& scene, double tolerance, bool quiet) {
     Simulation simulation(scene);
     Simulation reference(endless(scene, simulation.plan().time_step));
     if (!simulation.warning().empty()) {
-        fmt::print(stderr, "nmbcrun: warning: {}\n", printable(simulation.warning()));
+        print_warnings({simulation.warning()});
     }
     if (!quiet) {
         fmt::print("scene      {}\n", scene.title);

@@ -12,6 +12,7 @@
 
 #include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/sides/passive.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"

@@ -45,7 +45,4 @@ std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice);
 /// ghosts.
 void require_matched(const Scene& scene, double time_step);
 
-/// Steps of a run up to time.end. Throws SceneError for more than 1e15.
-std::size_t steps_until(double end, double time_step);
-
 }  // namespace nmbcrun

@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "generator/support/on_all_cores.hpp"
-#include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/chart/boundaries.hpp"
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/chart/long_run.hpp"
@@ -31,6 +30,7 @@
 #include "tools/nmbcrun/output/csv.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/work.hpp"
+#include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {

@@ -9,8 +9,8 @@
 #include <nmbc/ends.hpp>
 #include <utility>
 
-#include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/chart/trial.hpp"
+#include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 
 namespace nmbcrun {

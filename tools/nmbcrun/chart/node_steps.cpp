@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/chart/node_steps.hpp"
 
-#include "tools/nmbcrun/certification/time_step.hpp"
+#include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/sides/silent_layer.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 

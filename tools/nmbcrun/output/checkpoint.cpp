@@ -5,11 +5,14 @@
 
 #include <cstdint>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <string_view>
 #include <type_traits>
 
 #include "generator/names/checksum.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/scene/regular_file.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -194,19 +197,26 @@ Checkpoint load_checkpoint(const std::filesystem::path& path) {
     return checkpoint;
 }
 
-std::map<std::string, std::string> identity_of(std::map<std::string, std::string> given,
-                                               bool depends_on_end, std::size_t steps,
-                                               double time_step) {
+std::map<std::string, std::string> identity_of(const AnyScene& scene, bool depends_on_end,
+                                               const StepPlan& plan,
+                                               const std::vector<std::filesystem::path>& inputs) {
+    std::map<std::string, std::string> keys = scene.given;
     if (depends_on_end) {
-        given["the number of steps"] = fmt::format("{}", steps);
+        keys["the number of steps"] = fmt::format("{}", plan.steps);
     } else {
-        given.erase("time.end");
+        keys.erase("time.end");
     }
-    given.erase("title");
-    given.erase("output.checkpoint");
-    given["the version of nmbcrun"] = NMBC_VERSION;
-    given["the time step"] = fmt::format("{:a}", time_step);
-    return given;
+    keys.erase("title");
+    keys.erase("output.checkpoint");
+    keys["the version of nmbcrun"] = NMBC_VERSION;
+    keys["the time step"] = fmt::format("{:a}", plan.time_step);
+    for (const std::filesystem::path& input : inputs) {
+        constexpr std::uintmax_t most_bytes = 1'000'000'000;
+        std::ifstream file = open_regular_file(input, most_bytes);
+        const std::string text(std::istreambuf_iterator<char>(file), {});
+        keys["the checksum of " + input.string()] = fmt::format("{:x}", nmbcgen::checksum(text));
+    }
+    return keys;
 }
 
 void require_resumable(const std::map<std::string, std::string>& given, std::size_t last_step,

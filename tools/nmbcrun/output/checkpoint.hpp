@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "tools/nmbcrun/output/journal.hpp"
+#include "tools/nmbcrun/scene/any_scene.hpp"
+#include "tools/nmbcrun/scene/step_plan.hpp"
 
 namespace nmbcrun {
 
@@ -27,11 +29,13 @@ void save_checkpoint(const std::filesystem::path& path, const Checkpoint& checkp
 /// Throws FileError where there is none, or none that is whole.
 Checkpoint load_checkpoint(const std::filesystem::path& path);
 
-/// Of the keys of a scene, what a run that goes on must have in common, with its steps and version;
-/// what changes no result is left out. depends_on_end: whether a later end changes earlier steps.
-std::map<std::string, std::string> identity_of(std::map<std::string, std::string> given,
-                                               bool depends_on_end, std::size_t steps,
-                                               double time_step);
+/// What a run that goes on must have in common, with its steps and version: the keys of the scene
+/// and the files that it names, as they are now; what changes no result is left out.
+/// depends_on_end: whether a later end changes earlier steps. Throws FileError for a file that
+/// cannot be read.
+std::map<std::string, std::string> identity_of(const AnyScene& scene, bool depends_on_end,
+                                               const StepPlan& plan,
+                                               const std::vector<std::filesystem::path>& inputs);
 
 /// Throws SceneError where the checkpoint's scene is not the given one, or is beyond the last step
 /// of this run. path: of the checkpoint.

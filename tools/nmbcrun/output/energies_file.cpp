@@ -10,6 +10,13 @@
 
 namespace nmbcrun {
 
+std::string about(const std::string& heading, const StepPlan& plan, std::string_view per) {
+    return fmt::format(
+        "nmbcrun   {}\n{}step      {}\nunits     those of the scene, any consistent system; "
+        "energies per {}\n",
+        NMBC_VERSION, heading, heading_of(plan), per);
+}
+
 std::string energies_head(std::string_view about, std::string_view header) {
     std::string head;
     while (!about.empty()) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tools/nmbcrun/output/sample.hpp"
+#include "tools/nmbcrun/scene/step_plan.hpp"
 
 namespace nmbcrun {
 
@@ -19,8 +20,11 @@ inline constexpr std::string_view energies_header =
 
 inline constexpr auto energies_columns = std::size_t(std::ranges::count(energies_header, ',')) + 1;
 
+/// What a file says of a run whose energies are per this: whole lines. heading: of its scene.
+std::string about(const std::string& heading, const StepPlan& plan, std::string_view per);
+
 /// The lines before the rows; about: what is said of the run, whole lines.
-std::string energies_head(std::string_view about, std::string_view header = energies_header);
+std::string energies_head(std::string_view about, std::string_view header);
 
 std::string energies_row(const Sample& sample);
 

@@ -14,11 +14,4 @@ struct Sample {
     Balance balance;
 };
 
-/// What a run keeps of its energies for its last lines.
-struct Highlights {
-    double peak = 0;         ///< the largest total energy of every tenth step
-    double driven_peak = 0;  ///< and of those under a source
-    double drift = 0;        ///< the largest of the ledger, whatever its sign
-};
-
 }  // namespace nmbcrun

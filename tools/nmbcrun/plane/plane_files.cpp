@@ -3,12 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <utility>
 
-#include "generator/support/files.hpp"
-#include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/energies_file.hpp"
 #include "tools/nmbcrun/scene/csv_columns.hpp"
 
@@ -39,99 +35,31 @@ std::vector<std::string> crack_columns(const CrackFront& front) {
 
 }  // namespace
 
-PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path folder)
-    : folder_(std::move(folder)),
-      name_(simulation.scene().name),
-      snapshots_(simulation.scene(), folder_) {
-    for (const char* const ending : {".csv", "_probes.csv", "_cracks.csv"}) {
-        nmbcgen::require_replaceable(path(ending));
+PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, const std::filesystem::path& folder,
+                       std::string_view about, std::vector<Journal::Mark> marks)
+    : RunFiles({.folder = folder,
+                .name = simulation.scene().name,
+                .energies_header = plane_energies_header,
+                .others = {{"_probes.csv", "time,ux"}, {"_cracks.csv", "time,broken"}},
+                .inputs = inputs_of(simulation.scene())},
+               about, std::move(marks)),
+      snapshots_(simulation.scene(), folder) {
+    const PlaneScene& scene = simulation.scene();
+    if (!scene.probes.empty()) {
+        probed_ = &open("probes", "_probes.csv", probes_header(scene));
     }
-    if (simulation.scene().fracture) {
-        front_.emplace(simulation.scene());
+    if (scene.fracture) {
+        front_.emplace(scene);
+        cracked_ = &open("cracks", "_cracks.csv",
+                         fmt::format("{}\n", fmt::join(crack_columns(*front_), ",")));
     }
-}
-
-PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path folder,
-                       std::string_view about)
-    : PlaneFiles(simulation, std::move(folder)) {
-    snapshots_.start_anew();
-    energies_ = std::make_unique<Journal>(path(".csv"));
-    energies_->append(energies_head(about, plane_energies_header));
-    if (!simulation.scene().probes.empty()) {
-        probed_ = std::make_unique<Journal>(path("_probes.csv"));
-        probed_->append(probes_header(simulation.scene()));
-    }
-    if (front_) {
-        cracked_ = std::make_unique<Journal>(path("_cracks.csv"));
-        cracked_->append(fmt::format("{}\n", fmt::join(crack_columns(*front_), ",")));
-    }
-    for (Journal* const journal : journals()) {
-        journal->source();  // what cannot be written is known before the first step
-    }
-}
-
-PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, std::filesystem::path folder,
-                       const std::vector<Journal::Mark>& marks)
-    : PlaneFiles(simulation, std::move(folder)) {
-    const bool has_probes = !simulation.scene().probes.empty();
-    if (marks.size() != 1U + (has_probes ? 1U : 0U) + (front_ ? 1U : 0U)) {
-        throw FileError("the checkpoint has other files than its scene");
-    }
-    energies_ = std::make_unique<Journal>(path(".csv"), marks[0]);
-    if (has_probes) {
-        probed_ = std::make_unique<Journal>(path("_probes.csv"), marks[1]);
-    }
-    if (front_) {
-        cracked_ = std::make_unique<Journal>(path("_cracks.csv"), marks.back());
-    }
-    snapshots_.go_on(simulation.plane().steps(), simulation.plan().time_step);
-}
-
-std::vector<Journal*> PlaneFiles::journals() const {
-    std::vector<Journal*> all{energies_.get()};
-    if (probed_) {
-        all.push_back(probed_.get());
-    }
-    if (cracked_) {
-        all.push_back(cracked_.get());
-    }
-    return all;
-}
-
-std::vector<Journal::Mark> PlaneFiles::marks() const {
-    std::vector<Journal::Mark> marks;
-    for (const Journal* const journal : journals()) {
-        marks.push_back(journal->mark());
-    }
-    return marks;
-}
-
-void PlaneFiles::sync() {
-    for (Journal* const journal : journals()) {
-        journal->sync();
-    }
+    RunFiles::begin();
+    snapshots_.begin(simulation.plane().steps(), simulation.plan().time_step);
 }
 
 void PlaneFiles::keep(bool kept) {
     snapshots_.keep(kept);
-    for (Journal* const journal : journals()) {
-        journal->keep(kept);
-    }
-}
-
-std::vector<std::vector<double>> PlaneFiles::rows(std::size_t wanted) const {
-    std::vector<std::vector<double>> all;
-    read_energies(
-        energies_->source(), plane_energies_header, [](std::size_t) { return true; },
-        [&](const std::vector<double>& row) { all.push_back(row); });
-    const std::size_t every = std::max<std::size_t>(1, all.size() / wanted);
-    std::vector<std::vector<double>> some;
-    for (std::size_t row = 0; row < all.size(); ++row) {
-        if (row % every == 0 || row + 1 == all.size()) {
-            some.push_back(all[row]);
-        }
-    }
-    return some;
+    RunFiles::keep(kept);
 }
 
 std::vector<PlaneFiles::CrackRow> PlaneFiles::crack_rows() const {
@@ -155,12 +83,12 @@ std::vector<CrackGrowth> PlaneFiles::growth(const PlaneSimulation& simulation) c
 void PlaneFiles::record(const PlaneSimulation& simulation, const nmbc::PlaneEnergies& e,
                         const PlaneBalance& balance) {
     const nmbc::Plane& plane = simulation.plane();
-    energies_->append(fmt::format("{:.10g},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                                  plane.time() - simulation.plan().time_step / 2, e.kinetic,
-                                  e.strain, e.stabilisation, e.total(), balance.energy,
-                                  balance.work, balance.left[0], balance.left[1], balance.left[2],
-                                  balance.left[3], balance.fracture, balance.drift));
-    if (cracked_) {
+    energies_journal().append(fmt::format(
+        "{:.10g},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+        plane.time() - simulation.plan().time_step / 2, e.kinetic, e.strain, e.stabilisation,
+        e.total(), balance.energy, balance.work, balance.left[0], balance.left[1], balance.left[2],
+        balance.left[3], balance.fracture, balance.drift));
+    if (cracked_ != nullptr) {
         std::string row = fmt::format("{:.10g},{:.0f}", plane.time(), plane.broken());
         for (const CrackGrowth& of_end : growth(simulation)) {
             row += fmt::format(",{:.9g},{:.9g},{:.9g},{}", of_end.reach, of_end.tip[0],
@@ -168,7 +96,7 @@ void PlaneFiles::record(const PlaneSimulation& simulation, const nmbc::PlaneEner
         }
         cracked_->append(row + "\n");
     }
-    if (!probed_) {
+    if (probed_ == nullptr) {
         return;
     }
     std::string row = fmt::format("{:.10g}", plane.time());
@@ -182,47 +110,12 @@ void PlaneFiles::record(const PlaneSimulation& simulation, const nmbc::PlaneEner
 }
 
 void PlaneFiles::publish(const PlaneSimulation& simulation, bool at_end) {
-    std::vector<nmbcgen::NewFile> files;
-    files.push_back(energies_->copy());
-    if (probed_) {
-        files.push_back(probed_->copy());
-    }
-    if (cracked_) {
-        files.push_back(cracked_->copy());
-    }
-    nmbcgen::publish(files);
-    if (!probed_) {
-        std::filesystem::remove(path("_probes.csv"));
-    }
-    if (!cracked_) {
-        std::filesystem::remove(path("_cracks.csv"));
-    }
+    RunFiles::publish(copies());
     snapshots_.publish(simulation, at_end);
 }
 
-void PlaneFiles::remove_leftovers() const {
-    const std::vector<Journal::Mark> own = marks();
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_, error)) {
-        const std::string name = entry.path().filename().string();
-        const bool is_of_this_name = std::ranges::any_of(
-            std::array{".csv", "_probes.csv", "_cracks.csv", ".checkpoint"},
-            [&](const char* ending) { return name.starts_with(name_ + ending + ".new-"); });
-        if (is_of_this_name && std::ranges::find(own, name, &Journal::Mark::name) == own.end()) {
-            nmbcgen::remove_unless_open(entry.path());
-        }
-    }
-}
-
 std::string PlaneFiles::listed() const {
-    std::string lines = fmt::format("energies     {}\n", energies_->path().string());
-    if (probed_) {
-        lines += fmt::format("probes       {}\n", probed_->path().string());
-    }
-    if (cracked_) {
-        lines += fmt::format("cracks       {}\n", cracked_->path().string());
-    }
-    return lines + snapshots_.listed();
+    return RunFiles::listed() + snapshots_.listed();
 }
 
 }  // namespace nmbcrun

@@ -103,19 +103,12 @@ std::string heading_of(const PlaneSimulation& simulation) {
                               speed * model.speed_P(), speed * model.speed_S());
 }
 
-std::string heading_of(const PlanePlan& plan) {
-    return fmt::format("{:.6g} (cfl = {:.3g}){}", plan.time_step, plan.cfl,
-                       plan.limit.empty() ? "" : ": " + plan.limit);
-}
-
-void print_warning(const PlaneSimulation& simulation) {
-    for (const std::string& warning :
-         {simulation.warning(), warning_of_short_waves(simulation.scene()),
-          warning_of_jumps(simulation)}) {
-        if (!warning.empty()) {
-            fmt::print(stderr, "nmbcrun: warning: {}\n", printable(warning));
-        }
-    }
+std::vector<std::string> warnings_of(const PlaneSimulation& simulation) {
+    std::vector<std::string> warnings{simulation.warning(),
+                                      warning_of_short_waves(simulation.scene()),
+                                      warning_of_jumps(simulation)};
+    std::erase(warnings, "");
+    return warnings;
 }
 
 }  // namespace nmbcrun

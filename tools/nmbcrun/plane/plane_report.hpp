@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tools/nmbcrun/plane/plane_simulation.hpp"
 
@@ -11,10 +12,7 @@ namespace nmbcrun {
 /// Scene, lattice, sides and size, a line each.
 std::string heading_of(const PlaneSimulation& simulation);
 
-/// A step and what limits it.
-std::string heading_of(const PlanePlan& plan);
-
-/// On stderr, what its time steps miss of its sources; nothing where they do not.
-void print_warning(const PlaneSimulation& simulation);
+/// What the user may not expect of such a run, each in one line.
+std::vector<std::string> warnings_of(const PlaneSimulation& simulation);
 
 }  // namespace nmbcrun

@@ -204,6 +204,24 @@ bool PlaneScene::has(SideKind kind) const {
                                [kind](const PlaneSideChoice& side) { return side.kind == kind; });
 }
 
+std::vector<std::filesystem::path> inputs_of(const PlaneScene& scene) {
+    std::vector<std::filesystem::path> files;
+    if (scene.force) {
+        files.push_back(scene.force->history.file);
+    }
+    for (const PlaneLoad& load : scene.loads) {
+        files.push_back(load.file);
+    }
+    std::erase(files, std::filesystem::path());
+    return files;
+}
+
+bool has_open_layer(const PlaneScene& scene) {
+    return std::ranges::any_of(scene.sides, [](const PlaneSideChoice& side) {
+        return side.kind == SideKind::extended && side.layer == 0;
+    });
+}
+
 bool is_plane_scene(const std::string& text, const std::string& path, const Overrides& overrides) {
     SceneReader reader(text, path, overrides);
     return reader.is_list("domain.nodes") || reader.has("model.radius2");
@@ -216,16 +234,12 @@ PlaneScene read_plane_scene(const std::string& text, const std::string& path,
                                 "boundary.right", "boundary.bottom", "boundary.top", "time",
                                 "output", "initial", "force", "drive", "load", "fracture"});
     PlaneScene scene;
-    scene.name = read_name(reader, path);
+    read_title(reader, path, scene);
     if (scene.name.find_first_of("\"'&<>") != std::string::npos) {  // it stands in XML
         reader.fail("output.name", "must be without \" ' & < >");
     }
-    scene.title = printable(reader.text("title").value_or(scene.name));
     read_model(reader, scene);
-    scene.density = reader.number("material.density", positive).value_or(scene.density);
-    scene.youngs_modulus =
-        reader.number("material.youngs_modulus", positive).value_or(scene.youngs_modulus);
-    require_wave_speed(reader, std::sqrt(scene.youngs_modulus / scene.density));
+    read_material(reader, scene);
     const auto nodes = reader.required("domain.nodes", reader.pair("domain.nodes", positive));
     for (const std::size_t axis : {0U, 1U}) {
         if (nodes[axis] != std::floor(nodes[axis]) || nodes[0] * nodes[1] > double(most_nodes)) {
@@ -242,23 +256,15 @@ PlaneScene read_plane_scene(const std::string& text, const std::string& path,
     read_plane_sources(reader, path, scene);
     read_fracture(reader, scene);
     scene.allow_unstable = reader.truth("boundary.allow_unstable").value_or(false);
-    scene.step = reader.number("time.step", positive);
-    scene.cfl = reader.number("time.cfl", positive);
-    scene.every =
-        std::size_t(reader.whole_number("output.every", 1, most_nodes).value_or(long(scene.every)));
-    scene.field = reader.truth("output.field").value_or(scene.fracture.has_value());
+    scene.field = scene.fracture.has_value();
+    read_output(reader, scene);
     scene.field_format =
         read_choice<FieldFormat>(reader, "output.format",
                                  {{"vtk", FieldFormat::vtk}, {"hdf5", FieldFormat::hdf5}})
             .value_or(scene.field_format);
     scene.probes = read_plane_probes(reader, scene);
-    scene.snapshots =
-        std::size_t(reader.whole_number("output.snapshots", 1, most_nodes).value_or(0));
-    scene.checkpoint = reader.number("output.checkpoint", positive).value_or(scene.checkpoint);
-    scene.given = reader.given();
-    reader.refuse_unknown_keys();
+    read_step(reader, scene);
     require_plane_sources_inside(reader, scene);
-    settle_step(reader, scene.step, scene.cfl);
     return scene;
 }
 

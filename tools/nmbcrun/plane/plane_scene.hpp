@@ -6,56 +6,16 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
-#include <map>
 #include <nmbc/plane_model.hpp>
-#include <nmbc/plane_sides.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "generator/table/exact.hpp"
+#include "tools/nmbcrun/plane/side_choice.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
-
-enum class SideKind {
-    passive,   ///< stable by construction, designed for the lattice
-    fixed,     ///< ghosts held at u = 0
-    free,      ///< no nodes beyond it
-    periodic,  ///< the opposite side is its neighbour
-    extended,  ///< more of the same lattice, fixed at its far end
-    nmbc,      ///< (60) on the ghost layers, component by component
-    higdon,    ///< Higdon's product for given waves on the ghost layers
-    sponge,    ///< a layer that damps the velocity
-    pml,       ///< a perfectly matched layer
-};
-
-/// As a scene spells it, such as "fixed".
-std::string_view name_of(SideKind kind);
-
-/// A long wave, and the angle from the side's normal at which it comes.
-struct ObliqueWave {
-    bool is_P = true;
-    double degrees = 0;  ///< 0 <= degrees < 90
-
-    friend bool operator==(const ObliqueWave&, const ObliqueWave&) = default;
-};
-
-struct PlaneSideChoice {
-    SideKind kind = SideKind::passive;
-    std::size_t layer = 0;  ///< nodes of an extended one, 0: as many as it takes; of a layer
-    // Of an nmbc:
-    int order = 1;
-    int stride = 1;
-    bool as_printed = false;  ///< (81): the speed of P waves for both components
-    std::vector<ObliqueWave> absorb{{true, 0}, {false, 0}};  ///< by a higdon, a factor each
-    // Of a sponge or a perfectly matched layer:
-    double profile = 2;    ///< exponent of the losses in the depth
-    double target = 0.01;  ///< amplitude that the continuum sends back
-
-    friend bool operator==(const PlaneSideChoice&, const PlaneSideChoice&) = default;
-};
 
 enum class PlaneShape {
     gaussian,  ///< exp(-(r/width)^2), r the distance from the centre
@@ -119,18 +79,13 @@ struct PlaneFracture {
 /// Of the files of fields.
 enum class FieldFormat { vtk, hdf5 };
 
-struct PlaneScene {
-    std::string title;
-    std::string name;  ///< of the output files
+struct PlaneScene : AnyScene {
     unsigned radius_squared = 1;
     /// Of a bond-based lattice, by class, where E = density = dX = 1; empty: nopd2d, of which:
     std::vector<double> weights{};
     nmbcgen::Rational nu;
     nmbc::StressState state = nmbc::StressState::plane_stress;
     double G = 0;
-    double density = 1;
-    double youngs_modulus = 1;
-    double spacing = 1;
     std::array<std::size_t, 2> nodes{};
     std::optional<PlaneInitial> initial{};
     std::optional<PlaneForcing> force{};
@@ -138,38 +93,18 @@ struct PlaneScene {
     std::vector<PlaneLoad> loads{};
     std::optional<PlaneFracture> fracture{};
     std::array<PlaneSideChoice, 4> sides{};  ///< in the order of nmbc::plane_sides
-    bool allow_unstable = false;             ///< run sides that may feed energy in, too
-    double end = 0;
-    std::optional<double> step{};
-    std::optional<double> cfl{};
-    std::size_t every = 10;  ///< steps between two rows of energies
-    bool field = false;      ///< u and v at the end
     FieldFormat field_format = FieldFormat::vtk;
-    std::size_t snapshots = 0;  ///< steps between two snapshots of all nodes; 0: none
     std::vector<std::array<std::size_t, 2>> probes{};  ///< interior nodes, from 0
-    double checkpoint = 60;  ///< seconds of the clock between two checkpoints
-    std::map<std::string, std::string> given{};
 
     bool has(SideKind kind) const;
     bool is_bond_based() const { return !weights.empty(); }
 };
 
-inline constexpr std::array<std::string_view, 4> plane_side_names{"left", "right", "bottom", "top"};
-
-/// Whether the side can feed energy in.
-bool may_grow(SideKind kind);
-
-/// Whether it has nodes of its own beyond the scene's, `layer` of them.
-bool has_layer(SideKind kind);
-
-/// Whether it stands for more of the same lattice: physical sides are fixed, free and periodic.
-bool is_artificial(SideKind kind);
-
 /// Whether a side has as many nodes as the run's end asks for.
 bool has_open_layer(const PlaneScene& scene);
 
-/// The side in words, such as "NMBC1 as printed, (81)" or "fixed".
-std::string heading_of(const PlaneSideChoice& side);
+/// The files that a scene is read from, besides its own.
+std::vector<std::filesystem::path> inputs_of(const PlaneScene& scene);
 
 /// Whether the text is of a plane scene: domain.nodes is a list there, or in an override.
 bool is_plane_scene(const std::string& text, const std::string& path, const Overrides& overrides);

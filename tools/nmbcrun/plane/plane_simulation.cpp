@@ -128,13 +128,7 @@ PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
             "(cfl = {:.3g}) are stable",
             plan.time_step, plan.cfl, stable, stable / interior));
     }
-    const double steps = std::ceil(scene.end / plan.time_step * (1 - 1e-12));
-    constexpr double most_steps = 1e12;
-    if (!(steps <= most_steps)) {
-        throw SceneError(fmt::format("time.end = {:g} needs {:.3g} steps, more than {:g}",
-                                     scene.end, steps, most_steps));
-    }
-    plan.steps = std::size_t(steps);
+    plan.steps = steps_until(scene.end, plan.time_step);
     return plan;
 }
 

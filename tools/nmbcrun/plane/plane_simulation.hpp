@@ -11,17 +11,14 @@
 
 #include "tools/nmbcrun/plane/plane_scene.hpp"
 #include "tools/nmbcrun/plane/plane_sources.hpp"
+#include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/sides/plane_pml.hpp"
 #include "tools/nmbcrun/stepping/plane_stepping.hpp"
 
 namespace nmbcrun {
 
-struct PlanePlan {
-    double time_step = 0;   ///< [time]
-    std::size_t steps = 0;  ///< of the whole run
-    double cfl = 0;         ///< dt omega_max/2, of the interior
-    double of_stable = 0;   ///< dt over the longest step that is stable between these sides
-    std::string limit{};    ///< what allows no longer step, in words; empty: the scene gives it
+struct PlanePlan : StepPlan {
+    double of_stable = 0;  ///< dt over the longest step that is stable between these sides
 };
 
 /// What has gone where since the start. Not a number where it is not measured: what goes out

@@ -58,11 +58,11 @@ PlaneSnapshots::~PlaneSnapshots() {
     }
 }
 
-void PlaneSnapshots::start_anew() {
-    remove_snapshots(growing());
-}
-
-void PlaneSnapshots::go_on(std::size_t step, double time_step) {
+void PlaneSnapshots::begin(std::size_t step, double time_step) {
+    if (step == 0) {
+        remove_snapshots(growing());
+        return;
+    }
     if (!std::filesystem::exists(growing()) && std::filesystem::exists(path("_snapshots"))) {
         std::filesystem::rename(path("_snapshots"), growing());  // of a run that was stopped
     }

@@ -24,10 +24,9 @@ class PlaneSnapshots {
     PlaneSnapshots(PlaneSnapshots&&) = delete;
     PlaneSnapshots& operator=(PlaneSnapshots&&) = delete;
 
-    /// Removes those of a run that was killed.
-    void start_anew();
-    /// With those that a run has left up to this step.
-    void go_on(std::size_t step, double time_step);
+    /// With those that a run has left up to this step; at step 0 anew, and those of a run that was
+    /// killed are removed.
+    void begin(std::size_t step, double time_step);
 
     void take(const PlaneSimulation& simulation);
     void keep(bool kept) { is_kept_ = kept; }

@@ -8,6 +8,7 @@
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/output/warnings.hpp"
 #include "tools/nmbcrun/plane/plane_report.hpp"
 #include "tools/nmbcrun/plane/plane_run.hpp"
 #include "tools/nmbcrun/plane/plane_simulation.hpp"
@@ -40,7 +41,7 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool quiet) {
     endless.step = simulation.plan().time_step;
     endless.cfl.reset();
     PlaneSimulation reference(endless);
-    print_warning(simulation);
+    print_warnings(warnings_of(simulation));
     if (!quiet) {
         fmt::print("{}time      {} steps of {}\nreference\n{}\n", heading_of(simulation),
                    simulation.plan().steps, heading_of(simulation.plan()), heading_of(reference));

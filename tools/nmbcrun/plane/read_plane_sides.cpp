@@ -19,11 +19,6 @@
 namespace nmbcrun {
 namespace {
 
-const std::vector<std::pair<std::string_view, SideKind>> side_kinds{
-    {"passive", SideKind::passive},   {"fixed", SideKind::fixed},       {"free", SideKind::free},
-    {"periodic", SideKind::periodic}, {"extended", SideKind::extended}, {"nmbc", SideKind::nmbc},
-    {"higdon", SideKind::higdon},     {"sponge", SideKind::sponge},     {"pml", SideKind::pml}};
-
 /// The keys that count for it, `kind` aside.
 std::vector<std::string_view> keys_of(SideKind kind) {
     switch (kind) {
@@ -75,7 +70,7 @@ std::vector<ObliqueWave> read_waves(SceneReader& reader, const std::string& key)
 PlaneSideChoice read_side(SceneReader& reader, const std::string& group,
                           const PlaneSideChoice& otherwise) {
     PlaneSideChoice side = otherwise;
-    side.kind = read_choice(reader, group + ".kind", side_kinds).value_or(side.kind);
+    side.kind = read_choice(reader, group + ".kind", side_kinds()).value_or(side.kind);
     if (side.kind != otherwise.kind) {
         side.layer = 0;  // of another kind
     }
@@ -141,60 +136,6 @@ void read_plane_sides(SceneReader& reader, PlaneScene& scene) {
                                                 plane_side_names[low], plane_side_names[low + 1]));
         }
     }
-}
-
-std::string_view name_of(SideKind kind) {
-    return std::ranges::find(side_kinds, kind, &std::pair<std::string_view, SideKind>::second)
-        ->first;
-}
-
-bool may_grow(SideKind kind) {
-    return kind == SideKind::nmbc || kind == SideKind::higdon || kind == SideKind::pml;
-}
-
-bool has_layer(SideKind kind) {
-    return kind == SideKind::sponge || kind == SideKind::pml;
-}
-
-bool is_artificial(SideKind kind) {
-    return kind != SideKind::fixed && kind != SideKind::free && kind != SideKind::periodic;
-}
-
-namespace {
-
-/// "P at 30 and S at 60 degrees"
-std::string text_of(const std::vector<ObliqueWave>& waves) {
-    std::string text;
-    for (const ObliqueWave& wave : waves) {
-        text += fmt::format("{}{} at {:g}", text.empty() ? "" : " and ", wave.is_P ? 'P' : 'S',
-                            wave.degrees);
-    }
-    return text + " degrees";
-}
-
-}  // namespace
-
-std::string heading_of(const PlaneSideChoice& side) {
-    switch (side.kind) {
-        case SideKind::nmbc:
-            return side.as_printed
-                       ? std::string("NMBC1 as printed, (81)")
-                       : fmt::format("NMBC{} by component, stride {}", side.order, side.stride);
-        case SideKind::higdon:
-            return "higdon for " + text_of(side.absorb);
-        case SideKind::sponge:
-        case SideKind::pml:
-            return fmt::format("{} of {} nodes, profile {}, target {}", name_of(side.kind),
-                               side.layer, side.profile, side.target);
-        default:
-            return std::string(name_of(side.kind));
-    }
-}
-
-bool has_open_layer(const PlaneScene& scene) {
-    return std::ranges::any_of(scene.sides, [](const PlaneSideChoice& side) {
-        return side.kind == SideKind::extended && side.layer == 0;
-    });
 }
 
 }  // namespace nmbcrun

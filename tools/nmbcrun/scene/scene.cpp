@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <nmbc/coefficients.hpp>
@@ -13,7 +12,6 @@
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
-#include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/scene/read_choice.hpp"
 #include "tools/nmbcrun/scene/read_influence.hpp"
 #include "tools/nmbcrun/scene/read_sources.hpp"
@@ -191,37 +189,6 @@ std::vector<std::size_t> read_probes(SceneReader& reader, const Scene& scene) {
 
 }  // namespace
 
-std::string read_name(SceneReader& reader, const std::string& path) {
-    const auto name = reader.text("output.name");
-    const auto forbidden = [](unsigned char c) { return c == '/' || std::iscntrl(c) != 0; };
-    if (name && (name->empty() || name->find("..") != std::string::npos ||
-                 std::ranges::any_of(*name, forbidden))) {
-        reader.fail("output.name",
-                    "must be a file name without a folder, '..' and control characters");
-    }
-    return name.value_or(std::filesystem::path(path).stem().string());
-}
-
-void require_wave_speed(const SceneReader& reader, double c) {
-    constexpr double fastest = 1e150;
-    if (!(c >= 1 / fastest && c <= fastest)) {
-        reader.fail("material",
-                    fmt::format("makes the wave speed sqrt(youngs_modulus / density) {:g}; it must "
-                                "be from {:g} to {:g}",
-                                c, 1 / fastest, fastest));
-    }
-}
-
-void settle_step(const SceneReader& reader, std::optional<double>& step,
-                 std::optional<double>& cfl) {
-    if (step && cfl && reader.is_overridden("time.step") != reader.is_overridden("time.cfl")) {
-        (reader.is_overridden("time.cfl") ? step : cfl).reset();
-    }
-    if (step && cfl) {
-        reader.fail("time", "has both step and cfl; at most one of them is allowed");
-    }
-}
-
 std::string best_G(long n) {
     return nmbcgen::to_string(nmbcgen::Rational(4 * n * n * n, (n + 1) * (2 * n + 1)));
 }
@@ -245,6 +212,23 @@ Scene with_artificial_ends(Scene scene, const Boundary& boundary) {
         *end = is_physical(end->kind) ? *end : boundary;
     }
     return scene;
+}
+
+std::vector<std::filesystem::path> inputs_of(const Scene& scene) {
+    std::vector<std::filesystem::path> files = scene.table_files;
+    if (scene.initial) {
+        files.push_back(scene.initial->file);
+    }
+    if (scene.force) {
+        files.push_back(scene.force->file);
+    }
+    for (const Boundary& end : {scene.left, scene.right}) {
+        if (end.value) {
+            files.push_back(end.value->file);
+        }
+    }
+    std::erase(files, std::filesystem::path());
+    return files;
 }
 
 bool has_layer(BoundaryKind kind) {
@@ -339,8 +323,7 @@ Scene read_scene_text(const std::string& text, const std::string& path,
                                 "boundary.right", "time", "output", "drive", "initial", "force",
                                 "incoming", "preload"});
     Scene scene;
-    scene.name = read_name(reader, path);
-    scene.title = printable(reader.text("title").value_or(scene.name));
+    read_title(reader, path, scene);
     scene.family = reader.text("model.family").value_or(scene.family);
     scene.auto_horizon = reader.is_word("model.horizon", "auto");
     scene.auto_G = reader.is_word("model.G", "auto");
@@ -354,10 +337,7 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     for (const std::string& file : reader.texts("model.tables")) {
         scene.table_files.push_back(std::filesystem::path(path).parent_path() / file);
     }
-    scene.density = reader.number("material.density", positive).value_or(scene.density);
-    scene.youngs_modulus =
-        reader.number("material.youngs_modulus", positive).value_or(scene.youngs_modulus);
-    require_wave_speed(reader, wave_speed(scene));
+    read_material(reader, scene);
     scene.nodes = std::size_t(
         reader.required("domain.nodes", reader.whole_number("domain.nodes", 1, most_nodes)));
     scene.spacing = reader.number("domain.spacing", positive).value_or(scene.spacing);
@@ -383,18 +363,9 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     scene.allow_amplifying = reader.truth("boundary.allow_amplifying").value_or(false);
     scene.end = reader.required("time.end", reader.number("time.end", positive));
     require_sources_in_run(reader, scene);
-    scene.step = reader.number("time.step", positive);
-    scene.cfl = reader.number("time.cfl", positive);
-    scene.every =
-        std::size_t(reader.whole_number("output.every", 1, most_nodes).value_or(long(scene.every)));
-    scene.field = reader.truth("output.field").value_or(false);
+    read_output(reader, scene);
     scene.probes = read_probes(reader, scene);
-    scene.snapshots =
-        std::size_t(reader.whole_number("output.snapshots", 1, most_nodes).value_or(0));
-    scene.checkpoint = reader.number("output.checkpoint", positive).value_or(scene.checkpoint);
-    scene.given = reader.given();
-    reader.refuse_unknown_keys();
-    settle_step(reader, scene.step, scene.cfl);
+    read_step(reader, scene);
     return scene;
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <nmbc/boundary_condition.hpp>
 #include <nmbc/surface.hpp>
@@ -15,15 +14,11 @@
 #include <utility>
 #include <vector>
 
+#include "tools/nmbcrun/scene/any_scene.hpp"
 #include "tools/nmbcrun/scene/sources.hpp"
 #include "tools/nmbcrun/scene/table_file.hpp"
 
 namespace nmbcrun {
-
-class SceneReader;
-
-/// Of an interior, as far as memory goes.
-inline constexpr long most_nodes = 100'000'000;
 
 /// Nodes of a layer: more than any that somebody could want to wait for.
 inline constexpr long most_layer = 10'000'000;
@@ -99,9 +94,7 @@ double target_of(const Boundary& boundary);
 /// The end in words, such as "NMBC1, stride 1, midpoint ghosts" or "fixed".
 std::string heading_of(const Boundary& boundary);
 
-struct Scene {
-    std::string title;
-    std::string name;  ///< of the output files; default: the scene file's own
+struct Scene : AnyScene {
     std::string family = "nopd1d";
     int horizon = 1;
     double G = 0;
@@ -112,10 +105,7 @@ struct Scene {
     std::vector<std::string> weights{};
     std::vector<std::filesystem::path> table_files{};  ///< the user's own, in the order to look in
     std::vector<std::shared_ptr<const TableFile>> own_tables{};  ///< what they hold
-    double density = 1;
-    double youngs_modulus = 1;
     std::size_t nodes = 0;
-    double spacing = 1;
     // At least one of them is there; together they add up.
     std::optional<Drive> drive{};
     std::optional<Initial> initial{};
@@ -124,22 +114,15 @@ struct Scene {
     std::optional<Preload> preload{};
     Boundary left;
     Boundary right;
-    bool allow_unstable = false;    ///< run ends that are not certified, too
-    bool allow_amplifying = false;  ///< and ends that send back more than comes, of what comes
-    double end = 0;
-    std::optional<double> step;  ///< dt [time]; at most one of step and cfl is given;
-    std::optional<double> cfl;   ///< dt omega_max / 2; neither: the largest certified one
-    std::size_t every = 10;
-    bool field = false;                 ///< whether u and v at the end are written
+    bool allow_amplifying = false;      ///< ends that send back more than comes, of what comes, too
     std::vector<std::size_t> probes{};  ///< interior nodes, from 0, whose u and v are written
-    std::size_t snapshots = 0;          ///< steps between two snapshots of all nodes; 0: none
-    double checkpoint = 60;             ///< seconds of the clock between two checkpoints
-    /// Every key that is given, by its dotted path, and its value as text, for comparison.
-    std::map<std::string, std::string> given{};
 };
 
 /// The scene with this boundary in the place of each artificial one.
 Scene with_artificial_ends(Scene scene, const Boundary& boundary);
+
+/// The files that a scene is read from, besides its own.
+std::vector<std::filesystem::path> inputs_of(const Scene& scene);
 
 /// nopd1d of constant influence: the lattice whose families nmbcrun can cut off, if undamped.
 inline bool has_constant_influence(const Scene& scene) {
@@ -175,18 +158,6 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 
 /// KEY=VALUE texts at their first '='. Throws SceneError where one has none, or no key.
 Overrides split_settings(const std::vector<std::string>& settings);
-
-/// The name of the output files: the scene file's own unless it says another, which must not lead
-/// out of the folder or garble what is printed.
-std::string read_name(SceneReader& reader, const std::string& path);
-
-/// Throws SceneError for a sqrt(E/rho) with which a time step is no double.
-void require_wave_speed(const SceneReader& reader, double c);
-
-/// At most one of time.step and time.cfl: an override of one replaces the other of the file. Throws
-/// SceneError where both are left.
-void settle_step(const SceneReader& reader, std::optional<double>& step,
-                 std::optional<double>& cfl);
 
 /// Reads a scene file, with overrides applied, and its tables. Throws SceneError naming the
 /// file and line, or the override, what is wrong and what is allowed; FileError where a file

@@ -14,6 +14,7 @@
 #include "tools/nmbcrun/certification/half_space.hpp"
 #include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/sides/exact.hpp"
 #include "tools/nmbcrun/sides/higdon.hpp"
 #include "tools/nmbcrun/sides/passive.hpp"

@@ -43,10 +43,10 @@ Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
             "{}: cfl = {:.4g} is above the interior's limit of {:.4g}, a step of {:.6g}",
             scene.step ? "time.step" : "time.cfl", cfl, limit, 2 * limit / omega_max));
     }
-    Plan plan{.time_step = time_step,
-              .steps = steps_until(scene.end, time_step),
-              .cfl = cfl,
-              .limit = automatic.limit};
+    Plan plan{{.time_step = time_step,
+               .steps = steps_until(scene.end, time_step),
+               .cfl = cfl,
+               .limit = automatic.limit}};
     require_memory(scene, lattice, time_step);
     plan.objection = PairOfEnds(scene, table_of(scene, scene.left), table_of(scene, scene.right))
                          .objection(time_step, cfl);

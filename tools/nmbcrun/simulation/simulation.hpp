@@ -9,17 +9,13 @@
 #include <utility>
 
 #include "tools/nmbcrun/scene/scene.hpp"
+#include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/simulation/ledger.hpp"
 #include "tools/nmbcrun/sources/sources.hpp"
 
 namespace nmbcrun {
 
-/// How long a run is, how its step compares with the interior's limit, and what limits it.
-struct Plan {
-    double time_step = 0;   ///< [time]
-    std::size_t steps = 0;  ///< of the whole run
-    double cfl = 0;         ///< dt omega_max / 2
-    std::string limit{};    ///< what allows no longer step, in words; empty: the scene gives it
+struct Plan : StepPlan {
     /// How the two ends can grow together, in words; empty where they are certified not to. Others
     /// are run only where the scene allows it.
     std::string objection{};

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/scene/any_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+
+#include "tools/nmbcrun/scene/printable.hpp"
+#include "tools/nmbcrun/scene/scene_reader.hpp"
+
+namespace nmbcrun {
+
+void read_title(SceneReader& reader, const std::string& path, AnyScene& scene) {
+    const auto name = reader.text("output.name");
+    const auto forbidden = [](unsigned char c) { return c == '/' || std::iscntrl(c) != 0; };
+    if (name && (name->empty() || name->find("..") != std::string::npos ||
+                 std::ranges::any_of(*name, forbidden))) {
+        reader.fail("output.name",
+                    "must be a file name without a folder, '..' and control characters");
+    }
+    scene.name = name.value_or(std::filesystem::path(path).stem().string());
+    scene.title = printable(reader.text("title").value_or(scene.name));
+}
+
+void read_material(SceneReader& reader, AnyScene& scene) {
+    scene.density = reader.number("material.density", positive).value_or(scene.density);
+    scene.youngs_modulus =
+        reader.number("material.youngs_modulus", positive).value_or(scene.youngs_modulus);
+    const double c = std::sqrt(scene.youngs_modulus / scene.density);
+    constexpr double fastest = 1e150;
+    if (!(c >= 1 / fastest && c <= fastest)) {
+        reader.fail("material",
+                    fmt::format("makes the wave speed sqrt(youngs_modulus / density) {:g}; it must "
+                                "be from {:g} to {:g}",
+                                c, 1 / fastest, fastest));
+    }
+}
+
+void read_output(SceneReader& reader, AnyScene& scene) {
+    scene.every =
+        std::size_t(reader.whole_number("output.every", 1, most_nodes).value_or(long(scene.every)));
+    scene.field = reader.truth("output.field").value_or(scene.field);
+    scene.snapshots =
+        std::size_t(reader.whole_number("output.snapshots", 1, most_nodes).value_or(0));
+    scene.checkpoint = reader.number("output.checkpoint", positive).value_or(scene.checkpoint);
+}
+
+void read_step(SceneReader& reader, AnyScene& scene) {
+    scene.step = reader.number("time.step", positive);
+    scene.cfl = reader.number("time.cfl", positive);
+    scene.given = reader.given();
+    reader.refuse_unknown_keys();
+    auto& step = scene.step;
+    auto& cfl = scene.cfl;
+    if (step && cfl && reader.is_overridden("time.step") != reader.is_overridden("time.cfl")) {
+        (reader.is_overridden("time.cfl") ? step : cfl).reset();
+    }
+    if (step && cfl) {
+        reader.fail("time", "has both step and cfl; at most one of them is allowed");
+    }
+}
+
+}  // namespace nmbcrun
