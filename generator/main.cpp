@@ -220,6 +220,11 @@ int run(const Request& request) {
                                   : surface_node_text(request.closure));
             return done;
         case Action::influence:
+            if (request.class_influence.radius_squared > 0) {
+                print(request.as_json ? class_influence_json(request.class_influence)
+                                      : class_influence_text(request.class_influence));
+                return done;
+            }
             print(request.as_json ? power_influence_json(request.influence)
                                   : power_influence_text(request.influence));
             return done;

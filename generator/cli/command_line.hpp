@@ -8,6 +8,7 @@
 #include "generator/commands/bonds.hpp"
 #include "generator/commands/closure.hpp"
 #include "generator/commands/dispersion.hpp"
+#include "generator/commands/influence.hpp"
 #include "generator/commands/oblique.hpp"
 #include "generator/commands/optimise.hpp"
 #include "generator/commands/passive.hpp"
@@ -61,8 +62,9 @@ struct Request {
     BondsTask bonds;                                                ///< of Action::bonds
     ClosureTask closure;                                            ///< of Action::closure
     PowerInfluence influence;                                       ///< of Action::influence
-    PlaneSeriesTask series;                                         ///< of Action::taylor
-    ObliqueTask oblique;                                            ///< of Action::oblique
+    ClassInfluence class_influence;              ///< instead, of a plane or space
+    PlaneSeriesTask series;                      ///< of Action::taylor
+    ObliqueTask oblique;                         ///< of Action::oblique
     bool as_json = false;                        ///< what these print, in place of text
     std::optional<std::filesystem::path> cache;  ///< folder of kept certificates
     std::filesystem::path folder = "generated/nmbc/tables";

@@ -169,10 +169,27 @@ CLI::App* add_influence(CLI::App& app, Request& request) {
     const auto parse_horizon = [](const std::string& text) {
         return parse_whole_number(text, largest_power_horizon);
     };
-    add_parsed(*influence, "--horizon", request.influence.horizon, parse_horizon,
-               fmt::format("delta in units of dX, 1 to {}", largest_power_horizon))
-        ->required();
+    CLI::Option* const horizon =
+        add_parsed(*influence, "--horizon", request.influence.horizon, parse_horizon,
+                   fmt::format("of a chain: delta in units of dX, 1 to {}", largest_power_horizon));
+    CLI::Option* const radius = add_parsed(
+        *influence, "--radius2", request.class_influence.radius_squared, parse_radius_squared,
+        "of a square or cubic lattice: delta^2 in units of dX^2, in place of --horizon");
+    const auto parse_dimension = [](const std::string& text) {
+        return std::size_t(parse_whole_number(text, 3, 2));
+    };
+    add_parsed(*influence, "--dimension", request.class_influence.dimensions, parse_dimension,
+               "with --radius2: 2, a square lattice (default), or 3, a cubic one")
+        ->needs(radius);
+    horizon->excludes(radius);
     add_format(*influence, request);
+    influence->parse_complete_callback([&request, horizon, radius] {
+        if (horizon->count() + radius->count() == 0) {
+            throw CLI::RequiredError("--horizon (or --radius2)");
+        }
+        request.class_influence.power = request.influence.power;
+        request.class_influence.smoothing = request.influence.smoothing;
+    });
     return influence;
 }
 

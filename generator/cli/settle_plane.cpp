@@ -70,15 +70,18 @@ void require_fit(const VectorFamily& family, const PlaneOptions& plane,
     if (plane.poisson && !family.has_poisson) {
         throw CLI::ValidationError("--nu", name + " has no Poisson's ratio to choose");
     }
-    if (plane.plane_strain && !family.has_poisson) {
+    if (plane.plane_strain && (!family.has_poisson || family.dimensions == 3)) {
         throw CLI::ValidationError("--state", name + " has no plane stress or strain");
     }
-    if (family.has_weights != weights.has_value() || (weights && weights->named != nullptr)) {
+    const bool needs_weights = family.has_weights && !family.has_poisson;
+    if ((weights && !family.has_weights) || (!weights && needs_weights) ||
+        (weights && weights->named != nullptr)) {
         throw CLI::ValidationError(
             "--weights", family.has_weights
                              ? name +
-                                   " needs w_1,w_2,.., one for each class of bonds, shortest "
-                                   "first: of (1, 0), (1, 1), (2, 0), (2, 1), .."
+                                   " takes w_1,w_2,.., one for each class of bonds, shortest "
+                                   "first: of (1, 0), (1, 1), (2, 0), (2, 1), .., in space of (1, "
+                                   "0, 0), (1, 1, 0), (1, 1, 1), .."
                              : name + " has constant influence");
     }
 }
@@ -96,6 +99,12 @@ std::vector<Rational> relative(std::vector<Rational> weights) {
 void settle_side(Request& request, const VectorFamily& family, const VectorChoice& choice,
                  const Pending& pending, const CLI::App& used, const char* blamed) {
     refuse_options_of_chains(used);
+    if (family.at_edge == nullptr) {
+        throw CLI::ValidationError(
+            "--family", fmt::format("sides are of nopd2d and bond2d; tables of {} are of one "
+                                    "--polarisation",
+                                    family.name));
+    }
     if (choice.radius_squared > largest_side_radius_squared) {
         throw CLI::ValidationError("--radius2",
                                    fmt::format("sides of families above {} take too long: give a "
@@ -161,7 +170,7 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
         .weights = pending.weights ? pending.weights->values : std::vector<Rational>{}};
     pending.weights.reset();
     const char* const blamed = known->has_poisson ? "--nu" : "--weights";
-    require_model("--radius2", [&] { neighbours_in_plane(choice.radius_squared); });
+    require_model("--radius2", [&] { neighbours(choice.radius_squared, known->dimensions); });
     require_model(blamed, [&] { known->describe(choice); });
     if (disperses) {
         const bool limit = std::exchange(request.curves.limit, false);
@@ -183,6 +192,9 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
         return;
     }
     if (request.action == Action::oblique) {
+        if (known->dimensions == 3) {
+            throw CLI::ValidationError("--family", family + " is no lattice of the plane");
+        }
         request.oblique.choice = choice;
         return;
     }
@@ -203,6 +215,10 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
                                    "stable by construction");
     }
     choice.weights = relative(choice.weights);
+    if (known->has_poisson &&
+        std::ranges::count(choice.weights, Rational(1)) == std::ptrdiff_t(choice.weights.size())) {
+        choice.weights.clear();  // constant influence has one name
+    }
     const ProjectedFamily projected{
         .family = family, .model = choice, .polarisation = *plane.polarisation};
     require_model("--polarisation", [&] { projected_model(projected); });

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/exact/rational.hpp"
+#include "generator/families/vector_family.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -88,6 +89,65 @@ std::string power_influence_json(const PowerInfluence& influence) {
                    {"moments", moments},
                    {"modulus_of_continuum_factor", modulus_of_continuum_factor(influence)},
                    {"bond1d_weights", weight_texts(influence)}};
+    return all.dump(2) + "\n";
+}
+
+namespace {
+
+/// Both families and their options, of which Poisson's ratio of the solid stays open.
+struct ClassOptions {
+    std::vector<Offset> classes;
+    std::vector<std::string> influence;
+    std::vector<std::string> springs;
+};
+
+ClassOptions options_of(const ClassInfluence& influence) {
+    ClassOptions options{.classes = bond_classes(influence.radius_squared, influence.dimensions),
+                         .influence = {},
+                         .springs = {}};
+    const ClassWeights weights =
+        class_weights(influence.power, influence.smoothing, options.classes);
+    for (std::size_t a = 0; a < options.classes.size(); ++a) {
+        options.influence.push_back(to_string(weights.influence[a]));
+        options.springs.push_back(to_string(weights.springs[a]));
+    }
+    return options;
+}
+
+}  // namespace
+
+std::string class_influence_text(const ClassInfluence& influence) {
+    const ClassOptions options = options_of(influence);
+    const std::size_t d = influence.dimensions;
+    const auto lattice = [&](const char* family, const char* poisson,
+                             const std::vector<std::string>& weights) {
+        return fmt::format("--family {}{}d --radius2 {}{} --weights {}\n", family, d,
+                           influence.radius_squared, poisson, fmt::join(weights, ","));
+    };
+    return fmt::format(
+        "influence   (|xi| + eps)^-p, p = {}, eps = {} dX, delta^2 = {} dX^2: Seleson 2011, GPMB\n"
+        "classes     {}, rounded to 1e-12\n"
+        "options     {}            {}",
+        influence.power, to_string(influence.smoothing), influence.radius_squared,
+        options.classes.size(), lattice("lps", " --nu 1/4", options.influence),
+        lattice("bond", "", options.springs));
+}
+
+std::string class_influence_json(const ClassInfluence& influence) {
+    using Json = nlohmann::ordered_json;
+    const ClassOptions options = options_of(influence);
+    Json classes = Json::array();
+    for (const auto& [i, j, k] : options.classes) {
+        classes.push_back(influence.dimensions == 2 ? Json{i, j} : Json{i, j, k});
+    }
+    const Json all{{"influence", "power"},
+                   {"power", influence.power},
+                   {"smoothing", to_string(influence.smoothing)},
+                   {"dimension", influence.dimensions},
+                   {"radius2", influence.radius_squared},
+                   {"classes", classes},
+                   {"lps_weights", options.influence},
+                   {"bond_weights", options.springs}};
     return all.dump(2) + "\n";
 }
 

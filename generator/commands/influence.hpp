@@ -12,4 +12,16 @@ namespace nmbcgen {
 std::string power_influence_text(const PowerInfluence& influence);
 std::string power_influence_json(const PowerInfluence& influence);
 
+/// The same influence on bonds of a square or cubic lattice.
+struct ClassInfluence {
+    unsigned power = 0;           ///< p
+    Rational smoothing = 1;       ///< eps [dX]
+    unsigned radius_squared = 0;  ///< delta^2 [dX^2]; 0: of a chain
+    std::size_t dimensions = 2;   ///< or 3
+};
+
+/// Its weights as options of lattice families. Throws NoSuchModel for a radius that there is not.
+std::string class_influence_text(const ClassInfluence& influence);
+std::string class_influence_json(const ClassInfluence& influence);
+
 }  // namespace nmbcgen

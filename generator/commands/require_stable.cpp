@@ -68,8 +68,17 @@ void require_stable_in_plane(const Specification& what, const ProjectedFamily& p
                          .choice = projected.model,
                          .g = what.stabilisation.value_or(0),
                          .time_step = 0};
-    const PlaneLattice lattice = plane_lattice(
-        find_vector_family(model.family).describe(model.choice), model.g, what.damping);
+    const VectorFamily& family = find_vector_family(model.family);
+    if (family.dimensions == 3) {
+        throw NotStable(fmt::format(
+            "sides of the cubic lattice of {} are not examined for oblique waves: what is "
+            "certified "
+            "is the chain that waves at normal incidence see. Nothing was written; without "
+            "--require-stable the table is.",
+            model.family));
+    }
+    const PlaneLattice lattice =
+        plane_lattice(family.describe(model.choice), model.g, what.damping);
     const auto condition = component_condition(model, lattice, what);
     if (!condition) {
         throw NotStable("the other polarisation has no such condition. Nothing was written.");

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
@@ -13,28 +12,26 @@
 #include "generator/families/vector_family.hpp"
 
 namespace nmbcgen {
-namespace {
-
-/// The bond of its class with i >= j >= 0.
-Offset class_of(const Offset& bond) {
-    const int one = std::abs(bond[0]);
-    const int other = std::abs(bond[1]);
-    return {std::max(one, other), std::min(one, other), 0};
+std::vector<VectorSquare> springs(std::span<const Offset> family, std::span<const Offset> classes,
+                                  std::span<const Rational> weights) {
+    std::vector<VectorSquare> energy;
+    for (const Offset& bond : family) {
+        if (bond < Offset{}) {
+            continue;  // each bond once
+        }
+        // weight (R . (u_J - u_I))^2/2: a spring of the constant weight |R|^2.
+        const std::array<Rational, 3> along{bond[0], bond[1], bond[2]};
+        const std::array<Rational, 3> against{-bond[0], -bond[1], -bond[2]};
+        energy.push_back({EnergyPart::strain,
+                          constant(weight_of(bond, classes, weights)),
+                          {{Offset{}, against}, {bond, along}}});
+    }
+    return energy;
 }
-
-}  // namespace
 
 VectorModel bond2d(const VectorChoice& choice) {
     const std::vector<Offset> classes = bond_classes_in_plane(choice.radius_squared);
-    if (choice.weights.size() != classes.size() ||
-        std::ranges::count(choice.weights, Rational(0)) > 0) {
-        std::string list;
-        for (const Offset& bond : classes) {
-            list += fmt::format("{}({}, {})", list.empty() ? "" : ", ", bond[0], bond[1]);
-        }
-        throw NoSuchModel(fmt::format("{} weights are needed, none of them 0: of the bonds {}",
-                                      classes.size(), list));
-    }
+    require_weights(classes, choice.weights, true);
     if (std::ranges::any_of(choice.weights, [](const Rational& weight) { return weight < 0; })) {
         std::vector<double> weights;
         for (const Rational& weight : choice.weights) {
@@ -54,18 +51,7 @@ VectorModel bond2d(const VectorChoice& choice) {
     for (const Rational& weight : choice.weights) {
         model.description += " " + to_string(weight);
     }
-    for (const Offset& bond : neighbours_in_plane(choice.radius_squared)) {
-        if (bond < Offset{}) {
-            continue;  // each bond once
-        }
-        // weight (R . (u_J - u_I))^2/2: a spring of the constant weight |R|^2.
-        const auto which = std::ranges::find(classes, class_of(bond)) - classes.begin();
-        const Rational& weight = choice.weights[std::size_t(which)];
-        const std::array<Rational, 3> along{bond[0], bond[1], 0};
-        const std::array<Rational, 3> against{-bond[0], -bond[1], 0};
-        model.energy.push_back(
-            {EnergyPart::strain, constant(weight), {{Offset{}, against}, {bond, along}}});
-    }
+    model.energy = springs(neighbours_in_plane(choice.radius_squared), classes, choice.weights);
     return model;
 }
 

@@ -7,7 +7,7 @@
 
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
-#include "generator/families/family.hpp"
+#include "generator/families/moduli.hpp"
 #include "generator/families/vector_family.hpp"
 
 namespace nmbcgen {
@@ -15,24 +15,6 @@ namespace {
 
 constexpr std::size_t x = 0;
 constexpr std::size_t y = 1;
-
-/// Bulk modulus of the plane k' (10) and shear modulus, E = 1.
-struct Moduli {
-    Rational bulk;
-    Rational shear;
-};
-
-Moduli moduli_of(const VectorChoice& choice) {
-    const Rational nu = choice.poisson.value_or(0);
-    const Rational highest = choice.plane_strain ? Rational(1, 2) : Rational(1);
-    if (nu <= -1 || nu >= highest) {
-        throw NoSuchModel(fmt::format("Poisson's ratio {}: plane {} needs -1 < nu < {}",
-                                      to_string(nu), choice.plane_strain ? "strain" : "stress",
-                                      to_string(highest)));
-    }
-    return {.bulk = choice.plane_strain ? 1 / (2 * (1 + nu) * (1 - 2 * nu)) : 1 / (2 * (1 - nu)),
-            .shear = 1 / (2 * (1 + nu))};
-}
 
 /// The square of terms . u, without terms that vanish.
 VectorSquare square_of(EnergyPart part, Polynomial weight, std::vector<VectorTerm> terms) {
@@ -51,7 +33,7 @@ VectorSquare square_of(EnergyPart part, Polynomial weight, std::vector<VectorTer
 /// and of the rotation u_x,y - u_y,x, less those of the other two.
 std::vector<VectorSquare> node_energy(const std::vector<Offset>& family, std::size_t bonds,
                                       const VectorChoice& choice, const Rational& beta) {
-    const Moduli moduli = moduli_of(choice);
+    const Moduli moduli = plane_moduli(choice);
     Rational shape_x = 0;
     Rational shape_y = 0;
     for (const Offset& bond : family) {
@@ -126,14 +108,14 @@ std::vector<VectorSquare> nopd2d_at_edge(const VectorChoice& choice, unsigned la
 }
 
 Rational nopd2d_largest_beta(const VectorChoice& choice) {
-    return 2 * moduli_of(choice).shear;
+    return 2 * plane_moduli(choice).shear;
 }
 
 PlaneLimit nopd2d_limit(const VectorChoice& choice, double g, double xi) {
     // Sums over the family become integrals over a disc, of R sin(xi . R) and cos(xi . R): with
     // x = delta xi, |kappa| = 8 J_2(x)/(delta x), and the mean of 2 (1 - cos) less that of the
     // uniform part is 2 - 4 J_1(x)/x - 16 J_2(x)^2/x^2. (J_n/x^n)' = -J_{n+1}/x^n.
-    const auto [bulk, shear] = moduli_of(choice);
+    const auto [bulk, shear] = plane_moduli(choice);
     const double delta = std::sqrt(double(choice.radius_squared));
     const double x = delta * xi;
     const auto over_x = [x](double order) { return std::cyl_bessel_j(order, x) / x; };

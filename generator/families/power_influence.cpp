@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "generator/families/power_influence.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include "generator/exact/rational.hpp"
+#include "generator/families/vector_family.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -80,6 +82,23 @@ std::vector<Rational> power_weights(const PowerInfluence& influence) {
         weights.push_back(to_the(ratio, int(influence.power)));
     }
     weights.back() /= 2;
+    return weights;
+}
+
+ClassWeights class_weights(unsigned power, const Rational& smoothing,
+                           std::span<const Offset> classes) {
+    const double eps = nearest_double(smoothing);
+    const auto rounded = [](double value) {
+        constexpr double digits = 1e12;
+        return Rational(Integer(std::max(1.0, std::round(value * digits))), Integer(digits));
+    };
+    ClassWeights weights;
+    for (const Offset& bond : classes) {
+        const double length = std::sqrt(double(length_squared(bond)));
+        const double omega = std::pow((1 + eps) / (length + eps), power);
+        weights.influence.push_back(rounded(omega / length));
+        weights.springs.push_back(rounded(omega / (length * length * length)));
+    }
     return weights;
 }
 

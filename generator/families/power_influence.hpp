@@ -3,9 +3,10 @@
 /// bonds of up to delta: force gamma_p (u' - u)/|xi| omega(xi) per length of the chain squared.
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "generator/table/exact.hpp"
+#include "generator/table/vector_model.hpp"
 
 namespace nmbcgen {
 
@@ -37,6 +38,16 @@ Rational chain_dispersion_coefficient(const PowerInfluence& influence, unsigned 
 /// w_k of bond1d, omega(k)/omega(1) for k = 1 .. delta, the last one halved: half of its cell is
 /// beyond the horizon. A factor says nothing: the chain's modulus is that of the solid.
 std::vector<Rational> power_weights(const PowerInfluence& influence);
+
+/// Of bond classes of a square or cubic lattice, over those of the nearest bonds: the influence
+/// omega(|R|)/|R| of lps2d and lps3d, and the weights omega(|R|)/|R|^3 of bond2d and bond3d.
+/// Rounded to 10^-12, at least which they are.
+struct ClassWeights {
+    std::vector<Rational> influence;
+    std::vector<Rational> springs;
+};
+ClassWeights class_weights(unsigned power, const Rational& smoothing,
+                           std::span<const Offset> classes);
 
 /// The modulus of the chain, over the solid's, where its force has the continuum's gamma_p.
 double modulus_of_continuum_factor(const PowerInfluence& influence);

@@ -165,7 +165,7 @@ refuses --weights "nopd2d has constant influence" -- \
     $plane --radius2 1 --nu 1/4 --polarisation P --weights 1
 refuses --radius2 "nopd1d is no plane family" -- --order 1 --radius2 1
 plane="--order 1 --family bond2d --polarisation S"
-refuses --weights "bond2d needs w_1,w_2,.." -- $plane --radius2 2
+refuses --weights "bond2d takes w_1,w_2,.." -- $plane --radius2 2
 refuses --weights "2 weights are needed" "(1, 0), (1, 1)" -- $plane --radius2 2 --weights 1
 refuses --polarisation "long waves of this polarisation do not travel" -- $plane --radius2 1 --weights 1
 refuses --nu "bond2d has no Poisson's ratio" -- $plane --radius2 2 --weights 1,1 --nu 1/3
