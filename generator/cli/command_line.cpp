@@ -10,6 +10,7 @@
 #include "generator/cli/parsed_option.hpp"
 #include "generator/cli/print_options.hpp"
 #include "generator/cli/settle.hpp"
+#include "generator/cli/whole_number.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/support/files.hpp"
 
@@ -136,7 +137,10 @@ CLI::App* add_passive(CLI::App& app, Request& request, Pending& pending) {
         "construction; JSON");
     add_parsed(*passive, "--family", question.family, parse_family,
                "lattice model: nopd1d (default), nopd2d, bond2d");
-    CLI::Option* const horizon = add_parsed(*passive, "--horizon", question.horizon, parse_count,
+    const auto parse_horizon = [](const std::string& text) {
+        return parse_whole_number(text, largest_designed_horizon);
+    };
+    CLI::Option* const horizon = add_parsed(*passive, "--horizon", question.horizon, parse_horizon,
                                             "of nopd1d: horizon n in units of dX, 1 to 6");
     CLI::Option* const radius = add_plane_model(*passive, pending.plane);
     require_one_of(*passive, horizon, radius);

@@ -51,10 +51,6 @@ ChainModel settled_end(const Question& question, const Pending& pending) {
     if (pending.weights) {
         throw CLI::ValidationError("--weights", "passive ends have constant influence");
     }
-    if (question.horizon > largest_designed_horizon) {
-        throw CLI::ValidationError(
-            "--horizon", fmt::format("designs above {} take too long", largest_designed_horizon));
-    }
     return {.horizon = question.horizon, .G = question.G, .time_step = pending.passive_step};
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <nmbc/boundary_condition.hpp>
+#include <nmbc/folded_energy.hpp>
 #include <nmbc/kernels.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/leapfrog.hpp>
@@ -43,6 +44,7 @@ class BasicChain {
           parameters_(checked(parameters)),
           left_(left.make(lattice_, parameters_)),
           right_(right.make(lattice_, parameters_)),
+          folded_energy_(detail::folded(lattice_.energy)),
           force_(force_during(parameters_.time_step)),
           damping_(damping_during(parameters_.time_step)) {
         require_certified_pair();
@@ -71,6 +73,8 @@ class BasicChain {
 
     const Lattice& lattice() const { return lattice_; }
     const ChainParameters& parameters() const { return parameters_; }
+    /// The lattice's energy as energies() sums it.
+    const std::vector<detail::FoldedSquare>& folded_energy() const { return folded_energy_; }
     /// Ghost nodes at each end; nodes in all: interior, layers and ghosts.
     std::size_t ghosts() const { return lattice_.reach(); }
     std::size_t nodes() const {
@@ -312,6 +316,7 @@ class BasicChain {
     ChainParameters parameters_;
     std::unique_ptr<BoundaryCondition<Real>> left_;
     std::unique_ptr<BoundaryCondition<Real>> right_;
+    std::vector<detail::FoldedSquare> folded_energy_;
     std::unique_ptr<const detail::Kick<Real>> force_;    // of one time step
     std::unique_ptr<const detail::Kick<Real>> damping_;  // of the damping; none where undamped
     std::vector<Real> memory_;                           // of the two fields

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <nmbc/chain.hpp>
+#include <nmbc/folded_energy.hpp>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -43,46 +44,13 @@ double apply(std::span<const double> stencil, const Real* first) {
     return sum;
 }
 
-/// Sums over a range of nodes without their common factors, one for each node of a block: compilers
-/// vectorise over the nodes, and many short sums round less than a long one.
+/// Sums over a range of nodes without their common factors.
 struct EnergySums {
-    static constexpr std::size_t nodes = 64;
-    using Sum = std::array<double, nodes>;
-    Sum kinetic{};
-    Sum strain{};         ///< (now + before)^2 of its squares
-    Sum stabilisation{};  ///< likewise
-    Sum staggered{};      ///< now * before of all squares
+    FoldedBlock::Sum kinetic{};
+    FoldedBlock::Sum strain{};         ///< (now + before)^2 of its squares
+    FoldedBlock::Sum stabilisation{};  ///< likewise
+    FoldedBlock::Sum change{};         ///< (now - before)^2 of all squares
 };
-
-/// Adds the terms of one square at `nodes` nodes: (now + before)^2 and now * before, where now and
-/// before are the stencil at u^{k+1} and at u^k, times the root of the weight. u and v begin where
-/// the first node's stencil does. Stencils of horizons to 6 have loops of their own, in which the
-/// compiler knows their size.
-template <std::size_t Size = 1, class Real>
-void add_square(std::span<const double> stencil, double root, double dt, const Real* u,
-                const Real* v, std::size_t nodes, EnergySums::Sum& middle,
-                EnergySums::Sum& staggered) {
-    const auto add = [&](auto apply_to) {
-        double* __restrict middle_sums = middle.data();
-        double* __restrict staggered_sums = staggered.data();
-        for (std::size_t node = 0; node < nodes; ++node) {
-            const double now = apply_to(u + node);
-            const double before = now - dt * apply_to(v + node);
-            middle_sums[node] += (now + before) * (now + before);
-            staggered_sums[node] += now * before;
-        }
-    };
-    if constexpr (Size > widest_fixed_reach + 1) {
-        add([=](const Real* first) { return root * detail::apply(stencil, first); });
-    } else if (stencil.size() == Size) {
-        std::array<double, Size> entries{};
-        std::ranges::transform(stencil, entries.begin(),
-                               [=](double entry) { return root * entry; });
-        add([=](const Real* first) { return detail::apply(entries, first); });
-    } else {
-        add_square<Size + 1>(stencil, root, dt, u, v, nodes, middle, staggered);
-    }
-}
 
 }  // namespace detail
 
@@ -105,32 +73,34 @@ Energies energies(const BasicChain<Real>& chain, std::size_t first, std::size_t 
 
     detail::EnergySums sums;
     detail::EnergySums below_0;  // of bonds that are
-    for (std::size_t node = begin; node < end; node += detail::EnergySums::nodes) {
-        const std::size_t nodes = std::min(end - node, detail::EnergySums::nodes);
+    detail::FoldedBlock block(detail::reach_of(chain.folded_energy()));
+    for (std::size_t node = begin; node < end; node += detail::FoldedBlock::nodes) {
+        const std::size_t nodes = std::min(end - node, detail::FoldedBlock::nodes);
         for (std::size_t i = 0; i < nodes; ++i) {
             const double velocity = v[node + i];
             sums.kinetic[i] += velocity * velocity;
         }
-        for (const auto& [part, weight, stencil] : chain.lattice().energy) {
-            const std::size_t start = node - stencil.size() / 2;  // at most ghosts() before it
-            detail::EnergySums& to = weight < 0 ? below_0 : sums;
-            detail::add_square(
-                std::span(stencil), std::sqrt(std::abs(weight)), dt, &u[start], &v[start], nodes,
-                part == EnergyPart::strain ? to.strain : to.stabilisation, to.staggered);
+        block.read(u, v, dt, node, nodes);
+        for (const detail::FoldedSquare& square : chain.folded_energy()) {
+            detail::EnergySums& to = square.is_below_0 ? below_0 : sums;
+            block.add(square, square.part == EnergyPart::strain ? to.strain : to.stabilisation,
+                      to.change);
         }
     }
     Energies result;
-    for (std::size_t i = 0; i < detail::EnergySums::nodes; ++i) {
+    double change = 0;
+    for (std::size_t i = 0; i < detail::FoldedBlock::nodes; ++i) {
         result.kinetic += sums.kinetic[i];
         result.strain += sums.strain[i] - below_0.strain[i];
         result.stabilisation += sums.stabilisation[i];
-        result.staggered += sums.staggered[i] - below_0.staggered[i];
+        change += sums.change[i] - below_0.change[i];
     }
     const double stiffness = p.youngs_modulus / p.spacing / 2;
     result.kinetic *= p.spacing * p.density / 2;
     result.strain *= stiffness / 4;
     result.stabilisation *= stiffness / 4;
-    result.staggered = result.kinetic + stiffness * result.staggered;
+    // now * before = ((now + before)^2 - (now - before)^2) / 4
+    result.staggered = result.total() - stiffness / 4 * change;
     if (!chain.damped().empty()) {
         const auto damped = chain.damped().subspan(begin, end - begin);
         result.damped = std::reduce(damped.begin(), damped.end());

@@ -128,7 +128,9 @@ refuses 2 "do not travel" passive --family bond2d --radius2 1 --weights 1
 refuses 2 "--radius2: nopd1d is no plane family" passive --family nopd1d --radius2 1 --G 1
 refuses 2 "passive designs are of nopd1d, nopd2d, bond2d" passive --family chain1d --horizon 1
 refuses 2 "passive ends have constant influence" passive --horizon 2 --weights 1,1/2 --G 1
-refuses 2 "designs above 6 take too long" passive --horizon 7 --G 1
+for horizon in 0 7; do
+    refuses 2 "--horizon: '$horizon' is not a whole number from 1 to 6" passive --horizon $horizon --G 1
+done
 refuses 2 "passive requires --G" passive --horizon 2
 # Stable head-on, but not as a side, component by component; and what is stable as both.
 waves=("${smallest[@]}" --polarisation P --order 1 --stdout --require-stable)

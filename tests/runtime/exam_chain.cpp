@@ -8,6 +8,8 @@
 #include <nmbc/tables/tables.hpp>
 #include <numbers>
 
+#include "tests/runtime/random_start.hpp"
+
 namespace {
 
 nmbc::Chain chain_of(int horizon, int order, double G, const nmbc::ChainParameters& parameters) {
@@ -50,6 +52,49 @@ TEST_CASE("leapfrog keeps the staggered energy until a wave reaches an end") {
         CHECK(highest_total > first);
         CHECK(highest_total < first * (1 + 6.3e-4));
     }
+}
+
+TEST_CASE("energies are the sums of the lattice's squares") {
+    const auto check = [](const nmbc::Lattice& lattice) {
+        constexpr double dt = 0.01;
+        nmbc::Chain chain(lattice, nmbc::FixedEnd{},
+                          {.nodes = 150, .spacing = 0.5, .youngs_modulus = 3, .time_step = dt});
+        start_at_random(chain);
+        double strain = 0;
+        double stabilisation = 0;
+        double staggered = 0;
+        for (std::size_t node = 0; node < 150; ++node) {
+            const double v = chain.velocity()[chain.first_interior() + node];
+            staggered += 0.5 * v * v / 2;
+            for (const auto& [part, weight, stencil] : lattice.energy) {
+                const std::size_t first = chain.first_interior() + node - stencil.size() / 2;
+                const double now = nmbc::detail::apply(stencil, &chain.displacement()[first]);
+                const double rate = nmbc::detail::apply(stencil, &chain.velocity()[first]);
+                const double middle = now - dt / 2 * rate;  // E/dX = 6
+                (part == nmbc::EnergyPart::strain ? strain : stabilisation) +=
+                    6 * weight * middle * middle / 2;
+                staggered += 6 * weight * now * (now - dt * rate) / 2;
+            }
+        }
+        // Some hundred terms, each of a few roundings.
+        constexpr double roundings = 1e-14;
+        const auto e = nmbc::energies(chain);
+        CHECK(std::abs(e.strain - strain) <= roundings * strain);
+        CHECK(std::abs(e.stabilisation - stabilisation) <= roundings * stabilisation);
+        CHECK(std::abs(e.staggered - staggered) <= roundings * staggered);
+    };
+    for (const nmbc::LatticeTable* const table : nmbc::generated::lattices) {
+        CAPTURE(table->name);
+        check(nmbc::make_lattice(*table, 0));
+        check(nmbc::make_lattice(*table, 0.7));
+    }
+    // By hand: mirror images, of which one is negative; none; multiples; weights below 0.
+    using enum nmbc::EnergyPart;
+    nmbc::Lattice lattice = nmbc::make_lattice(nmbc::generated::nopd1d_n2, 0);
+    lattice.energy = {{strain, 2, {0, 0, 1, -2, 0.5}},     {strain, 2, {-0.5, 2, -1, 0, 0}},
+                      {strain, 3, {0, 1, 0.25, 0, 0}},     {stabilisation, 1, {1, 0, 3, 0, 1}},
+                      {stabilisation, 4, {2, 0, 6, 0, 2}}, {strain, -0.1, {0, -1, 0, 1, 0}}};
+    check(lattice);
 }
 
 TEST_CASE("energies of a plane wave") {

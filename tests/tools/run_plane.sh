@@ -164,6 +164,23 @@ expect_exit 2
 expect_stderr "is of another scene: there the checksum of scenes/history.csv is"
 rm -r scenes
 
+# What is said of steps that a source makes very short, of a force that the lattice does not carry,
+# and of strains that are not small.
+point=(run "$2/tools/scenes/plane_box.toml" --quiet --set 'domain.nodes=[20, 20]' --set 'force.centre=[10, 10]'
+    --set output.probes=[] --set time.end=3 --set force.time=1 --set force.half_width=0 --set model.G=1)
+try "${point[@]}" --set force.duration=5 --set force.time=0
+expect_exit 0
+expect_stderr "of what force sends out is in waves so short that the lattice disperses them"
+try "${point[@]}" --set force.duration=1e-3 --set time.end=1.1
+expect_exit 0
+expect_stderr "1/20 of force.duration, are"
+try "${point[@]}" --set force.duration=30 --set force.half_width=8 --set force.time=0 --set force.amplitude=1e-3
+expect_exit 0
+expect_no_stderr
+try "${point[@]}" --set force.duration=30 --set force.half_width=8 --set force.time=0 --set force.amplitude=1e3
+expect_exit 0
+expect_stderr "the model is of small strains"
+
 # verify: 4 % of the pulse comes back; sides so far off that nothing does.
 try verify "$scene" --tolerance 0.05 --quiet
 expect_exit 0
@@ -195,6 +212,8 @@ setting 2 "model.nu must be an exact number, such as 0.25" 'model.nu="1/0"'
 setting 2 "must be a sum of two squares" model.radius2=3
 setting 2 "model.radius2 must be a whole number from 1 to 100" model.radius2=0
 setting 2 "model.G must be a number not below 0, not -1" model.G=-1
+setting 2 "model.horizon is of a chain; a plane has model.radius2, its square" model.horizon=1
+setting 2 "initial moves no node: its width is 1e-09" initial.width=1e-9
 setting 2 'must be "nopd2d"' model.family=nopd1d
 setting 2 "must be a list [x, y], not one of 3 numbers" "domain.nodes=[1, 2, 3]"
 setting 2 "two whole numbers" "domain.nodes=[1.5, 2]"

@@ -256,7 +256,7 @@ refuses 2 "has both step and cfl" "$scratch/both.toml"
 printf 'a = = 1\n' >"$scratch/garbled.toml"
 refuses 2 "garbled.toml:1:" "$scratch/garbled.toml"
 : >"$scratch/empty.toml"
-refuses 2 "model.horizon is missing" "$scratch/empty.toml"
+refuses 2 "empty.toml: has no keys; docs/reference/scene.md lists those of a scene" "$scratch/empty.toml"
 
 # Tables in tables are on the stack, so there is an end to them; the deepest that is read.
 deep=$(printf 'a.%.0s' {1..20000})

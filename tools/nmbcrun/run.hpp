@@ -8,7 +8,7 @@
 
 namespace nmbcrun {
 
-/// Runs the scene, writes what it asks for (Recorder) and prints a table of energies on stdout, and
+/// Runs the scene, writes what it asks for (ChainFiles) and prints a table of energies on stdout, and
 /// what was left, where it went and the files.
 /// Throws SceneError (no such table, a time step above the interior's limit, a checkpoint of
 /// another scene, files of its own that it would replace), Unstable (before the run where its ends

@@ -137,7 +137,8 @@ bool verify(const Scene& scene, double tolerance, bool quiet) {
     fmt::print("error        {:.3e} of max |u|, at node {}, t = {:.4g}; {} the tolerance {:g}\n",
                error, outcome.deviation.node(), outcome.deviation.time(),
                holds ? "within" : "above", tolerance);
-    fmt::print("energy left  {:.3e} of the peak; without artificial ends {:.3e}\n",
+    fmt::print("{:<12} {:.3e} of the peak; without artificial ends {:.3e}\n",
+               simulation.is_driven(simulation.chain().time()) ? "energy then" : "energy left",
                outcome.energy_left, outcome.reference_energy_left);
     if (!quiet) {
         print_reflections(simulation, reference.chain());

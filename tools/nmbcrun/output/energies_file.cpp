@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/output/energies_file.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <charconv>
 #include <fstream>
+#include <iterator>
 
 #include "tools/nmbcrun/errors.hpp"
 
@@ -30,9 +32,13 @@ std::string energies_head(std::string_view about, std::string_view header) {
 std::string energies_row(const Sample& sample) {
     const auto& [time, e, balance] = sample;
     // The time is a rounded multiple of the step, which ten digits hide; the energies read back.
-    return fmt::format("{:.10g},{},{},{},{},{},{},{},{},{},{},{}\n", time, e.kinetic, e.strain,
-                       e.stabilisation, e.total(), e.staggered, e.damped, balance.energy,
-                       balance.work, balance.left, balance.right, balance.drift);
+    std::string row = fmt::format("{:.10g}", time);
+    for (const double value :
+         {e.kinetic, e.strain, e.stabilisation, e.total(), e.staggered, e.damped, balance.energy,
+          balance.work, balance.left, balance.right, balance.drift}) {
+        fmt::format_to(std::back_inserter(row), FMT_COMPILE(",{}"), value);
+    }
+    return row + '\n';
 }
 
 void read_energies(const std::filesystem::path& path, std::string_view header,

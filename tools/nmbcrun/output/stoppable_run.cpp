@@ -46,6 +46,15 @@ std::optional<Checkpoint> StoppableRun::claim(std::map<std::string, std::string>
 }
 
 void StoppableRun::warn(std::vector<std::string> warnings) const {
+    constexpr double short_cfl = 1e-3;
+    if (plan_.cfl < short_cfl) {
+        warnings.push_back(fmt::format(
+            "time steps of {:.3g}, {}, are {:.1g} of what the lattice allows: the run has {:.3g} "
+            "of "
+            "them",
+            plan_.time_step, plan_.limit.empty() ? "as the scene asks for" : plan_.limit, plan_.cfl,
+            double(plan_.steps)));
+    }
     if (replaces_earlier_) {
         warnings.push_back(
             fmt::format("{} is of an earlier run, which --resume would have gone on with; "

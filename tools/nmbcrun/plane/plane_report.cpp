@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "generator/exact/rational.hpp"
-#include "tools/nmbcrun/scene/printable.hpp"
+#include "tools/nmbcrun/plane/force_spectrum.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -20,40 +18,17 @@ std::string words_of(const PlaneSimulation& simulation, std::size_t side) {
                : heading_of(choice);
 }
 
-/// The frequency 2 pi f at which the spectrum of a force is largest; 0 where it is none above 0.
-double largest_frequency(const ForceHistory& force) {
-    switch (force.history) {
-        case History::ricker:
-            return 2 / force.duration;
-        case History::sine:
-            return 2 * std::numbers::pi * force.frequency;
-        case History::gaussian:
-        case History::file:
-            break;
-    }
-    return 0;
-}
-
-/// Where S waves of that frequency are far from those of the solid; empty where they are not.
+/// Where the lattice does not carry what the force sends out; empty where it does.
 std::string warning_of_short_waves(const PlaneScene& scene) {
-    const double frequency = scene.force ? largest_frequency(scene.force->history) : 0;
-    if (frequency == 0) {
-        return "";
-    }
-    const nmbc::PlaneModel model = model_of(scene);
-    const double xi = frequency / (rate_of(scene) * model.speed_S());  // of the solid
-    constexpr double tolerable = 0.1;
-    if (xi < std::numbers::pi) {
-        const double of_lattice = std::sqrt(nmbc::plane_wave(model, {xi, 0}, false).omega_squared);
-        if (std::abs(of_lattice / (xi * model.speed_S()) - 1) < tolerable) {
-            return "";
-        }
-    }
-    return fmt::format(
-        "the force is strongest where the solid's S waves are {:.3g} dX long; this lattice carries "
-        "such waves at another speed, or not at all, and their energy may stay: a longer "
-        "duration, or a finer lattice",
-        2 * std::numbers::pi / xi);
+    constexpr double most_not_carried = 0.1;
+    const double share = not_carried(scene);
+    return share > most_not_carried
+               ? fmt::format(
+                     "{:.0f} % of what force sends out is in waves so short that the lattice "
+                     "disperses them or turns them back, and their energy may stay: a longer "
+                     "force.duration, a larger force.half_width or a finer lattice has less",
+                     100 * share)
+               : "";
 }
 
 /// Where a load that sets in at once pulls bonds apart within one step.

@@ -77,6 +77,10 @@ void read_model(SceneReader& reader, PlaneScene& scene) {
             "model.family",
             R"(must be "nopd2d" or "bond2d" where domain.nodes is [nx, ny], not ")" + family + '"');
     }
+    if (reader.has("model.horizon")) {
+        reader.fail("model.horizon",
+                    "is of a chain; a plane has model.radius2, its square in dX^2");
+    }
     scene.radius_squared =
         unsigned(reader.required("model.radius2", reader.whole_number("model.radius2", 1, 100)));
     if (family == "bond2d") {

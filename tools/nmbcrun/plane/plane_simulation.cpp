@@ -270,6 +270,32 @@ double PlaneSimulation::times_supplied() const {
     return plane_.energies().staggered / (at_start_ + std::max(0.0, sources_.work()));
 }
 
+double PlaneSimulation::largest_strain() const {
+    double largest = 0;
+    const bool may_open = scene_.fracture.has_value();
+    const auto is_whole = [&](std::size_t x, std::size_t y) {
+        return !may_open || damage(x, y) == 0;
+    };
+    const auto look = [&](std::size_t x, std::size_t y, std::size_t beside_x,
+                          std::size_t beside_y) {
+        if (beside_x >= scene_.nodes[0] || beside_y >= scene_.nodes[1] || !is_whole(x, y) ||
+            !is_whole(beside_x, beside_y)) {
+            return;
+        }
+        for (const std::size_t a : {0U, 1U}) {
+            const auto u = plane_.displacement(a);
+            largest = std::max(largest, std::abs(u[entry(beside_x, beside_y)] - u[entry(x, y)]));
+        }
+    };
+    for (std::size_t y = 0; y < scene_.nodes[1]; ++y) {
+        for (std::size_t x = 0; x < scene_.nodes[0]; ++x) {
+            look(x, y, x + 1, y);
+            look(x, y, x, y + 1);
+        }
+    }
+    return largest / scene_.spacing;
+}
+
 PlaneBalance PlaneSimulation::balance() const {
     PlaneBalance balance{.energy = plane_.energies().staggered,
                          .work = sources_.work(),

@@ -63,6 +63,9 @@ class PlaneSimulation {
     std::vector<std::vector<double>> state() const;
     void resume(std::size_t steps, const std::vector<std::vector<double>>& state);
 
+    /// Largest difference of a component of u between neighbours whose bonds all hold [dX].
+    double largest_strain() const;
+
     /// The field's entry of a node of the scene.
     std::size_t entry(std::size_t x, std::size_t y) const {
         return plane_.entry(x + extension_[0], y + extension_[2]);

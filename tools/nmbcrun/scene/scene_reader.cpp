@@ -98,6 +98,9 @@ SceneReader::SceneReader(const std::string& text, const std::string& path,
     for (const auto& [key, value] : overrides) {
         apply_override(key, value);
     }
+    if (document_.empty()) {
+        throw SceneError(path + ": has no keys; docs/reference/scene.md lists those of a scene");
+    }
 }
 
 void SceneReader::apply_override(const std::string& key, const std::string& value) {
@@ -384,8 +387,11 @@ void SceneReader::fail_unknown(const std::string& key,
         }
     }
     const auto nearest = std::ranges::min_element(names, {}, distance);
-    // One that shares less than half its letters is no help.
-    const bool near = 2 * distance(*nearest) <= key.size();
+    // One that shares less than half its letters is no help; those of a common table do not count.
+    const auto same = std::ranges::mismatch(key, *nearest).in1 - key.begin();
+    const auto dot = key.rfind('.', std::size_t(same));
+    const std::size_t own = dot == std::string::npos ? key.size() : key.size() - dot - 1;
+    const bool near = 2 * distance(*nearest) <= own;
     fail(key,
          "is not a key of a scene" + (near ? "; the nearest one is " + *nearest
                                            : std::string("; docs/reference/scene.md lists them")));
