@@ -37,7 +37,7 @@ constexpr const char* units =
 /// (-15g + 8)/12
 std::string text_of(const Polynomial& coefficient) {
     const ExactFunction exact = to_rational_function(coefficient);
-    const std::string numerator = formula(exact.numerator, "g", Notation::text);
+    std::string numerator = formula(exact.numerator, "g", Notation::text);
     if (exact.denominator == IntegerPolynomial{1}) {
         return numerator;
     }

@@ -56,8 +56,7 @@ struct Block {
     Series yy;
 };
 
-Block block_of(const VectorModel& model, const Rational& cosine_squared, unsigned terms) {
-    const ForceConstants phi = force_constants(model);
+Block block_of(const ForceConstants& phi, const Rational& cosine_squared, unsigned terms) {
     Block block;
     Rational factorial = 1;
     for (unsigned k = 1; k <= terms; ++k) {
@@ -128,11 +127,9 @@ Speeds speeds_of(const Block& block, const Rational& cosine_squared, bool is_P) 
     return {.own = trace / 2 + signed_half, .other = trace / 2 - signed_half};
 }
 
-}  // namespace
-
-PlaneTaylor plane_taylor(const VectorModel& model, std::size_t polarisation,
-                         const Rational& cosine_squared, unsigned order) {
-    const Block block = block_of(model, cosine_squared, order + 1);
+PlaneTaylor taylor_of(const ForceConstants& phi, std::size_t polarisation,
+                      const Rational& cosine_squared, unsigned order) {
+    const Block block = block_of(phi, cosine_squared, order + 1);
     const Speeds speeds = speeds_of(block, cosine_squared, polarisation == 0);
     if (speeds.own <= 0) {
         throw NoProjection("long waves of this polarisation do not travel in this model");
@@ -165,17 +162,25 @@ PlaneTaylor plane_taylor(const VectorModel& model, std::size_t polarisation,
     return taylor;
 }
 
+}  // namespace
+
+PlaneTaylor plane_taylor(const VectorModel& model, std::size_t polarisation,
+                         const Rational& cosine_squared, unsigned order) {
+    return taylor_of(force_constants(model), polarisation, cosine_squared, order);
+}
+
 PlaneTaylorClosed plane_taylor_closed(const VectorModel& model, std::size_t polarisation,
                                       unsigned order) {
     struct Sample {
         Rational q;
         PlaneTaylor taylor;
     };
+    const ForceConstants phi = force_constants(model);
     std::vector<Sample> samples;  // at different q; the last one is a check
     for (unsigned j = 0; j <= order + 1; ++j) {
         const Rational cosine_squared(j, 2 * (order + 1));
         samples.push_back({4 * cosine_squared * (1 - cosine_squared),
-                           plane_taylor(model, polarisation, cosine_squared, order)});
+                           taylor_of(phi, polarisation, cosine_squared, order)});
     }
     PlaneTaylorClosed closed{.speed_squared = samples.front().taylor.speed_squared, .a = {}};
     for (const Sample& sample : samples) {
