@@ -14,6 +14,7 @@
 #include "generator/commands/check.hpp"
 #include "generator/commands/closed_forms.hpp"
 #include "generator/commands/closure.hpp"
+#include "generator/commands/coupling.hpp"
 #include "generator/commands/dispersion.hpp"
 #include "generator/commands/influence.hpp"
 #include "generator/commands/plane_sides.hpp"
@@ -218,6 +219,11 @@ int run(const Request& request) {
         case Action::closure:
             print(request.as_json ? surface_node_json(request.closure)
                                   : surface_node_text(request.closure));
+            return done;
+        case Action::coupling:
+            print(with_progress([&request](const Progress&) {
+                return (request.as_json ? coupling_json : coupling_text)(request.coupling);
+            }));
             return done;
         case Action::influence:
             if (request.class_influence.radius_squared > 0) {

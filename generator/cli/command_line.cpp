@@ -288,6 +288,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     auto* const closed_forms = add_closed_forms(app, request);
     auto* const bonds = add_bonds(app, request);
     auto* const closure = add_closure(app, request);
+    auto* const coupling = add_coupling(app, request);
     auto* const influence = add_influence(app, request);
     auto* const taylor = add_taylor(app, request, pending);
     auto* const oblique = add_oblique(app, request, pending);
@@ -324,6 +325,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
             request.action = Action::bonds;
         } else if (closure->parsed()) {
             request.action = Action::closure;
+        } else if (coupling->parsed()) {
+            request.action = Action::coupling;
         } else if (influence->parsed()) {
             request.action = Action::influence;
         } else if (taylor->parsed()) {

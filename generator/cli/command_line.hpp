@@ -7,6 +7,7 @@
 
 #include "generator/commands/bonds.hpp"
 #include "generator/commands/closure.hpp"
+#include "generator/commands/coupling.hpp"
 #include "generator/commands/dispersion.hpp"
 #include "generator/commands/influence.hpp"
 #include "generator/commands/oblique.hpp"
@@ -35,6 +36,7 @@ enum class Action {
     closed_forms,
     bonds,
     closure,
+    coupling,
     influence,
     taylor,
     oblique
@@ -61,6 +63,7 @@ struct Request {
     const ClosedFormat* closed_format = &closed_formats().front();  ///< of Action::closed_forms
     BondsTask bonds;                                                ///< of Action::bonds
     ClosureTask closure;                                            ///< of Action::closure
+    CouplingTask coupling;                                          ///< of Action::coupling
     PowerInfluence influence;                                       ///< of Action::influence
     ClassInfluence class_influence;              ///< instead, of a plane or space
     PlaneSeriesTask series;                      ///< of Action::taylor

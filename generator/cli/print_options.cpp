@@ -13,6 +13,7 @@
 #include "generator/cli/parsed_option.hpp"
 #include "generator/cli/whole_number.hpp"
 #include "generator/closures/surface_node.hpp"
+#include "generator/coupling/assembly.hpp"
 #include "generator/exact/rational.hpp"
 
 namespace nmbcgen {
@@ -71,6 +72,31 @@ void require_fit(const BondsTask& task) {
     if (task.bound && *task.method != BondMethod::bz_ls) {
         throw CLI::ValidationError("--positive", "is of --method bz-ls");
     }
+}
+
+/// Logarithms of numbers with small prime factors are exact.
+Rational parse_short_number(const std::string& text, const Rational& lowest,
+                            const Rational& highest) {
+    Rational value = parse_rational(text);
+    constexpr unsigned most = 1000;
+    if (value < lowest || value > highest || denominator(value) > most) {
+        throw std::invalid_argument(
+            fmt::format("'{}' is not a number from {} to {} with a denominator up to {}",
+                        text.substr(0, 60), to_string(lowest), to_string(highest), most));
+    }
+    return value;
+}
+
+Rational parse_element_horizon(const std::string& text) {
+    return parse_short_number(text, 0, largest_coupling_horizon);
+}
+
+Rational parse_wave_horizon(const std::string& text) {
+    return parse_short_number(text, 0, largest_wave_horizon);
+}
+
+Rational parse_element_length(const std::string& text) {
+    return parse_short_number(text, Rational(1, 4), 4);
 }
 
 void add_format(CLI::App& command, Request& request) {
@@ -144,6 +170,42 @@ CLI::App* add_closure(CLI::App& app, Request& request) {
                       "chain of second order");
     add_format(*closure, request);
     return closure;
+}
+
+CLI::App* add_coupling(CLI::App& app, Request& request) {
+    auto* const coupling = app.add_subcommand(
+        "coupling",
+        "finite elements of bars that are local here, nonlocal there (docs/evidence/coupling.md)");
+    coupling->require_subcommand(1);
+    CouplingTask& task = request.coupling;
+    const auto add_part = [&](const std::string& name, CouplingPart part,
+                              const std::string& description) {
+        auto* const command = coupling->add_subcommand(name, description);
+        command->parse_complete_callback([&task, part] { task.part = part; });
+        add_format(*command, request);
+        return command;
+    };
+    auto* const stencil = add_part("stencil", CouplingPart::stencil,
+                                   "a row of the stiffness of a uniform bar, exact");
+    add_parsed(*stencil, "--horizon", task.horizon, parse_element_horizon,
+               fmt::format("delta in units of the element's length, an exact number up to {}, "
+                           "such as 3/2; 0: local",
+                           largest_coupling_horizon))
+        ->required();
+    add_part("cases", CouplingPart::cases, "the cases 1 to 4 of Seleson 2011");
+    auto* const waves = add_part("waves", CouplingPart::waves,
+                                 "what the junction of two bars reflects, and an NMBC behind it");
+    add_parsed(*waves, "--horizon", task.horizon, parse_wave_horizon,
+               fmt::format("delta of the left bar in units of its element's length h, an exact "
+                           "number up to {}; 0: local",
+                           largest_wave_horizon))
+        ->required();
+    add_parsed(*waves, "--other-horizon", task.other_horizon, parse_wave_horizon,
+               "likewise of the right bar, in units of h, too (default 0)");
+    add_parsed(*waves, "--other-length", task.other_length, parse_element_length,
+               "length of the right bar's elements in units of h, an exact number from 1/4 to 4 "
+               "(default 1)");
+    return coupling;
 }
 
 CLI::App* add_influence(CLI::App& app, Request& request) {

@@ -11,6 +11,7 @@ namespace nmbcgen {
 
 CLI::App* add_bonds(CLI::App& app, Request& request);
 CLI::App* add_closure(CLI::App& app, Request& request);
+CLI::App* add_coupling(CLI::App& app, Request& request);
 CLI::App* add_influence(CLI::App& app, Request& request);
 CLI::App* add_taylor(CLI::App& app, Request& request, Pending& pending);
 CLI::App* add_oblique(CLI::App& app, Request& request, Pending& pending);

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// nmbcgen coupling: bars that are local here and nonlocal there (Seleson 2011, part IV).
+#pragma once
+
+#include <string>
+
+#include "generator/coupling/mesh.hpp"
+
+namespace nmbcgen {
+
+enum class CouplingPart { stencil, cases, waves };
+
+struct CouplingTask {
+    CouplingPart part = CouplingPart::stencil;
+    Rational horizon;           ///< delta of the left bar, or of all [h]
+    Rational other_horizon;     ///< of waves: of the right bar [h of the left one]; 0: local
+    Rational other_length = 1;  ///< of waves: of its elements [h of the left one]
+};
+
+/// Waves take steps by the square of it.
+inline constexpr unsigned largest_wave_horizon = 10;
+
+/// For people, or JSON (docs/reference/json.md).
+std::string coupling_text(const CouplingTask& task);
+std::string coupling_json(const CouplingTask& task);
+
+}  // namespace nmbcgen

@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck disable=SC1091,SC2154  # assert.sh defines what is used here
+# nmbcgen coupling: what its page shows, JSON, mistakes.
+# Usage: run_nmbcgen_coupling.sh NMBCGEN PAGE
+source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+
+page=$(realpath "$2")
+# shows N ARGUMENT..: the page's block N is what the command prints.
+shows() {
+    local number=$1
+    shift
+    try coupling "$@"
+    expect_exit 0
+    expect_no_stderr
+    awk -v n="$number" '/^```$/ { inside = 0 } inside { print } /^```text$/ { inside = ++count == n }' "$page" >block
+    expect "block $number of the page" diff block "$scratch/stdout"
+}
+shows 1 stencil --horizon 3/2
+shows 2 cases
+shows 3 waves --horizon 3
+
+try coupling waves --horizon 3/2 --other-horizon 3/2 --other-length 2
+expect_exit 0
+expect "what the page says of coarse elements" grep -q '^0.5 *0.00220483' "$scratch/stdout"
+
+try coupling stencil --horizon 100 --stdout
+expect_exit 0
+expect "no line that nobody reads" awk 'length > 1600 { exit 1 }' "$scratch/stdout"
+
+for part in "stencil --horizon 2" cases "waves --horizon 3/4 --other-length 4"; do
+    read -ra arguments <<<"$part"
+    try coupling "${arguments[@]}" --format json
+    expect_exit 0
+    expect_no_stderr
+    cp "$scratch/stdout" "${arguments[0]}.json"
+done
+expect "JSON" python3 -c '
+import json, math
+from fractions import Fraction
+stencil = json.load(open("stencil.json"))["stencil"]
+assert stencil[0]["rational"] == "11/9" and stencil[0]["of_log"] == {"2": "-2/3"}
+for entry in stencil:
+    value = float(Fraction(entry["rational"])) + sum(
+        float(Fraction(c)) * math.log(int(p)) for p, c in entry["of_log"].items())
+    assert abs(value - entry["value"]) < 1e-15
+cases = json.load(open("cases.json"))
+# Seleson 2011 by our reading, to the digits known
+for row, u in zip(cases["case_1"], (.611, .354, .280, .258), strict=True):
+    assert abs(row["displacement"] - u) < 5e-4
+for row, u in zip(cases["case_2"], (.0147, .0073, .0035), strict=True):
+    assert abs(row["pairs"] - u) < 5e-5
+tests = {(t["case"], *t["horizons"], *t["lengths"]): t for t in cases["patch_tests"]}
+assert abs(tests[3, "3/2", "3/4", "1", "1"]["pairs"] - .178) < 5e-4
+assert all(t["rows"] == 0 and (t["pairs"] == 0 or t["case"] == 3) for t in tests.values())
+waves = json.load(open("waves.json"))
+assert waves["horizons"] == ["3/4", "0"] and waves["lengths"] == ["1", "4"]
+assert all(abs(sum(w["pairs"].values()) - 1) < 1e-9 for w in waves["waves"])
+assert set(waves["packet"]["rows"]["measured"]) == {"reflected", "transmitted", "from_end"}'
+
+# refuses WHAT ARGUMENT..
+refuses() {
+    local what=$1
+    shift
+    try coupling "$@"
+    expect_exit 2
+    expect_stderr "$what"
+    expect "nothing on stdout" test ! -s "$scratch/stdout"
+}
+refuses "subcommand is required"
+refuses "--horizon is required" stencil
+refuses "--horizon is required" waves
+refuses "--horizon" cases --horizon 2
+refuses "'101' is not a number from 0 to 100" stencil --horizon 101
+refuses "'11' is not a number from 0 to 10" waves --horizon 11
+refuses "denominator up to 1000" stencil --horizon 1.0001
+refuses "-1" stencil --horizon -1
+refuses "nonsense" stencil --horizon nonsense
+refuses "from 1/4 to 4" waves --horizon 2 --other-length 0
+refuses "from 1/4 to 4" waves --horizon 2 --other-length 5
+refuses "allowed: text, json" cases --format csv
+
+finish
