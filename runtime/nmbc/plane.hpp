@@ -173,9 +173,14 @@ class BasicPlane {
             observe(std::as_const(*this));
         }
     }
+    /// Many steps at once are faster than one by one, and the same bit for bit.
+    template <class Prescribe>
+    void advance(std::size_t steps, Prescribe&& prescribe) {
+        detail::advance(*this, steps, prescribe);
+    }
     void advance(std::size_t steps) {
         const auto nothing = [](auto&&...) {};
-        advance(steps, nothing, nothing);
+        advance(steps, nothing);
     }
 
     // Of bond-based planes; others throw std::logic_error. Points and nodes are interior ones [dX]:
@@ -352,9 +357,12 @@ class BasicPlane {
     template <class Prescribe>
     void close_sides(Prescribe& prescribe);
     void drift();
-    void drift_and_kick() {
-        drift();
-        kick();
+    void drift_and_kick();
+    void keep_velocities();
+    detail::PlaneDrift<Real> drift_of_rows() const {
+        return {static_cast<Real>(parameters_.time_step),
+                {-static_cast<std::ptrdiff_t>(moving_ghosts_[0]),
+                 static_cast<std::ptrdiff_t>(nx_ + moving_ghosts_[1])}};
     }
 
     /// The forces, const or not, as those of bonds.
@@ -410,15 +418,45 @@ using Plane = BasicPlane<double>;
 template <class Real>
 void BasicPlane<Real>::kick() {
     close_ghosts(u_);
-    for (auto& group : dashpots_) {
-        group.keep(field(std::as_const(v_)));
-    }
-    friction_.keep(field(std::as_const(v_)));
+    keep_velocities();
     if (auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_)) {
         break_and_kick(*bonds);
     } else {
         kick_by_forces(parameters_.time_step, v_);
     }
+}
+
+template <class Real>
+void BasicPlane<Real>::keep_velocities() {
+    for (auto& group : dashpots_) {
+        group.keep(field(std::as_const(v_)));
+    }
+    friction_.keep(field(std::as_const(v_)));
+}
+
+/// In one sweep over memory, where the forces can.
+template <class Real>
+void BasicPlane<Real>::drift_and_kick() {
+    auto* const force = std::get_if<detail::PlaneForce<Real>>(&force_);
+    if (force == nullptr || !force->can_drift()) {
+        drift();
+        kick();
+        return;
+    }
+    keep_velocities();
+    const auto u = field(u_);
+    const auto v = field(v_);
+    const detail::PlaneDrift<Real> drift = drift_of_rows();
+    for (std::size_t ghost = 0; ghost < moving_ghosts_[2]; ++ghost) {
+        force->drift_row(-1 - static_cast<std::ptrdiff_t>(ghost), drift, u, v);
+    }
+    for (std::size_t ghost = 0; ghost < moving_ghosts_[3]; ++ghost) {
+        force->drift_row(static_cast<std::ptrdiff_t>(ny_ + ghost), drift, u, v);
+    }
+    force->drift_ends(drift, u, v);
+    close_ghosts(u_);
+    ++steps_;
+    force->drift_and_kick(drift, kick_scale(parameters_.time_step), u, v);
 }
 
 template <class Real>
@@ -477,20 +515,16 @@ void BasicPlane<Real>::clear_ghosts() {
     }
 }
 
-/// Beyond a periodic side is what the opposite one has; from the side outwards, as a thin body
-/// comes round more than once.
+/// Periodic sides: moving ghosts, too.
 template <class Real>
 void BasicPlane<Real>::close_ghosts(Fields& fields) const {
     const std::size_t pitch = grid().nx;
     for (std::vector<Real>& u : fields) {
         if (std::holds_alternative<PeriodicSide>(sides_.left)) {
-            for (std::size_t y = 0; y < grid().ny; ++y) {  // moving ghosts, too
-                Real* const row = &u[y * pitch];
-                for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
-                    const std::size_t low = ghosts_ - 1 - ghost;
-                    row[low] = row[low + nx_];
-                    row[ghosts_ + nx_ + ghost] = row[ghosts_ + ghost];
-                }
+            for (std::size_t y = 0; y < grid().ny; ++y) {
+                detail::close_periodic_row(&u[y * pitch + ghosts_],
+                                           static_cast<std::ptrdiff_t>(nx_),
+                                           static_cast<std::ptrdiff_t>(ghosts_));
             }
         }
         if (std::holds_alternative<PeriodicSide>(sides_.bottom)) {

@@ -148,4 +148,14 @@ class PlaneAxis {
     Range passive_{};  ///< between the layers of passive sides
 };
 
+/// Beyond a periodic side is what the opposite one has; from the side outwards, as a thin body
+/// comes round more than once. row: node 0 of it; ghosts: at each end.
+template <class Real>
+void close_periodic_row(Real* row, std::ptrdiff_t nodes, std::ptrdiff_t ghosts) {
+    for (std::ptrdiff_t ghost = 0; ghost < ghosts; ++ghost) {
+        row[-1 - ghost] = row[nodes - 1 - ghost];
+        row[nodes + ghost] = row[ghost];
+    }
+}
+
 }  // namespace nmbc::detail

@@ -14,6 +14,13 @@
 
 namespace nmbc::detail {
 
+/// u += time_step v, on these columns of the field.
+template <class Real>
+struct PlaneDrift {
+    Real time_step = 0;
+    PlaneRange columns{};
+};
+
 /// With E = density = dX = 1. A node has T = P K^-1 - w g, with P the stress that belongs to its
 /// gradient g, K its shape tensor and w = Vs s; the force on node I is then
 ///     sum_J (T_I + T_J) R + (w_I + w_J) (u_J - u_I),   R = X_J - X_I,
@@ -57,25 +64,85 @@ class PlaneForce {
 
     /// v += scale M^-1 times the force, on the nodes of the body.
     void kick(double scale, PlaneField<const Real> u, PlaneField<Real> v) {
-        const auto rows = static_cast<std::size_t>(nodes_.y().nodes());
-        // A piece finds the T of `horizon` rows on both sides of its own anew.
-        const std::size_t pieces =
-            std::min(pieces_of(rows * static_cast<std::size_t>(nodes_.x().nodes())),
-                     std::max<std::size_t>(rows / (8 * nodes_.model().horizon()), 1));
-        while (rings_.size() < pieces) {
-            rings_.emplace_back(static_cast<std::size_t>(4 * ring_rows() * stress_pitch_), Real(0));
-        }
+        const std::size_t pieces = this->pieces();
+        make_rings(pieces);
 #ifdef _OPENMP
 #pragma omp parallel for schedule(static) if (pieces > 1)
 #endif
         for (std::size_t piece = 0; piece < pieces; ++piece) {
-            kick_rows(scale, static_cast<std::ptrdiff_t>(rows * piece / pieces),
-                      static_cast<std::ptrdiff_t>(rows * (piece + 1) / pieces), u, v,
-                      rings_[piece]);
+            const PlaneRange rows = rows_of_piece(piece, pieces);
+            kick_rows(scale, rows, u, v, rings_[piece], [](std::ptrdiff_t) {});
+        }
+    }
+
+    /// Whether drifts and kicks can be one sweep.
+    bool can_drift() const {
+        return nodes_.y().nodes() >= 4 * horizon_;
+    }
+
+    /// The drift of the rows that two pieces read, or that the ghosts of a periodic side copy.
+    void drift_ends(const PlaneDrift<Real>& drift, PlaneField<Real> u, PlaneField<Real> v) const {
+        const std::size_t pieces = this->pieces();
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) if (pieces > 1)
+#endif
+        for (std::size_t piece = 0; piece < pieces; ++piece) {
+            const PlaneRange rows = rows_of_piece(piece, pieces);
+            for (std::ptrdiff_t y = 0; y < 2 * horizon_; ++y) {
+                drift_row(rows.first + y, drift, u, v);
+                drift_row(rows.last - 1 - y, drift, u, v);
+            }
+        }
+    }
+
+    /// The drift of the other rows, each of them before it is read, and kick().
+    void drift_and_kick(const PlaneDrift<Real>& drift, double scale, PlaneField<Real> u,
+                        PlaneField<Real> v) {
+        const std::size_t pieces = this->pieces();
+        make_rings(pieces);
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) if (pieces > 1)
+#endif
+        for (std::size_t piece = 0; piece < pieces; ++piece) {
+            const PlaneRange rows = rows_of_piece(piece, pieces);
+            kick_rows(scale, rows, {u[0], u[1]}, v, rings_[piece], [&](std::ptrdiff_t y) {
+                if (y >= rows.first + 2 * horizon_ && y < rows.last - 2 * horizon_) {
+                    drift_row(y, drift, u, v);
+                }
+            });
+        }
+    }
+
+    void drift_row(std::ptrdiff_t y, const PlaneDrift<Real>& drift, PlaneField<Real> u,
+                   PlaneField<Real> v) const {
+        const auto nodes = static_cast<std::size_t>(drift.columns.last - drift.columns.first);
+        const std::ptrdiff_t first = y * pitch_ + drift.columns.first;
+        for (std::size_t a = 0; a < 2; ++a) {
+            drift_nodes(drift.time_step, u[a] + first, v[a] + first, 0, nodes);
+            if (nodes_.x().is_periodic()) {
+                close_periodic_row(u[a] + y * pitch_, nodes_.x().nodes(), nodes_.x().ghosts());
+            }
         }
     }
 
   private:
+    /// A piece finds the T of `horizon` rows on both sides of its own anew.
+    std::size_t pieces() const {
+        const auto rows = static_cast<std::size_t>(nodes_.y().nodes());
+        return std::min(pieces_of(rows * static_cast<std::size_t>(nodes_.x().nodes())),
+                        std::max<std::size_t>(rows / (8 * nodes_.model().horizon()), 1));
+    }
+    PlaneRange rows_of_piece(std::size_t piece, std::size_t pieces) const {
+        const auto rows = static_cast<std::size_t>(nodes_.y().nodes());
+        return {static_cast<std::ptrdiff_t>(rows * piece / pieces),
+                static_cast<std::ptrdiff_t>(rows * (piece + 1) / pieces)};
+    }
+    void make_rings(std::size_t pieces) {
+        while (rings_.size() < pieces) {
+            rings_.emplace_back(static_cast<std::size_t>(6 * ring_rows() * stress_pitch_), Real(0));
+        }
+    }
+
     std::ptrdiff_t ring_rows() const {
         return 2 * horizon_ + 1;
     }
@@ -147,8 +214,10 @@ class PlaneForce {
     }
 
     void find_stress(std::ptrdiff_t y, PlaneField<const Real> u, std::vector<Real>& ring) const;
-    void kick_rows(double scale, std::ptrdiff_t first, std::ptrdiff_t last,
-                   PlaneField<const Real> u, PlaneField<Real> v, std::vector<Real>& ring) const;
+    /// Before row y of u is read for the first time, before_row(y).
+    template <class BeforeRow>
+    void kick_rows(double scale, const PlaneRange& rows, PlaneField<const Real> u,
+                   PlaneField<Real> v, std::vector<Real>& ring, const BeforeRow& before_row) const;
 
     /// Of a row's nodes, those that the kernels may take; an empty part at its end where none.
     /// Where nodes are left at an end, they are a strip, or more.
@@ -163,6 +232,23 @@ class PlaneForce {
             x.first > columns.first ? std::max(x.first, columns.first + strip) : x.first,
             x.last < columns.last ? std::min(x.last, columns.last - strip) : x.last};
         return inner.first < inner.last ? inner : x;
+    }
+
+    /// Of a row's T.
+    PlaneRange plain_stress(std::ptrdiff_t y) const {
+        return plain_part(nodes_.x().plain_stress(), nodes_.y().plain_stress(),
+                          nodes_.x().with_energy(), y, stress_strip_nodes_);
+    }
+
+    /// Of a row's forces; the pull is there where T is plain.
+    PlaneRange plain_force(std::ptrdiff_t y) const {
+        const PlaneRange all{0, nodes_.x().nodes()};
+        const PlaneRange stress = plain_stress(y);
+        const PlaneRange force = plain_part(nodes_.x().plain_force(), nodes_.y().plain_force(), all,
+                                            y, kick_strip_nodes_);
+        const PlaneRange both{std::max(force.first, stress.first),
+                              std::min(force.last, stress.last)};
+        return both.first < both.last ? both : PlaneRange{all.last, all.last};
     }
 
     static constexpr std::size_t largest_reach = 3;  ///< of the kernels
@@ -200,7 +286,8 @@ class PlaneForce {
     std::vector<std::size_t> row_kinds_{};              // which of them a row has, from -horizon on
     std::vector<Real> column_weights_{};                // Vs along x, from -2 horizon on
     std::vector<Real> row_weights_{};                   // s Vs along y, likewise
-    std::vector<std::vector<Real>> rings_;              ///< T of some rows, one ring for each piece
+    /// T and the pull of some rows, one ring for each piece.
+    std::vector<std::vector<Real>> rings_;
 };
 
 template <class Real>
@@ -228,8 +315,8 @@ void PlaneForce<Real>::find_stress(std::ptrdiff_t y, PlaneField<const Real> u,
                                    std::vector<Real>& ring) const {
     const auto columns = nodes_.x().with_energy();
     const auto rows = nodes_.y().with_energy();
-    std::array<Real*, 4> T{};
-    for (std::size_t part = 0; part < 4; ++part) {
+    std::array<Real*, 6> T{};
+    for (std::size_t part = 0; part < T.size(); ++part) {
         T[part] = row(ring, part, y);
     }
     if (y < rows.first || y >= rows.last) {
@@ -254,8 +341,7 @@ void PlaneForce<Real>::find_stress(std::ptrdiff_t y, PlaneField<const Real> u,
             }
         }
     };
-    const auto plain = plain_part(nodes_.x().plain_stress(), nodes_.y().plain_stress(), columns, y,
-                                  stress_strip_nodes_);
+    const PlaneRange plain = plain_stress(y);
     beside({columns.first, plain.first});
     if (plain.first < plain.last) {
         stress_row_(coefficients_, plain, row_of_u, pitch_, T);
@@ -264,19 +350,21 @@ void PlaneForce<Real>::find_stress(std::ptrdiff_t y, PlaneField<const Real> u,
 }
 
 template <class Real>
-void PlaneForce<Real>::kick_rows(double scale, std::ptrdiff_t first, std::ptrdiff_t last,
-                                 PlaneField<const Real> u, PlaneField<Real> v,
-                                 std::vector<Real>& ring) const {
-    for (std::ptrdiff_t y = first - horizon_; y < first + horizon_; ++y) {
+template <class BeforeRow>
+void PlaneForce<Real>::kick_rows(double scale, const PlaneRange& rows, PlaneField<const Real> u,
+                                 PlaneField<Real> v, std::vector<Real>& ring,
+                                 const BeforeRow& before_row) const {
+    for (std::ptrdiff_t y = rows.first - horizon_; y < rows.first + horizon_; ++y) {
         find_stress(y, u, ring);
     }
-    std::array<std::array<const Real*, 2 * largest_reach + 1>, 4> stresses{};
-    const std::array<const Real* const*, 4> T{stresses[0].data(), stresses[1].data(),
-                                              stresses[2].data(), stresses[3].data()};
-    for (std::ptrdiff_t y = first; y < last; ++y) {
+    std::array<std::array<const Real*, 2 * largest_reach + 1>, 6> stresses{};
+    std::array<const Real* const*, 6> T{};
+    std::ranges::transform(stresses, T.begin(), [](const auto& part) { return part.data(); });
+    for (std::ptrdiff_t y = rows.first; y < rows.last; ++y) {
+        before_row(y + 2 * horizon_);
         find_stress(y + horizon_, u, ring);
         for (std::ptrdiff_t j = -horizon_; j <= horizon_ && kick_row_ != nullptr; ++j) {
-            for (std::size_t part = 0; part < 4; ++part) {
+            for (std::size_t part = 0; part < T.size(); ++part) {
                 stresses[part][static_cast<std::size_t>(j + horizon_)] =
                     row(std::as_const(ring), part, y + j);
             }
@@ -296,12 +384,10 @@ void PlaneForce<Real>::kick_rows(double scale, std::ptrdiff_t first, std::ptrdif
                 kick_node(scale, x, y, u, v, ring);
             }
         };
-        const auto plain = plain_part(nodes_.x().plain_force(), nodes_.y().plain_force(),
-                                      {0, nodes_.x().nodes()}, y, kick_strip_nodes_);
+        const PlaneRange plain = plain_force(y);
         beside({0, plain.first});
         if (plain.first < plain.last) {
-            kick_row_(coefficients_, static_cast<Real>(scale), plain, row_of_u, pitch_, T,
-                      row_of_v);
+            kick_row_(static_cast<Real>(scale), plain, T, row_of_v);
         }
         beside({plain.last, nodes_.x().nodes()});
     }

@@ -9,6 +9,16 @@
 #include <nmbc/plane_family.hpp>
 #include <type_traits>
 
+/// Before a loop over entries: what one writes, no other one reads. GCC would find that out for few
+/// rows only, while the loop runs.
+#if defined(__clang__)
+#define NMBC_NO_ENTRY_NEEDS_ANOTHER _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define NMBC_NO_ENTRY_NEEDS_ANOTHER _Pragma("GCC ivdep")
+#else
+#define NMBC_NO_ENTRY_NEEDS_ANOTHER
+#endif
+
 namespace nmbc::detail {
 
 /// Calls work(std::integral_constant<int, i>) for i = First .. Last.
@@ -46,15 +56,14 @@ struct PlaneShape {
         }
         return sum;
     }();
-    /// Columns of one extent have the same sums; slots of them, by the distance.
-    static constexpr int slot(int i) {
-        int slot = 0;
-        for (int k = 1; k <= i; ++k) {
-            slot += static_cast<int>(extent(k) != extent(k - 1));
+    /// Of the columns that are more than one node and not the longest ones; 0 where there are none.
+    static constexpr int lesser = [] {
+        int lesser = 0;
+        for (int i = 1; i <= reach; ++i) {
+            lesser = extent(i) < reach ? std::max(lesser, extent(i)) : lesser;
         }
-        return slot;
-    }
-    static constexpr int slots = slot(reach) + 1;
+        return lesser;
+    }();
 };
 
 /// Of the sweeps. T = P/A - s g, here from A g; forces are sum_J T_J R + 2 s sum_J (u_J - u_I), R =
@@ -71,9 +80,29 @@ struct PlaneCoefficients {
 /// Nodes of a block, whose column sums stay in the cache of first level.
 inline constexpr std::ptrdiff_t plane_block = 128;
 
+/// Sums over columns of these rows, entry by entry; entry 0 is that of node -reach.
 template <class Shape, class Real>
-using ColumnSums =
-    std::array<std::array<Real, plane_block + 2 * Shape::reach>, std::size_t(Shape::slots)>;
+using ColumnSum = std::array<Real, plane_block + 2 * Shape::reach>;
+
+/// Of the longest columns, and of the lesser ones.
+template <class Shape, class Real>
+struct ColumnSums {
+    // The sums are written before they are read; to set them to 0 first would take time.
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,modernize-use-equals-default)
+    ColumnSums() {}
+
+    ColumnSum<Shape, Real> longest;
+    ColumnSum<Shape, Real> lesser;
+
+    /// Of a column at a distance i; of a single node, of which there is no sum: `alone`.
+    template <int I>
+    const Real* at(const Real* alone) const {
+        constexpr int extent = Shape::extent(I);
+        static_assert(extent == 0 || extent == Shape::lesser || extent == Shape::reach);
+        return extent == 0 ? alone
+                           : (extent == Shape::reach ? longest : lesser).data() + Shape::reach;
+    }
+};
 
 /// Entry 0 of the rows from -reach to reach of a node's row on.
 template <class Shape, class Real>
@@ -104,148 +133,183 @@ PlaneLines<Shape, Real> lines_of(const Real* const* rows, std::ptrdiff_t entry) 
     return lines;
 }
 
-/// For each extent from that of column First on, entry x is sum_of(x, extent).
-template <class Shape, int First, class Real, class Sum>
-void find_columns(std::ptrdiff_t nodes, ColumnSums<Shape, Real>& sums, const Sum& sum_of) {
-    unrolled<First, Shape::reach>([&](auto i) {
-        if constexpr (i == First || Shape::slot(i) != Shape::slot(i - 1)) {
-            Real* __restrict out = sums[Shape::slot(i)].data();
-            for (std::ptrdiff_t x = 0; x < nodes; ++x) {
-                out[x] = sum_of(x, std::integral_constant<int, Shape::extent(i)>{});
+/// sum over |j| <= extent of the field, of columns up to `Most`.
+template <class Shape, int Most, class Lines, class Real>
+void find_even(const Lines& lines, std::ptrdiff_t nodes, Real* __restrict longest,
+               Real* __restrict lesser) {
+    if constexpr (Most == 0) {  // single nodes have no sums; GCC warns of sums never written
+        longest[0] = 0;
+        return;
+    }
+    NMBC_NO_ENTRY_NEEDS_ANOTHER
+    for (std::ptrdiff_t x = 0; x < nodes; ++x) {
+        Real sum = lines.at(x, 0);
+        unrolled<1, Most>([&](auto j) {
+            sum += lines.at(x, j) + lines.at(x, -j);
+            if constexpr (j == Shape::lesser) {
+                lesser[x] = sum;
             }
+        });
+        if constexpr (Most == Shape::reach) {
+            longest[x] = sum;
         }
-    });
-}
-
-/// sum over |j| <= extent of the field.
-template <int Extent, class Shape, class Real>
-Real even_sum(const PlaneLines<Shape, Real>& lines, std::ptrdiff_t x) {
-    Real sum = lines.at(x, 0);
-    unrolled<1, Extent>([&](auto j) { sum += lines.at(x, j) + lines.at(x, -j); });
-    return sum;
+    }
 }
 
 /// sum over |j| <= extent of j times the field.
-template <int Extent, class Shape, class Real>
-Real odd_sum(const PlaneLines<Shape, Real>& lines, std::ptrdiff_t x) {
-    Real sum = 0;
-    unrolled<1, Extent>(
-        [&](auto j) { sum += static_cast<Real>(j) * (lines.at(x, j) - lines.at(x, -j)); });
-    return sum;
-}
-
-/// sum i (column(x + i) - column(x - i)); entry 0 of the columns is that of node -reach.
 template <class Shape, class Real>
-Real odd_across(const ColumnSums<Shape, Real>& columns, std::ptrdiff_t x) {
-    Real sum = 0;
-    unrolled<1, Shape::reach>([&](auto i) {
-        const Real* const column = columns[Shape::slot(i)].data() + Shape::reach + x;
-        sum += static_cast<Real>(i) * (column[i] - column[-i]);
-    });
-    return sum;
+void find_odd(const PlaneLines<Shape, Real>& lines, std::ptrdiff_t nodes, Real* __restrict longest,
+              Real* __restrict lesser) {
+    NMBC_NO_ENTRY_NEEDS_ANOTHER
+    for (std::ptrdiff_t x = 0; x < nodes; ++x) {
+        Real sum = lines.at(x, 1) - lines.at(x, -1);
+        if constexpr (Shape::lesser == 1) {
+            lesser[x] = sum;
+        }
+        unrolled<2, Shape::reach>([&](auto j) {
+            sum += static_cast<Real>(j) * (lines.at(x, j) - lines.at(x, -j));
+            if constexpr (j == Shape::lesser) {
+                lesser[x] = sum;
+            }
+        });
+        longest[x] = sum;
+    }
 }
 
-/// sum over |i| <= reach of column(x + i); of a column that is one node where WithPoints.
-template <class Shape, bool WithPoints, class Real>
-Real even_across(const ColumnSums<Shape, Real>& columns, std::ptrdiff_t x) {
-    Real sum = columns[0][static_cast<std::size_t>(x + Shape::reach)];
-    unrolled<1, Shape::reach>([&](auto i) {
-        if constexpr (WithPoints || Shape::extent(i) > 0) {
-            const Real* const column = columns[Shape::slot(i)].data() + Shape::reach + x;
-            sum += column[i] + column[-i];
-        }
-    });
-    return sum;
-}
-
-/// The column sums of a block of a row that its gradients are made of.
-template <class Shape, class Real>
-class SlopeColumns {
-  public:
-    // The sums are written before they are read; to set them to 0 first would take time.
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,modernize-use-equals-default)
-    SlopeColumns() {}
-
-    /// u points at the first node.
-    void find(const std::array<const Real*, 2>& u, std::ptrdiff_t pitch, std::ptrdiff_t nodes) {
-        const std::ptrdiff_t wide = nodes + 2 * Shape::reach;
-        for (std::size_t a = 0; a < 2; ++a) {
-            const auto lines = lines_of<Shape>(u[a] - Shape::reach, pitch);
-            find_columns<Shape, 1>(wide, even_[a], [=](std::ptrdiff_t x, auto extent) {
-                return even_sum<extent>(lines, x);
-            });
-            find_columns<Shape, 0>(wide, odd_[a], [=](std::ptrdiff_t x, auto extent) {
-                return odd_sum<extent>(lines, x);
-            });
-        }
-    }
-
-    /// sum R_x u_a and sum R_y u_a over the family of node x.
-    Real along_x(std::size_t a, std::ptrdiff_t x) const { return odd_across<Shape>(even_[a], x); }
-    Real along_y(std::size_t a, std::ptrdiff_t x) const {
-        return even_across<Shape, false>(odd_[a], x);
-    }
-
-  private:
-    std::array<ColumnSums<Shape, Real>, 2> even_;
-    std::array<ColumnSums<Shape, Real>, 2> odd_;
+/// Sums over the family of a node.
+template <class Real>
+struct FamilySums {
+    Real along_x = 0;  ///< sum R_x u_J
+    Real along_y = 0;  ///< sum R_y u_J
+    Real all = 0;      ///< sum u_J, its own included
 };
 
-/// T on these nodes of a row, at whose node 0 u and T point.
+/// The column sums of one component in a block of a row.
+template <class Shape, class Real>
+struct FamilyColumns {
+    ColumnSums<Shape, Real> even;
+    ColumnSums<Shape, Real> odd;
+
+    /// u points at the first node.
+    void find(const Real* u, std::ptrdiff_t pitch, std::ptrdiff_t nodes) {
+        const std::ptrdiff_t wide = nodes + 2 * Shape::reach;
+        const auto lines = lines_of<Shape>(u - Shape::reach, pitch);
+        find_even<Shape, Shape::reach>(lines, wide, even.longest.data(), even.lesser.data());
+        find_odd<Shape>(lines, wide, odd.longest.data(), odd.lesser.data());
+    }
+
+    /// own: entry 0 of u.
+    FamilySums<Real> of(std::ptrdiff_t x, const Real* own) const {
+        Real along_x = 0;
+        Real along_y = odd.template at<0>(own)[x];
+        Real all = even.template at<0>(own)[x];
+        unrolled<1, Shape::reach>([&](auto i) {
+            const Real* const column = even.template at<i>(own) + x;
+            const Real right = column[i];
+            const Real left = column[-i];
+            along_x += static_cast<Real>(i) * (right - left);
+            all += right + left;
+            if constexpr (Shape::extent(i) > 0) {
+                const Real* const uneven = odd.template at<i>(own) + x;
+                along_y += uneven[i] + uneven[-i];
+            }
+        });
+        return {along_x, along_y, all};
+    }
+};
+
+/// What a block of a row has of T, and of 2 s sum_J (u_J - u_I). Each row is a parameter: so
+/// compilers know them apart.
+template <class Shape, class Real>
+void find_stresses(PlaneCoefficients<Real> k, std::ptrdiff_t nodes,
+                   const FamilyColumns<Shape, Real>& columns_x,
+                   const FamilyColumns<Shape, Real>& columns_y, const Real* u_x, const Real* u_y,
+                   Real* __restrict T_xx, Real* __restrict T_xy, Real* __restrict T_yx,
+                   Real* __restrict T_yy, Real* __restrict pull_x, Real* __restrict pull_y) {
+    const Real family = Shape::bonds + 1;
+    NMBC_NO_ENTRY_NEEDS_ANOTHER
+    for (std::ptrdiff_t x = 0; x < nodes; ++x) {
+        const FamilySums<Real> of_x = columns_x.of(x, u_x);
+        const FamilySums<Real> of_y = columns_y.of(x, u_y);
+        T_xx[x] = k.direct * of_x.along_x + k.across * of_y.along_y;
+        T_yy[x] = k.direct * of_y.along_y + k.across * of_x.along_x;
+        T_xy[x] = k.shear * of_x.along_y + k.turned * of_y.along_x;
+        T_yx[x] = k.shear * of_y.along_x + k.turned * of_x.along_y;
+        pull_x[x] = k.laplacian * (of_x.all - family * u_x[x]);
+        pull_y[x] = k.laplacian * (of_y.all - family * u_y[x]);
+    }
+}
+
+/// T and the pull of the stabilisation on these nodes of a row, at whose node 0 u and T point.
 template <class Shape, class Real>
 void stress_row(const PlaneCoefficients<Real>& k, const PlaneRange& nodes,
                 const std::array<const Real*, 2>& u, std::ptrdiff_t pitch,
-                const std::array<Real*, 4>& T) {
-    SlopeColumns<Shape, Real> columns;
+                const std::array<Real*, 6>& T) {
+    FamilyColumns<Shape, Real> of_x;
+    FamilyColumns<Shape, Real> of_y;
     for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block) {
         const std::ptrdiff_t size = std::min(plane_block, nodes.last - first);
-        columns.find({u[0] + first, u[1] + first}, pitch, size);
-        Real* __restrict T_xx = T[0] + first;
-        Real* __restrict T_xy = T[1] + first;
-        Real* __restrict T_yx = T[2] + first;
-        Real* __restrict T_yy = T[3] + first;
-        for (std::ptrdiff_t x = 0; x < size; ++x) {
-            const Real g_xx = columns.along_x(0, x);
-            const Real g_yx = columns.along_x(1, x);
-            const Real g_xy = columns.along_y(0, x);
-            const Real g_yy = columns.along_y(1, x);
-            T_xx[x] = k.direct * g_xx + k.across * g_yy;
-            T_yy[x] = k.direct * g_yy + k.across * g_xx;
-            T_xy[x] = k.shear * g_xy + k.turned * g_yx;
-            T_yx[x] = k.shear * g_yx + k.turned * g_xy;
-        }
+        const std::array<const Real*, 2> block{u[0] + first, u[1] + first};
+        of_x.find(block[0], pitch, size);
+        of_y.find(block[1], pitch, size);
+        find_stresses<Shape>(k, size, of_x, of_y, block[0], block[1], T[0] + first, T[1] + first,
+                             T[2] + first, T[3] + first, T[4] + first, T[5] + first);
     }
 }
 
-/// v += scale times the forces, on these nodes of a row, at whose node 0 u, v and T's rows xx, xy,
-/// yx, yy point, each of them those from -reach to reach.
+/// sum_J (T_J,x R_x + T_J,y R_y) of one component: `even` are columns of T_x from the first one on,
+/// `odd` those of T_y; own: T_x of the first node.
 template <class Shape, class Real>
-void kick_row(const PlaneCoefficients<Real>& k, Real scale, const PlaneRange& nodes,
-              const std::array<const Real*, 2>& u, std::ptrdiff_t pitch,
-              const std::array<const Real* const*, 4>& T, const std::array<Real*, 2>& v) {
+Real divergence(const ColumnSums<Shape, Real>& even, const ColumnSums<Shape, Real>& odd,
+                const Real* own, std::ptrdiff_t x) {
+    Real sum = odd.template at<0>(own)[x];
+    unrolled<1, Shape::reach>([&](auto i) {
+        const Real* const column = even.template at<i>(own) + x;
+        sum += static_cast<Real>(i) * (column[i] - column[-i]);
+        if constexpr (Shape::extent(i) > 0) {
+            const Real* const uneven = odd.template at<i>(own) + x;
+            sum += uneven[i] + uneven[-i];
+        }
+    });
+    return sum;
+}
+
+template <class Shape, class Real>
+void kick_block(Real scale, std::ptrdiff_t nodes, const ColumnSums<Shape, Real>& even,
+                const ColumnSums<Shape, Real>& odd, const Real* own, const Real* pull,
+                Real* __restrict v) {
+    NMBC_NO_ENTRY_NEEDS_ANOTHER
+    for (std::ptrdiff_t x = 0; x < nodes; ++x) {
+        v[x] += scale * (divergence<Shape>(even, odd, own, x) + pull[x]);
+    }
+}
+
+/// The column sums of T_x and T_y that a divergence is made of, whose rows from -reach to reach are
+/// these.
+template <class Shape, class Real>
+void find_divergence_columns(const std::array<const Real* const*, 2>& T, std::ptrdiff_t first,
+                             std::ptrdiff_t nodes, ColumnSums<Shape, Real>& even,
+                             ColumnSums<Shape, Real>& odd) {
+    const std::ptrdiff_t wide = nodes + 2 * Shape::reach;
+    find_even<Shape, Shape::extent(1)>(lines_of<Shape>(T[0], first - Shape::reach), wide,
+                                       even.longest.data(), even.lesser.data());
+    find_odd<Shape>(lines_of<Shape>(T[1], first - Shape::reach), wide, odd.longest.data(),
+                    odd.lesser.data());
+}
+
+/// v += scale times the forces, on these nodes of a row, at whose node 0 u, v and T's rows xx, xy,
+/// yx, yy and those of the pull point, each of them those from -reach to reach.
+template <class Shape, class Real>
+void kick_row(Real scale, const PlaneRange& nodes, const std::array<const Real* const*, 6>& T,
+              const std::array<Real*, 2>& v) {
     ColumnSums<Shape, Real> even;
-    ColumnSums<Shape, Real> others;
+    ColumnSums<Shape, Real> odd;
     for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block) {
         const std::ptrdiff_t size = std::min(plane_block, nodes.last - first);
-        const std::ptrdiff_t wide = size + 2 * Shape::reach;
         for (std::size_t a = 0; a < 2; ++a) {
-            const auto along = lines_of<Shape>(T[2 * a], first - Shape::reach);
-            const auto across = lines_of<Shape>(T[2 * a + 1], first - Shape::reach);
-            const auto moved = lines_of<Shape>(u[a] + first - Shape::reach, pitch);
-            const Real laplacian = k.laplacian;
-            find_columns<Shape, 1>(wide, even, [=](std::ptrdiff_t x, auto extent) {
-                return even_sum<extent>(along, x);
-            });
-            find_columns<Shape, 0>(wide, others, [=](std::ptrdiff_t x, auto extent) {
-                return odd_sum<extent>(across, x) + laplacian * even_sum<extent>(moved, x);
-            });
-            const Real* __restrict at = u[a] + first;
-            Real* __restrict velocity = v[a] + first;
-            const Real own = laplacian * (Shape::bonds + 1);
-            for (std::ptrdiff_t x = 0; x < size; ++x) {
-                velocity[x] += scale * (odd_across<Shape>(even, x) +
-                                        even_across<Shape, true>(others, x) - own * at[x]);
-            }
+            find_divergence_columns({T[2 * a], T[2 * a + 1]}, first, size, even, odd);
+            kick_block(scale, size, even, odd, T[2 * a][Shape::reach] + first,
+                       T[4 + a][Shape::reach] + first, v[a] + first);
         }
     }
 }

@@ -35,11 +35,13 @@ struct PlaneModuli {
 template <class Shape, class Real, std::ptrdiff_t Size>
 void stress_row_beside(const PlaneModuli<Real>& k, const PlaneRowNumbers<Real>& numbers,
                        const PlaneRange& nodes, const std::array<const Real*, 2>& u,
-                       std::ptrdiff_t pitch, const std::array<Real*, 4>& T) {
-    SlopeColumns<Shape, Real> columns;
+                       std::ptrdiff_t pitch, const std::array<Real*, 6>& T) {
+    std::array<FamilyColumns<Shape, Real>, 2> columns;
     for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block) {
         const std::ptrdiff_t size = Size > 0 ? Size : std::min(plane_block, nodes.last - first);
-        columns.find({u[0] + first, u[1] + first}, pitch, size);
+        const std::array<const Real*, 2> own{u[0] + first, u[1] + first};
+        columns[0].find(own[0], pitch, size);
+        columns[1].find(own[1], pitch, size);
         const auto entry = static_cast<std::size_t>(first + Shape::reach);
         const Real* const xx = &numbers.inverse_shape[0][entry];
         const Real* const xy = &numbers.inverse_shape[1][entry];
@@ -48,15 +50,16 @@ void stress_row_beside(const PlaneModuli<Real>& k, const PlaneRowNumbers<Real>& 
         const Real* const moment_y = &numbers.moment[1][entry];
         const Real* const V = &numbers.strain[entry];
         const Real* const w = &numbers.stabilisation[entry];
-        const std::array<const Real*, 2> own{u[0] + first, u[1] + first};
         Real* __restrict T_xx = T[0] + first;
         Real* __restrict T_xy = T[1] + first;
         Real* __restrict T_yx = T[2] + first;
         Real* __restrict T_yy = T[3] + first;
+        NMBC_NO_ENTRY_NEEDS_ANOTHER
         for (std::ptrdiff_t x = 0; x < size; ++x) {
             const auto slope = [&](std::size_t a) {
-                const Real by_x = columns.along_x(a, x) - moment_x[x] * own[a][x];
-                const Real by_y = columns.along_y(a, x) - moment_y[x] * own[a][x];
+                const FamilySums<Real> sums = columns[a].of(x, own[a]);
+                const Real by_x = sums.along_x - moment_x[x] * own[a][x];
+                const Real by_y = sums.along_y - moment_y[x] * own[a][x];
                 return std::pair(xx[x] * by_x + xy[x] * by_y, xy[x] * by_x + yy[x] * by_y);
             };
             const auto [g_xx, g_xy] = slope(0);
@@ -73,16 +76,55 @@ void stress_row_beside(const PlaneModuli<Real>& k, const PlaneRowNumbers<Real>& 
     }
 }
 
+/// u as it pulls: times the weights of its nodes.
+template <class Shape, class Real>
+struct WeightedLines {
+    PlaneLines<Shape, Real> lines;
+    std::array<Real, 2 * Shape::reach + 1> of_rows;
+    const Real* of_columns;
+
+    Real at(std::ptrdiff_t x, int j) const {
+        return of_columns[x] * of_rows[static_cast<std::size_t>(j + Shape::reach)] * lines.at(x, j);
+    }
+};
+
+/// The column sums of a block of a row that sums over whole families are made of.
+template <class Shape, class Real>
+struct WholeColumns {
+    ColumnSums<Shape, Real> even;
+    ColumnSum<Shape, Real> alone;
+
+    template <class Lines>
+    void find(const Lines& lines, std::ptrdiff_t wide) {
+        find_even<Shape, Shape::reach>(lines, wide, even.longest.data(), even.lesser.data());
+        NMBC_NO_ENTRY_NEEDS_ANOTHER
+        for (std::ptrdiff_t x = 0; x < wide; ++x) {
+            alone[static_cast<std::size_t>(x)] = lines.at(x, 0);
+        }
+    }
+
+    Real of(std::ptrdiff_t x) const {
+        const Real* const own = alone.data() + Shape::reach;
+        Real sum = even.template at<0>(own)[x];
+        unrolled<1, Shape::reach>([&](auto i) {
+            const Real* const column = even.template at<i>(own) + x;
+            sum += column[i] + column[-i];
+        });
+        return sum;
+    }
+};
+
 /// As kick_row(), near sides. across: w's factor along x, of node 0's column; along: w's factor of
 /// the rows from -reach to reach. Size: as of stress_row_beside().
 template <class Shape, class Real, std::ptrdiff_t Size>
 void kick_row_beside(const PlaneRowNumbers<Real>& numbers, Real scale, const Real* across,
                      const Real* along, const PlaneRange& nodes,
                      const std::array<const Real*, 2>& u, std::ptrdiff_t pitch,
-                     const std::array<const Real* const*, 4>& T, const std::array<Real*, 2>& v) {
+                     const std::array<const Real* const*, 6>& T, const std::array<Real*, 2>& v) {
     ColumnSums<Shape, Real> even;
-    ColumnSums<Shape, Real> others;
-    ColumnSums<Shape, Real> plain;
+    ColumnSums<Shape, Real> odd;
+    WholeColumns<Shape, Real> plain;
+    WholeColumns<Shape, Real> weighted;
     std::array<Real, 2 * Shape::reach + 1> row_weights{};
     std::copy_n(along, row_weights.size(), row_weights.begin());
     for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block) {
@@ -93,36 +135,23 @@ void kick_row_beside(const PlaneRowNumbers<Real>& numbers, Real scale, const Rea
         const Real* const moment_y = &numbers.moment[1][entry];
         const Real* const w = &numbers.stabilisation[entry];
         const Real* const lost = &numbers.own[entry];
-        const Real* const column_weights = across + first - Shape::reach;
         for (std::size_t a = 0; a < 2; ++a) {
-            const auto T_x = lines_of<Shape>(T[2 * a], first - Shape::reach);
-            const auto T_y = lines_of<Shape>(T[2 * a + 1], first - Shape::reach);
+            find_divergence_columns({T[2 * a], T[2 * a + 1]}, first, size, even, odd);
             const auto moved = lines_of<Shape>(u[a] + first - Shape::reach, pitch);
-            find_columns<Shape, 1>(wide, even, [=](std::ptrdiff_t x, auto extent) {
-                return even_sum<extent>(T_x, x);
-            });
-            find_columns<Shape, 0>(wide, plain, [=](std::ptrdiff_t x, auto extent) {
-                return even_sum<extent>(moved, x);
-            });
-            find_columns<Shape, 0>(wide, others, [=](std::ptrdiff_t x, auto extent) {
-                constexpr int middle = Shape::reach;
-                Real weighted = row_weights[middle] * moved.at(x, 0);
-                unrolled<1, extent>([&](auto j) {
-                    weighted += row_weights[static_cast<std::size_t>(middle + j)] * moved.at(x, j) +
-                                row_weights[static_cast<std::size_t>(middle - j)] * moved.at(x, -j);
-                });
-                return odd_sum<extent>(T_y, x) + column_weights[x] * weighted;
-            });
+            plain.find(moved, wide);
+            weighted.find(
+                WeightedLines<Shape, Real>{moved, row_weights, across + first - Shape::reach},
+                wide);
             const Real* const own = u[a] + first;
             const Real* const own_x = T[2 * a][Shape::reach] + first;
             const Real* const own_y = T[2 * a + 1][Shape::reach] + first;
             const Real* const inverse_mass = &numbers.inverse_mass[a][entry];
             Real* __restrict velocity = v[a] + first;
+            NMBC_NO_ENTRY_NEEDS_ANOTHER
             for (std::ptrdiff_t x = 0; x < size; ++x) {
-                const Real force =
-                    odd_across<Shape>(even, x) + even_across<Shape, true>(others, x) +
-                    w[x] * even_across<Shape, true>(plain, x) + own_x[x] * moment_x[x] +
-                    own_y[x] * moment_y[x] - lost[x] * own[x];
+                const Real force = divergence<Shape>(even, odd, own_x, x) + weighted.of(x) +
+                                   w[x] * plain.of(x) + own_x[x] * moment_x[x] +
+                                   own_y[x] * moment_y[x] - lost[x] * own[x];
                 velocity[x] += scale * inverse_mass[x] * force;
             }
         }
@@ -137,3 +166,5 @@ template <class Shape>
 inline constexpr std::ptrdiff_t kick_strip = (3 * Shape::reach + 3) / 4 * 4;
 
 }  // namespace nmbc::detail
+
+#undef NMBC_NO_ENTRY_NEEDS_ANOTHER

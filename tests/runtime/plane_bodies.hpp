@@ -24,14 +24,15 @@ inline nmbc::PassiveSide some_passive_side(double beta) {
             .null_lagrangian = beta};
 }
 
-inline void fill_at_random(nmbc::Plane& plane, unsigned seed) {
+template <class Real>
+void fill_at_random(nmbc::BasicPlane<Real>& plane, unsigned seed) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<double> uniform(-1, 1);
     for (std::size_t y = 0; y < plane.parameters().ny; ++y) {
         for (std::size_t x = 0; x < plane.parameters().nx; ++x) {
             for (const std::size_t a : {0U, 1U}) {
-                plane.displacement(a)[plane.entry(x, y)] = uniform(engine);
-                plane.velocity(a)[plane.entry(x, y)] = uniform(engine);
+                plane.displacement(a)[plane.entry(x, y)] = static_cast<Real>(uniform(engine));
+                plane.velocity(a)[plane.entry(x, y)] = static_cast<Real>(uniform(engine));
             }
         }
     }

@@ -258,7 +258,7 @@ void PlaneSimulation::advance(std::size_t steps) {
         }
         sources_(plane, time);
     };
-    plane_.advance(steps, prescribe, [](const nmbc::Plane&) {});
+    plane_.advance(steps, prescribe);
 }
 
 nmbc::PlaneEnergies PlaneSimulation::energies() const {
