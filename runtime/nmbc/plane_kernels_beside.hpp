@@ -76,43 +76,47 @@ void stress_row_beside(const PlaneModuli<Real>& k, const PlaneRowNumbers<Real>& 
     }
 }
 
-/// u as it pulls: times the weights of its nodes.
+/// Rows times factors of theirs.
 template <class Shape, class Real>
 struct WeightedLines {
     PlaneLines<Shape, Real> lines;
-    std::array<Real, 2 * Shape::reach + 1> of_rows;
-    const Real* of_columns;
+    std::array<Real, 2 * Shape::reach + 1> weights;
 
     Real at(std::ptrdiff_t x, int j) const {
-        return of_columns[x] * of_rows[static_cast<std::size_t>(j + Shape::reach)] * lines.at(x, j);
+        return weights[static_cast<std::size_t>(j + Shape::reach)] * lines.at(x, j);
     }
 };
 
-/// The column sums of a block of a row that sums over whole families are made of.
+/// The sum over a whole family, the node included. own: u of the first node.
 template <class Shape, class Real>
-struct WholeColumns {
-    ColumnSums<Shape, Real> even;
-    ColumnSum<Shape, Real> alone;
+Real whole_sum(const ColumnSums<Shape, Real>& even, const Real* own, std::ptrdiff_t x) {
+    Real sum = even.template at<0>(own)[x];
+    unrolled<1, Shape::reach>([&](auto i) {
+        const Real* const column = even.template at<i>(own) + x;
+        sum += column[i] + column[-i];
+    });
+    return sum;
+}
 
-    template <class Lines>
-    void find(const Lines& lines, std::ptrdiff_t wide) {
-        find_even<Shape, Shape::reach>(lines, wide, even.longest.data(), even.lesser.data());
-        NMBC_NO_ENTRY_NEEDS_ANOTHER
-        for (std::ptrdiff_t x = 0; x < wide; ++x) {
-            alone[static_cast<std::size_t>(x)] = lines.at(x, 0);
+/// Adds sums of w u, in which w = across along x: they are summed over the family as the odd ones
+/// are, but for the columns of a single node, which are `alone`.
+template <class Shape, class Real>
+void add_weighted(const WeightedLines<Shape, Real>& lines, const Real* across, std::ptrdiff_t wide,
+                  ColumnSums<Shape, Real>& odd, ColumnSum<Shape, Real>& alone) {
+    ColumnSums<Shape, Real> sums;
+    find_even<Shape, Shape::reach>(lines, wide, sums.longest.data(), sums.lesser.data());
+    NMBC_NO_ENTRY_NEEDS_ANOTHER
+    for (std::ptrdiff_t x = 0; x < wide; ++x) {
+        const auto at = static_cast<std::size_t>(x);
+        odd.longest[at] += across[x] * sums.longest[at];
+        if constexpr (Shape::lesser > 0) {
+            odd.lesser[at] += across[x] * sums.lesser[at];
+        }
+        if constexpr (Shape::extent(Shape::reach) == 0) {
+            alone[at] = across[x] * lines.at(x, 0);
         }
     }
-
-    Real of(std::ptrdiff_t x) const {
-        const Real* const own = alone.data() + Shape::reach;
-        Real sum = even.template at<0>(own)[x];
-        unrolled<1, Shape::reach>([&](auto i) {
-            const Real* const column = even.template at<i>(own) + x;
-            sum += column[i] + column[-i];
-        });
-        return sum;
-    }
-};
+}
 
 /// As kick_row(), near sides. across: w's factor along x, of node 0's column; along: w's factor of
 /// the rows from -reach to reach. Size: as of stress_row_beside().
@@ -123,8 +127,8 @@ void kick_row_beside(const PlaneRowNumbers<Real>& numbers, Real scale, const Rea
                      const std::array<const Real* const*, 6>& T, const std::array<Real*, 2>& v) {
     ColumnSums<Shape, Real> even;
     ColumnSums<Shape, Real> odd;
-    WholeColumns<Shape, Real> plain;
-    WholeColumns<Shape, Real> weighted;
+    ColumnSums<Shape, Real> plain;
+    ColumnSum<Shape, Real> alone;
     std::array<Real, 2 * Shape::reach + 1> row_weights{};
     std::copy_n(along, row_weights.size(), row_weights.begin());
     for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block) {
@@ -138,10 +142,9 @@ void kick_row_beside(const PlaneRowNumbers<Real>& numbers, Real scale, const Rea
         for (std::size_t a = 0; a < 2; ++a) {
             find_divergence_columns({T[2 * a], T[2 * a + 1]}, first, size, even, odd);
             const auto moved = lines_of<Shape>(u[a] + first - Shape::reach, pitch);
-            plain.find(moved, wide);
-            weighted.find(
-                WeightedLines<Shape, Real>{moved, row_weights, across + first - Shape::reach},
-                wide);
+            find_even<Shape, Shape::reach>(moved, wide, plain.longest.data(), plain.lesser.data());
+            add_weighted(WeightedLines<Shape, Real>{moved, row_weights},
+                         across + first - Shape::reach, wide, odd, alone);
             const Real* const own = u[a] + first;
             const Real* const own_x = T[2 * a][Shape::reach] + first;
             const Real* const own_y = T[2 * a + 1][Shape::reach] + first;
@@ -149,9 +152,13 @@ void kick_row_beside(const PlaneRowNumbers<Real>& numbers, Real scale, const Rea
             Real* __restrict velocity = v[a] + first;
             NMBC_NO_ENTRY_NEEDS_ANOTHER
             for (std::ptrdiff_t x = 0; x < size; ++x) {
-                const Real force = divergence<Shape>(even, odd, own_x, x) + weighted.of(x) +
-                                   w[x] * plain.of(x) + own_x[x] * moment_x[x] +
-                                   own_y[x] * moment_y[x] - lost[x] * own[x];
+                Real force = divergence<Shape>(even, odd, own_x, x) +
+                             w[x] * whole_sum<Shape>(plain, own, x) + own_x[x] * moment_x[x] +
+                             own_y[x] * moment_y[x] - lost[x] * own[x];
+                if constexpr (Shape::extent(Shape::reach) == 0) {
+                    force += alone[static_cast<std::size_t>(x)] +
+                             alone[static_cast<std::size_t>(x + 2 * Shape::reach)];
+                }
                 velocity[x] += scale * inverse_mass[x] * force;
             }
         }

@@ -18,7 +18,8 @@
 
 namespace {
 
-constexpr std::size_t side = 1000;
+constexpr std::size_t in_memory = 1000;
+constexpr std::size_t in_cache = 120;
 
 /// Of the clock where there are threads, else of the processor: others may be at work beside.
 double now() {
@@ -85,9 +86,9 @@ double multiply_adds(double operations) {
 }
 
 template <class Real>
-void step(benchmark::State& state, const nmbc::PlaneModel& model, const Work& work,
-          bool may_break) {
-    constexpr std::size_t steps = 4;
+void step(benchmark::State& state, const nmbc::PlaneModel& model, const Work& work, bool may_break,
+          std::size_t side = in_memory) {
+    const std::size_t steps = 4 * (in_memory / side) * (in_memory / side);
     nmbc::PlaneParameters p{.nx = side, .ny = side};
     p.time_step = 1 / std::sqrt(nmbc::highest_eigenvalue(model));
     nmbc::BasicPlane<Real> plane(model, nmbc::PlaneSides::all(nmbc::FixedSide{}), p);
@@ -125,22 +126,25 @@ void step(benchmark::State& state, const nmbc::PlaneModel& model, const Work& wo
         const double between = now();
         triad();
         const double end = now();
-        times.push_back((between - start) / steps);
+        times.push_back((between - start) / static_cast<double>(steps));
         of_triad.push_back((end - between) / times.back());
         of_multiply_adds.push_back(
             multiply_adds<Real>(static_cast<double>(work.operations * side * side)) / times.back());
         state.SetIterationTime(times.back());
     }
+    const auto nodes = static_cast<double>(side * side);
     const double time = boost::math::statistics::median(times);
-    state.counters["mnodes"] = 1e-6 * side * side / time;
-    state.counters["of_triad"] = boost::math::statistics::median(of_triad);
+    state.counters["mnodes"] = 1e-6 * nodes / time;
+    if (side == in_memory) {
+        state.counters["of_triad"] = boost::math::statistics::median(of_triad);
+    }
     if (work.operations > 0) {
         state.counters["of_fma"] = boost::math::statistics::median(of_multiply_adds);
     }
     if (const auto* const bonds = std::get_if<nmbc::BondModel>(&model.law())) {
         // Each of them once.
         const auto per_node = static_cast<double>(bonds->bonds().size()) / 2;
-        state.counters["mbonds"] = 1e-6 * side * side * per_node / time;
+        state.counters["mbonds"] = 1e-6 * nodes * per_node / time;
     }
 }
 
@@ -155,10 +159,13 @@ void add(const std::string& name, const Run& run) {
 template <class Real>
 void add_all(const std::string& real) {
     for (const unsigned radius_squared : {1U, 4U, 9U}) {
-        add("nopd2d/" + std::to_string(radius_squared) + real, [=](auto& state) {
-            step<Real>(state, nmbc::nopd2d(radius_squared, 0.25, 0.5), work_of(radius_squared),
-                       false);
-        });
+        for (const bool is_cached : {false, true}) {
+            add((is_cached ? "cached/" : "nopd2d/") + std::to_string(radius_squared) + real,
+                [=](auto& state) {
+                    step<Real>(state, nmbc::nopd2d(radius_squared, 0.25, 0.5),
+                               work_of(radius_squared), false, is_cached ? in_cache : in_memory);
+                });
+        }
     }
     const nmbc::BondModel bonds = nmbc::bond2d(9, nmbc::bond_weights(9, {1, 1, 1, 1, 1, 1}));
     add("bond2d/9" + real, [=](auto& state) { step<Real>(state, bonds, work_of_bonds, false); });
