@@ -18,6 +18,7 @@
 #include "generator/commands/dispersion.hpp"
 #include "generator/commands/influence.hpp"
 #include "generator/commands/plane_sides.hpp"
+#include "generator/commands/prove.hpp"
 #include "generator/commands/reflect.hpp"
 #include "generator/commands/require_stable.hpp"
 #include "generator/commands/time_step.hpp"
@@ -213,6 +214,11 @@ int run(const Request& request) {
         case Action::reflect:
             print(reflection_csv(derive(request.specification), request.samples));
             return done;
+        case Action::prove:
+            print(with_progress([&request](const Progress& progress) {
+                return proof_text(request.specification, request.proof, progress);
+            }));
+            return done;
         case Action::bonds:
             print(request.as_json ? bonds_json(request.bonds) : bonds_text(request.bonds));
             return done;
@@ -272,6 +278,9 @@ int main(int argc, char** argv) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::bad_input;
     } catch (const nmbcgen::NoClosedForms& reason) {
+        std::cerr << "nmbcgen: " << reason.what() << "\n";
+        return nmbcgen::bad_input;
+    } catch (const nmbcgen::NotProvable& reason) {
         std::cerr << "nmbcgen: " << reason.what() << "\n";
         return nmbcgen::bad_input;
     } catch (const nmbcgen::NotStable& reason) {

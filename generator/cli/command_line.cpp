@@ -100,6 +100,25 @@ CLI::App* add_reflect(CLI::App& app, Request& request, Pending& pending) {
     return reflect;
 }
 
+/// nmbcgen prove, of what is matched in continuous time and not damped.
+CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
+    auto* const prove = app.add_subcommand(
+        "prove", "say what of a certificate is proved by enclosures (docs/explanation/proofs.md)");
+    const SpecificationOptions options = add_specification(*prove, request, pending);
+    for (CLI::Option* other : {options.match, options.damping, options.cfl, options.time_step}) {
+        prove->remove_option(other);
+    }
+    options.order->required();
+    require_one_of(*prove, options.horizon, options.radius);
+    add_parsed(*prove, "--up-to", request.proof.cfl, parse_fraction,
+               "prove all steps up to this cfl, too (default: continuous time alone)")
+        ->excludes(options.G);
+    add_parsed(*prove, "--finest", request.proof.finest, parse_fraction,
+               "do not halve intervals of G below this (default: a thousandth of the window)")
+        ->excludes(options.G);
+    return prove;
+}
+
 /// nmbcgen dispersion.
 CLI::App* add_dispersion(CLI::App& app, Curves& curves, Pending& pending) {
     auto* const dispersion = app.add_subcommand(
@@ -281,6 +300,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     to_stdout->excludes(folder);
     require_stable->excludes(uncertified);
     auto* const reflect = add_reflect(app, request, pending);
+    auto* const prove = add_prove(app, request, pending);
     auto* const recommend = add_recommend(app, request, pending);
     auto* const passive = add_passive(app, request, pending);
     auto* const optimise = add_optimise(app, request, pending);
@@ -311,6 +331,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
             request.action = Action::check;
         } else if (reflect->parsed()) {
             request.action = Action::reflect;
+        } else if (prove->parsed()) {
+            request.action = Action::prove;
         } else if (recommend->parsed()) {
             request.action = Action::recommend;
         } else if (passive->parsed()) {

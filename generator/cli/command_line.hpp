@@ -16,6 +16,7 @@
 #include "generator/commands/plane_dispersion.hpp"
 #include "generator/commands/plane_series.hpp"
 #include "generator/commands/plane_sides.hpp"
+#include "generator/commands/prove.hpp"
 #include "generator/commands/recommend.hpp"
 #include "generator/emit/closed_forms.hpp"
 #include "generator/emit/emit.hpp"
@@ -29,6 +30,7 @@ enum class Action {
     all_tables,
     check,
     reflect,
+    prove,
     recommend,
     passive,
     optimise,
@@ -51,6 +53,7 @@ struct Request {
     bool certified = true;          ///< with certificates of stability
     bool require_stable = false;    ///< nothing is written unless the certificate covers G
     unsigned samples = 200;         ///< wave numbers of Action::reflect
+    ProofTask proof;                ///< of Action::prove
     Question question;              ///< of Action::recommend
     std::optional<ChainModel> end;  ///< of Action::passive
     bool as_header = false;         ///< the end, in place of JSON

@@ -79,7 +79,8 @@ void settle_G(Request& request, const CLI::App& used) {
     }
     if (request.action == Action::dispersion) {
         request.curves.G = {0};
-    } else if (!needed_by.empty() && needed_by != "--require-stable") {
+    } else if (request.action == Action::prove ||
+               (!needed_by.empty() && needed_by != "--require-stable")) {
         request.specification.stabilisation = 0;
     }
 }

@@ -42,6 +42,29 @@ InX band(const std::vector<Polynomial>& symbol) {
     return omega_squared;
 }
 
+InX times(const InX& left, const InX& right) {
+    InX product;
+    for (std::size_t i = right.size(); i-- > 0;) {
+        product = plus(times_x(product), left, right[i]);
+    }
+    trim(product);
+    return product;
+}
+
+InX at_quotient(const InX& f, std::size_t degree, const InX& numerator, const InX& denominator) {
+    InX result;
+    InX power{constant(1)};  // denominator^(degree - i), by Horner's rule from the top
+    for (std::size_t i = degree + 1; i-- > 0;) {
+        result = times(result, numerator);
+        if (i < f.size()) {
+            result = plus(result, power, f[i]);
+        }
+        power = times(power, denominator);
+    }
+    trim(result);
+    return result;
+}
+
 InX derivative(const InX& polynomial) {
     InX slope;
     for (std::size_t i = 1; i < polynomial.size(); ++i) {

@@ -24,6 +24,12 @@ InX plus(const InX& left, const InX& right, const Polynomial& factor);
 
 InX times_x(const InX& polynomial);
 
+InX times(const InX& left, const InX& right);
+
+/// A polynomial at the quotient of two others, times denominator^degree, which is not less than its
+/// own: sum_i f_i numerator^i denominator^(degree-i).
+InX at_quotient(const InX& f, std::size_t degree, const InX& numerator, const InX& denominator);
+
 /// Removes zeros at the end.
 void trim(InX& polynomial);
 

@@ -14,16 +14,8 @@ namespace {
 
 /// A polynomial in w = (x-1)/(x+1), times (x+1)^degree.
 InX from_w(const std::vector<Polynomial>& in_w) {
-    const InX plus_one{constant(1), constant(1)};
-    InX result;
-    InX power{constant(1)};  // (x+1)^(degree - i), by Horner's rule from the top
-    for (std::size_t i = in_w.size(); i-- > 0;) {
-        // result = result * (x-1) + in_w[i] * power
-        result = plus(plus(times_x(result), result, constant(-1)), power, in_w[i]);
-        power = plus(times_x(power), power, constant(1));
-    }
-    trim(result);
-    return result;
+    return at_quotient(in_w, in_w.size() - 1, {constant(-1), constant(1)},
+                       {constant(1), constant(1)});
 }
 
 /// The polynomial without its zeros at x = 1, by Horner's division.

@@ -152,7 +152,7 @@ EvenAndOddParts even_and_odd_parts(const Table& table) {
         b.push_back(times_multiple(table.b[j], denominator));
     }
     const auto stride = table.specification.stride;
-    return {every_second_in_y(c, stride, 0), every_second_in_y(b, stride, 1), denominator};
+    return {every_second_in_y(c, stride, 0), every_second_in_y(b, stride, 1), denominator, c, b};
 }
 
 HalfSpace stepped(HalfSpace half_space, double time_step) {

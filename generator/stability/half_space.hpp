@@ -54,11 +54,13 @@ struct HalfSpace {
 HalfSpace make_half_space(const Table& table, const Rational& G);
 
 /// E and O of a table whose G is open, times the common denominator of its coefficients: by
-/// ascending powers of w, with coefficients in Q[G], the last one not zero.
+/// ascending powers of w, with coefficients in Q[G], the last one not zero; c and b likewise.
 struct EvenAndOddParts {
     std::vector<Polynomial> E;
     std::vector<Polynomial> O;
     Polynomial denominator;
+    std::vector<Polynomial> c;
+    std::vector<Polynomial> b;
 };
 
 EvenAndOddParts even_and_odd_parts(const Table& table);

@@ -29,13 +29,14 @@ allow generator/bonds "generator/(table|exact|families|bonds)/|$text"
 allow generator/closures 'generator/(table|closures)/'
 allow generator/dense 'generator/dense/|(unsupported/)?Eigen/'
 allow generator/stability 'generator/(table|exact|dense|lattice|stability)/|boost/|Eigen/Core'
+allow generator/enclosures 'generator/(table|exact|lattice|stability|enclosures)/|nmbc/table.hpp|boost/'
 allow generator/plane 'generator/(table|exact|dense|lattice|plane)/|Eigen/Core'
 allow generator/coupling "generator/(table|exact|dense|plane|coupling)/|nmbc/(boundary|coefficients).hpp|Eigen/(Core|SparseCore|SparseLU)|$text"
 allow generator/passive 'generator/(table|exact|dense|families|plane|passive)/|nmbc/(passive|plane_sides).hpp|Eigen/Core'
 allow generator/matching "generator/(table|exact|lattice|matching)/|ginac/|$text"
 allow generator/emit "generator/(table|exact|lattice|names|emit)/|nlohmann/|$text"
 allow generator/support "generator/(table|emit|names|support)/|nlohmann/|CLI/|fcntl.h|unistd.h|sys/(file|stat).h|$text"
-allow generator/commands "generator/(table|exact|dense|lattice|bonds|closures|coupling|families|names|stability|plane|passive|matching|emit|support|commands)/|generator/pipeline.hpp|Eigen/Core|nlohmann/|$text"
+allow generator/commands "generator/(table|exact|dense|lattice|bonds|closures|coupling|families|names|stability|enclosures|plane|passive|matching|emit|support|commands)/|generator/pipeline.hpp|Eigen/Core|nlohmann/|$text"
 allow generator/cli "generator/(table|exact|bonds|closures|coupling|families|names|emit|commands|support|cli)/|generator/matching/real.hpp|CLI/|$text"
 allow generator "generator/|unistd.h|$text"
 allow generated/nmbc/tables 'nmbc/table.hpp|nmbc/tables/'

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/commands/prove.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/enclosures/prove.hpp"
+#include "generator/exact/rational.hpp"
+#include "generator/pipeline.hpp"
+#include "generator/stability/certify.hpp"
+#include "generator/stability/discrete.hpp"
+
+namespace nmbcgen {
+namespace {
+
+constexpr double farthest = 8;  ///< from the low end of a window that has no high one
+
+std::string in_steps(double cfl) {
+    return cfl > 0 ? fmt::format("in every step up to cfl {:g}", cfl) : "in continuous time";
+}
+
+std::string heading(const Specification& what) {
+    return fmt::format("NMBC{}, stride {}, at horizon {}\n", what.order, what.stride, what.horizon);
+}
+
+Prover prover_of(const Table& table) {
+    try {
+        return Prover(table);
+    } catch (const std::invalid_argument&) {
+        throw NotProvable(
+            "there are proofs for undamped lattices only, and for conditions whose "
+            "even and odd parts have no leading coefficient 0 at every G");
+    }
+}
+
+std::string at_one_G(const Specification& what, const Prover& prover, const Progress& progress) {
+    const Rational& G = *what.stabilisation;
+    const double nearest = nearest_double(G);
+    const bool exact = Rational(nearest) == G;
+    const nmbc::Window about{exact ? nearest : std::nextafter(nearest, 0),
+                             exact ? nearest : std::nextafter(nearest, HUGE_VAL)};
+    const HalfSpace half_space = make_half_space(derive(what), G);  // or there is none
+    std::string text = heading(what);
+    std::size_t done = 0;
+    for (const auto& [name, grade] :
+         {std::pair("paired", Grade::paired), std::pair("contractive", Grade::contractive)}) {
+        progress(done++, 2);
+        const double proved = prover.largest_cfl(about, grade);
+        const double sampled = stable_range(half_space, grade).largest;
+        text += fmt::format("{:<12} G = {}: {}; sampled: cfl {:.2f}\n", name, to_string(G),
+                            proved < 0   ? "nothing proved"
+                            : proved > 0 ? fmt::format("proved {}", in_steps(proved))
+                                         : "proved in continuous time alone",
+                            sampled);
+    }
+    return text;
+}
+
+std::string of_window(const StabilityWindow& window, const char* grade_name, Grade grade,
+                      const Prover& prover, const ProofTask& task, const Progress& progress) {
+    const double low = window.low.inner;
+    const double high = window.high ? window.high->inner : low + farthest;
+    const double finest = task.finest.value_or((high - low) / 1000);
+    const auto told = [&](double G) {
+        constexpr double in_all = 1000;
+        progress(std::size_t(in_all * (G - low) / std::max(high - low, finest)),
+                 std::size_t(in_all));
+    };
+    const auto parts = prover.parts({low, high}, task.cfl, grade, finest, told);
+    double proved = 0;
+    std::string text = fmt::format(
+        "{:<12} {:.6f} .. {}\n", grade_name, low,
+        window.high ? fmt::format("{:.6f}", high) : fmt::format("(looked at up to {:g})", high));
+    for (const nmbc::Window& part : parts) {
+        proved += part.high - part.low;
+        text += fmt::format("  proved     {:.6f} .. {:.6f}\n", part.low, part.high);
+    }
+    return text + fmt::format("  undecided  {:.6f} in all\n", high - low - proved);
+}
+
+}  // namespace
+
+std::string proof_text(const Specification& what, const ProofTask& task, const Progress& progress) {
+    Specification open = what;
+    open.stabilisation.reset();
+    const Table table = derive(open);
+    const Prover prover = prover_of(table);
+    if (what.stabilisation) {
+        return at_one_G(what, prover, progress);
+    }
+    if (!has_stabilisation(table.model)) {
+        throw NotProvable("no G in this model: prove it at --G 0");
+    }
+    const Certificate certificate = certify(table);
+    std::string text = heading(what) + fmt::format("{}\n", in_steps(task.cfl));
+    for (const StabilityWindow& window : certificate.modal) {
+        text += of_window(window, "paired", Grade::paired, prover, task, progress);
+    }
+    for (const StabilityWindow& window : certificate.contractive) {
+        text += of_window(window, "contractive", Grade::contractive, prover, task, progress);
+    }
+    return text;
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+/// Intervals of doubles whose operations round outwards: what is computed holds for every number
+/// of the operands.
+#pragma once
+
+#include <boost/numeric/interval.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "generator/table/exact.hpp"
+
+namespace nmbcgen {
+
+/// Rounds to nearest and then steps outwards by one unit in the last place or two, so that no
+/// rounding mode of the processor, and no flag of the compiler, matters. What is exactly 0 stays 0.
+struct OutwardArithmetic : boost::numeric::interval_lib::rounded_arith_exact<double> {
+    static double below(double x) { return x - step(x); }
+    static double above(double x) { return x + step(x); }
+
+    // A sum that rounds to 0 is 0.
+    static double add_down(double x, double y) { return x + y == 0 ? 0 : below(x + y); }
+    static double add_up(double x, double y) { return x + y == 0 ? 0 : above(x + y); }
+    static double sub_down(double x, double y) { return add_down(x, -y); }
+    static double sub_up(double x, double y) { return add_up(x, -y); }
+    static double mul_down(double x, double y) { return x == 0 || y == 0 ? 0 : below(x * y); }
+    static double mul_up(double x, double y) { return x == 0 || y == 0 ? 0 : above(x * y); }
+    static double div_down(double x, double y) { return x == 0 ? 0 : below(x / y); }
+    static double div_up(double x, double y) { return x == 0 ? 0 : above(x / y); }
+    static double sqrt_down(double x) { return x == 0 ? 0 : below(std::sqrt(x)); }
+    static double sqrt_up(double x) { return x == 0 ? 0 : above(std::sqrt(x)); }
+
+  private:
+    static double step(double x) {
+        return std::abs(x) * std::numeric_limits<double>::epsilon() +
+               std::numeric_limits<double>::denorm_min();
+    }
+};
+
+using Interval = boost::numeric::interval<
+    double, boost::numeric::interval_lib::policies<
+                boost::numeric::interval_lib::save_state_nothing<OutwardArithmetic>,
+                boost::numeric::interval_lib::checking_base<double>>>;
+
+/// Re and Im each in an interval.
+struct ComplexInterval {
+    Interval re;
+    Interval im;
+};
+
+inline ComplexInterval operator+(const ComplexInterval& one, const ComplexInterval& other) {
+    return {one.re + other.re, one.im + other.im};
+}
+
+inline ComplexInterval operator-(const ComplexInterval& one, const ComplexInterval& other) {
+    return {one.re - other.re, one.im - other.im};
+}
+
+inline ComplexInterval operator*(const Interval& factor, const ComplexInterval& z) {
+    return {factor * z.re, factor * z.im};
+}
+
+inline ComplexInterval operator*(const ComplexInterval& one, const ComplexInterval& other) {
+    return {one.re * other.re - one.im * other.im, one.re * other.im + one.im * other.re};
+}
+
+/// |z|
+Interval modulus(const ComplexInterval& z);
+
+/// A polynomial in one variable, ascending, known to within its coefficients.
+using EnclosedPolynomial = std::vector<Interval>;
+
+Interval value_at(const EnclosedPolynomial& polynomial, const Interval& x);
+ComplexInterval value_at(const EnclosedPolynomial& polynomial, const ComplexInterval& x);
+
+EnclosedPolynomial derivative(const EnclosedPolynomial& polynomial);
+
+/// The interval about an exact number.
+Interval enclose(const Rational& value);
+
+/// Polynomials whose coefficients are functions of a parameter: at `offset` from its middle they
+/// are value + offset * slope, but for the rest. At one point z that is narrower than the
+/// polynomials of the enclosed coefficients are.
+struct Expansion {
+    EnclosedPolynomial value;
+    EnclosedPolynomial slope;
+    EnclosedPolynomial rest;
+    Interval offset;
+
+    EnclosedPolynomial enclosed() const;
+    ComplexInterval at(const ComplexInterval& z) const;
+};
+
+/// Between low and high, which are exact.
+Expansion expand(const std::vector<Polynomial>& coefficients, double low, double high);
+
+}  // namespace nmbcgen

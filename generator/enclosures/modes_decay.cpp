@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: MIT
+#include "generator/enclosures/modes_decay.hpp"
+
+#include <algorithm>
+#include <complex>
+#include <numeric>
+
+#include "generator/enclosures/band_grade.hpp"
+#include "generator/stability/polynomial_roots.hpp"
+
+namespace nmbcgen {
+namespace {
+
+using Complex = std::complex<double>;
+
+struct Disc {
+    Complex centre;
+    double radius;
+    std::size_t component = 0;
+};
+
+ComplexInterval enclose(const Complex& z) {
+    return {Interval(z.real()), Interval(z.imag())};
+}
+
+/// modes + tau modes_in_steps
+class ModeEquation {
+  public:
+    ModeEquation(const ModePolynomials<EnclosedPolynomial, Expansion>& polynomials,
+                 const Interval& tau)
+        : f_(polynomials.modes), in_steps_(polynomials.modes_in_steps.value) {
+        const Expansion& more = polynomials.modes_in_steps;
+        const double middle = median(tau);
+        delay_ = tau - middle;
+        add(f_.value, middle, more.value);
+        add(f_.slope, tau, more.slope);
+        add(f_.rest, tau, more.rest);
+        enclosed_ = f_.enclosed();
+        add(enclosed_, delay_, more.value);
+    }
+
+    const EnclosedPolynomial& enclosed() const { return enclosed_; }
+
+    ComplexInterval at(const ComplexInterval& z) const {
+        return f_.at(z) + delay_ * value_at(in_steps_, z);
+    }
+
+  private:
+    static void add(EnclosedPolynomial& sum, const Interval& factor,
+                    const EnclosedPolynomial& more) {
+        sum.resize(std::max(sum.size(), more.size()), Interval(0));
+        for (std::size_t i = 0; i < more.size(); ++i) {
+            sum[i] += factor * more[i];
+        }
+    }
+
+    Expansion f_;
+    const EnclosedPolynomial& in_steps_;
+    Interval delay_;
+    EnclosedPolynomial enclosed_{};
+};
+
+void number_components(std::vector<Disc>& discs) {
+    for (const Disc& one : discs) {
+        for (const Disc& other : discs) {
+            // A little more than needed: components may be taken too large.
+            constexpr double outwards = 1 + 1e-9;
+            const std::size_t from = other.component;
+            if (from != one.component &&
+                std::abs(one.centre - other.centre) <= outwards * (one.radius + other.radius)) {
+                for (Disc& disc : discs) {
+                    disc.component = disc.component == from ? one.component : disc.component;
+                }
+            }
+        }
+    }
+}
+
+/// |f(z_i)| factor / (leading prod_{l != i} distance of z_i from the disc about z_l): where the
+/// discs are points yet, with the degree as factor; once each root is in its disc, with 1, for
+/// those whose disc no other one touches.
+void set_radii(std::vector<Disc>& discs, const std::vector<double>& values, double leading,
+               double factor) {
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        Interval denominator = leading;
+        for (std::size_t l = 0; l < discs.size(); ++l) {
+            denominator *= l == i ? Interval(1)
+                                  : modulus(enclose(discs[i].centre) - enclose(discs[l].centre)) -
+                                        discs[l].radius;
+        }
+        const bool alone = std::ranges::count(discs, discs[i].component, &Disc::component) == 1;
+        radii.push_back(!alone ? discs[i].radius
+                        : denominator.lower() <= 0
+                            ? HUGE_VAL
+                            : (Interval(values[i]) * factor / denominator).upper());
+    }
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        discs[i].radius = radii[i];
+    }
+}
+
+/// Nothing where the leading coefficient may be 0.
+std::vector<Disc> discs_of(const ModeEquation& equation) {
+    const EnclosedPolynomial& f = equation.enclosed();
+    if (zero_in(f.back())) {
+        return {};
+    }
+    std::vector<double> middle;
+    for (const Interval& coefficient : f) {
+        middle.push_back(median(coefficient));
+    }
+    std::vector<Disc> discs;
+    const auto approximations = polynomial_roots(middle);
+    const auto degree = double(f.size() - 1);
+    if (double(approximations.size()) != degree) {
+        return {};
+    }
+    std::vector<double> corrections;  // times the leading coefficient
+    for (const Complex& z : approximations) {
+        corrections.push_back(modulus(equation.at(enclose(z))).upper());
+        discs.push_back({z, 0, discs.size()});
+    }
+    const double leading = abs(f.back()).lower();
+    set_radii(discs, corrections, leading, degree);
+    number_components(discs);
+    constexpr int narrower = 3;
+    for (int step = 0; step < narrower; ++step) {
+        set_radii(discs, corrections, leading, 1);
+    }
+    return discs;
+}
+
+/// Im f(x) / Im x, also where x is real.
+Interval slope_across(const EnclosedPolynomial& f, const ComplexInterval& x) {
+    // Im x^k / Im x = 2 Re x times that of k-1, less |x|^2 times that of k-2
+    const Interval twice = 2.0 * x.re;
+    const Interval square_of_modulus = square(x.re) + square(x.im);
+    Interval before = 0;
+    Interval now = 1;
+    Interval sum = 0;
+    for (std::size_t k = 1; k < f.size(); ++k) {
+        sum += f[k] * now;
+        const Interval next = twice * now - square_of_modulus * before;
+        before = now;
+        now = next;
+    }
+    return sum;
+}
+
+/// The modes in w, where k = -1 is infinitely far away, or in v.
+class Chart {
+  public:
+    enum class Variable { w, v };
+
+    Chart(Variable variable, const EnclosedCondition& condition, const Interval& tau)
+        : variable_(variable),
+          condition_(condition),
+          E_(polynomials().E),
+          O_(polynomials().O),
+          modes_(polynomials(), tau) {}
+
+    bool all_decay() const {
+        const std::vector<Disc> discs = discs_of(modes_);
+        if (discs.empty()) {
+            const EnclosedPolynomial& f = modes_.enclosed();
+            return f.size() == 1 && !zero_in(f[0]);
+        }
+        return std::ranges::all_of(discs, [&](const Disc& disc) {
+            const auto together = std::ranges::count(discs, disc.component, &Disc::component);
+            if (together == 1 && disc.centre.imag() == 0) {
+                return real_root_decays(disc);
+            }
+            return std::isfinite(disc.radius) && decay(disc);
+        });
+    }
+
+  private:
+    const ModePolynomials<EnclosedPolynomial, Expansion>& polynomials() const {
+        return variable_ == Variable::w ? condition_.in_w : condition_.in_v;
+    }
+
+    bool decay(const Disc& disc) const {
+        if (variable_ == Variable::v && decay_next_to_0(reach_of(disc))) {
+            return true;
+        }
+        const Disc in_x = variable_ == Variable::w
+                              ? inverse({1.0 - disc.centre, disc.radius}, 2, -1)
+                              : inverse(disc, 1, 3);
+        return decay(box_about(disc)) ||
+               (std::isfinite(in_x.radius) && decay_in_x(box_about(in_x)));
+    }
+
+    static double reach_of(const Disc& disc) {
+        return (modulus(enclose(disc.centre)) + disc.radius).upper();
+    }
+
+    static ComplexInterval box_about(const Disc& disc) {
+        const Interval spread(-disc.radius, disc.radius);
+        return {disc.centre.real() + spread, disc.centre.imag() + spread};
+    }
+
+    /// factor/z + shift, with a radius that has room for roundings.
+    static Disc inverse(const Disc& disc, double factor, double shift) {
+        const double square = std::norm(disc.centre) - disc.radius * disc.radius;
+        if (!(square > 0)) {
+            return {0, HUGE_VAL};
+        }
+        constexpr double roundings = 1e-13;
+        const Complex centre = factor * std::conj(disc.centre) / square + shift;
+        return {centre, factor * disc.radius / square * (1 + roundings) +
+                            roundings * (1 + std::abs(centre) + factor / std::sqrt(square))};
+    }
+
+    /// Whether Re sigma < 0 for all of these, were they modes.
+    bool decay(const ComplexInterval& z) const {
+        return is_positive(O_, E_, z, variable_ == Variable::w ? reach_in_w(z) : reach_in_v(z));
+    }
+
+    bool decay_in_x(const ComplexInterval& x) const {
+        const ComplexInterval square_of_x = x * x;
+        const Interval reach = (modulus({square_of_x.re - 1.0, square_of_x.im}) + 1.0 -
+                                (square(x.re) + square(x.im))) /
+                               2.0;
+        return is_positive(condition_.O, condition_.E, x, reach);
+    }
+
+    /// Re O conj(E) - reach Im(O conj(E)) / Im z > 0
+    static bool is_positive(const EnclosedPolynomial& O_of, const EnclosedPolynomial& E_of,
+                            const ComplexInterval& z, const Interval& reach) {
+        const ComplexInterval O = value_at(O_of, z);
+        const ComplexInterval E = value_at(E_of, z);
+        const Interval across = slope_across(O_of, z) * E.re - O.re * slope_across(E_of, z);
+        return (O.re * E.re + O.im * E.im - reach * across).lower() > 0;
+    }
+
+    static Interval reach_in_w(const ComplexInterval& w) { return modulus(w) - w.re; }
+
+    static Interval reach_in_v(const ComplexInterval& v) {
+        const ComplexInterval vx{3.0 * v.re + 1.0, 3.0 * v.im};
+        const auto square_of_modulus = [](const ComplexInterval& number) {
+            return square(number.re) + square(number.im);
+        };
+        return (square_of_modulus(vx) - square_of_modulus(v) - modulus(vx * vx - v * v)) / 2.0;
+    }
+
+    /// The same for all |v| up to this: |k| <= 1/(2|x| - 1) there, since k + 1/k = 2x, and B/C is
+    /// about b_0/c_0.
+    bool decay_next_to_0(double v) const {
+        const Interval inverse = 2.0 / Interval(v) - 7.0;
+        if (inverse.lower() <= 1) {
+            return false;
+        }
+        const Interval k = 1.0 / inverse;
+        const auto others = [&](const EnclosedPolynomial& coefficients) {
+            Interval sum = 0;
+            for (std::size_t j = coefficients.size() - 1; j > 0; --j) {
+                sum = (sum + abs(coefficients[j])) * pow(k, int(condition_.stride));
+            }
+            return sum;
+        };
+        const Interval c = condition_.C.front();
+        const Interval b = condition_.B.front();
+        const Interval of_C = others(condition_.C);
+        const Interval of_B = others(condition_.B);
+        return (b * c + abs(b) * of_C + abs(c) * of_B + of_B * of_C).upper() < 0;
+    }
+
+    /// Of a real root, which is alone in its disc: it decays, or travels.
+    bool real_root_decays(const Disc& disc) const {
+        const Interval z = disc.centre.real() + Interval(-disc.radius, disc.radius);
+        // those that travel
+        const double lowest = variable_ == Variable::w ? -HUGE_VAL : -0.5;
+        const double highest = variable_ == Variable::w ? 0 : -0.25;
+        const bool above = z.upper() <= highest ||
+                           decay(ComplexInterval{{std::max(highest, z.lower()), z.upper()}, 0});
+        const bool below = z.lower() >= lowest ||
+                           decay(ComplexInterval{{z.lower(), std::min(lowest, z.upper())}, 0});
+        return above && below;
+    }
+
+    Variable variable_;
+    const EnclosedCondition& condition_;
+    const EnclosedPolynomial& E_;
+    const EnclosedPolynomial& O_;
+    ModeEquation modes_;
+};
+
+class Steps {
+  public:
+    Steps(const EnclosedCondition& condition, double longest)
+        : c_(condition),
+          shortest_(1e-6 * longest),
+          finest_(std::max(1e-6, spread_of(condition.band) / 4)) {}
+
+    bool hold(const Interval& tau) const {
+        if (Chart(Chart::Variable::w, c_, tau).all_decay() ||
+            Chart(Chart::Variable::v, c_, tau).all_decay()) {
+            return true;
+        }
+        if (width(tau) <= std::max(shortest_, finest_ * tau.upper())) {
+            return false;
+        }
+        const double middle = median(tau);
+        return hold(Interval(tau.lower(), middle)) && hold(Interval(middle, tau.upper()));
+    }
+
+  private:
+    const EnclosedCondition& c_;
+    double shortest_;
+    double finest_;  ///< in parts of tau
+};
+
+}  // namespace
+
+bool no_mode_grows(const EnclosedCondition& condition, const Interval& tau) {
+    return Steps(condition, tau.upper()).hold(tau);
+}
+
+}  // namespace nmbcgen

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+/// What of a certificate is proved: at every G of a window and in every step up to one.
+#pragma once
+
+#include <functional>
+#include <nmbc/table.hpp>
+#include <vector>
+
+#include "generator/enclosures/condition.hpp"
+#include "generator/table/certificate.hpp"
+
+namespace nmbcgen {
+
+/// Proofs about one condition of an undamped lattice, its G open.
+class Prover {
+  public:
+    /// Throws std::invalid_argument as exact_condition() does.
+    explicit Prover(const Table& table);
+
+    /// Whether, at all G of the window, the half space has this grade in continuous time and in all
+    /// leapfrog steps with midpoint ghosts up to this cfl; false where that is undecided.
+    bool holds(const nmbc::Window& window, double cfl, Grade least) const;
+
+    /// The parts of a window, ascending, in which it holds: by halves, to no less than `finest`.
+    /// told: the G that is reached.
+    std::vector<nmbc::Window> parts(const nmbc::Window& window, double cfl, Grade least,
+                                    double finest, const std::function<void(double)>& told) const;
+
+    /// The largest cfl, in hundredths, up to which it holds; less than 0 where it does not even in
+    /// continuous time.
+    double largest_cfl(const nmbc::Window& window, Grade least) const;
+
+  private:
+    ExactCondition per_G_;
+    ExactCondition plain_;  ///< for G = 0
+};
+
+}  // namespace nmbcgen

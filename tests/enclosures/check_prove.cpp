@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// What is proved against what knows nothing of the proof: chains as matrices, and reflections.
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+
+#include "generator/enclosures/prove.hpp"
+#include "generator/pipeline.hpp"
+#include "generator/stability/discrete.hpp"
+#include "generator/stability/modal.hpp"
+#include "tests/stability/spectra.hpp"
+
+namespace {
+
+using nmbcgen::Grade;
+using nmbcgen::HalfSpace;
+using nmbcgen::LatticeEnd;
+using nmbcgen::Prover;
+using nmbcgen::Rational;
+
+struct Instance {
+    nmbcgen::Table table;
+    Prover prover;
+};
+
+const std::vector<Instance>& instances() {
+    static const std::vector<Instance> all = [] {
+        std::vector<Instance> made;
+        for (const auto& [horizon, order, stride] :
+             {std::tuple(1U, 1U, 1U), std::tuple(1U, 2U, 1U), std::tuple(1U, 3U, 1U),
+              std::tuple(1U, 4U, 1U), std::tuple(2U, 1U, 1U), std::tuple(2U, 2U, 2U),
+              std::tuple(2U, 3U, 2U), std::tuple(2U, 1U, 2U), std::tuple(3U, 1U, 1U)}) {
+            const auto table = nmbcgen::derive(
+                {.horizon = horizon, .order = order, .stride = stride, .stabilisation = {}});
+            made.push_back({table, Prover(table)});
+        }
+        return made;
+    }();
+    return all;
+}
+
+int whole_number(int first, int last) {
+    return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(first, last));
+}
+
+/// The largest factor of a step; like ends, or a fixed one opposite.
+double largest_factor(const HalfSpace& h, double cfl, std::size_t nodes, bool like) {
+    const LatticeEnd end{LatticeEnd::Kind::matching, h};
+    const double dt = 2 * cfl / maximum_frequency(h);
+    if (!like) {
+        return spectral_radius(end, fixed_end(h), nodes, dt);
+    }
+    double largest = 0;
+    const auto map = one_step_map(end, end, nodes, dt);
+    for (const auto factor : nmbcgen::test::eigenvalues_by_parity(map, map.rows() / 2)) {
+        largest = std::max(largest, std::abs(factor));
+    }
+    return largest;
+}
+
+TEST_CASE("no chain grows in a step that is proved") {
+    CHECK(rc::check([] {
+        const Instance& each = instances()[std::size_t(whole_number(0, int(instances().size())))];
+        const double G = whole_number(1, 4000) / 1024.0;
+        const double most = whole_number(1, 100) / 100.0;
+        const bool like = whole_number(0, 2) == 0;
+        const Grade grade = like ? Grade::paired : Grade::contractive;
+        RC_PRE(each.prover.holds({G, G}, most, grade));
+        // all orders of magnitude from 1e-5 on alike
+        const double cfl = 1e-5 * std::pow(most / 1e-5, whole_number(0, 1001) / 1000.0);
+        const auto nodes = std::size_t(whole_number(60, 100));
+        RC_LOG() << each.table.specification.horizon << " " << each.table.specification.order << " "
+                 << each.table.specification.stride << " G " << G << " cfl " << cfl << " nodes "
+                 << nodes << (like ? " like" : " fixed") << '\n';
+        // In short steps the double factor 1 of a constant and of a uniform velocity splits by the
+        // square root of roundings.
+        constexpr double root_of_roundings = 1e-7;
+        RC_ASSERT(largest_factor(make_half_space(each.table, Rational(G)), cfl, nodes, like) <
+                  1 + root_of_roundings);
+    }));
+}
+
+TEST_CASE("in continuous time the sampled grade is what is proved, away from edges") {
+    CHECK(rc::check([] {
+        const Instance& each = instances()[std::size_t(whole_number(0, int(instances().size())))];
+        const double G = whole_number(1, 4000) / 1024.0 + 1.0 / 3000;
+        const Grade proved = each.prover.holds({G, G}, 0, Grade::contractive) ? Grade::contractive
+                             : each.prover.holds({G, G}, 0, Grade::paired)    ? Grade::paired
+                                                                              : Grade::none;
+        const Grade sampled = stability_grade(make_half_space(each.table, Rational(G)));
+        RC_LOG() << each.table.specification.horizon << " " << each.table.specification.order << " "
+                 << each.table.specification.stride << " G " << G << '\n';
+        RC_ASSERT(proved <= sampled);
+        RC_CLASSIFY(proved == sampled, "as sampled");
+    }));
+}
+
+}  // namespace

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// What is proved of conditions whose windows and steps are known.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "generator/enclosures/prove.hpp"
+#include "generator/pipeline.hpp"
+
+namespace {
+
+using nmbcgen::Grade;
+using nmbcgen::Prover;
+
+Prover prover(unsigned horizon, unsigned order, unsigned stride) {
+    return Prover(nmbcgen::derive(
+        {.horizon = horizon, .order = order, .stride = stride, .stabilisation = {}}));
+}
+
+TEST_CASE("at one G every step is proved as far as sampling finds them stable") {
+    struct Case {
+        unsigned horizon, order, stride;
+        double G;
+        double paired;       ///< cfl, as nmbcgen's sampled certificate has it
+        double contractive;  ///< -1: not even in continuous time
+    };
+    for (const Case& each : {Case{1, 2, 1, 0.5, 0.70, 0.70}, Case{2, 2, 2, 1, 0.75, 0.75},
+                             Case{2, 3, 2, 1, 0.37, 0.37}, Case{2, 1, 1, 1, 0.82, -1}}) {
+        CAPTURE(each.horizon);
+        CAPTURE(each.order);
+        const Prover proof = prover(each.horizon, each.order, each.stride);
+        CHECK(proof.largest_cfl({each.G, each.G}, Grade::paired) == each.paired);
+        CHECK(proof.largest_cfl({each.G, each.G}, Grade::contractive) == each.contractive);
+    }
+}
+
+TEST_CASE("sup rho = 1 exactly is proved, where NMBC1 has several waves") {
+    const auto parts = prover(2, 1, 1).parts({1.3, 1.7}, 0.75, Grade::paired, 0.01, [](double) {});
+    REQUIRE(parts.size() == 1);
+    CHECK(parts.front().low == 1.3);
+    CHECK(parts.front().high == 1.7);
+    CHECK(prover(3, 1, 1).holds({1, 1}, 0.6, Grade::paired));
+}
+
+TEST_CASE("nothing is proved that does not hold") {
+    // below the window, above it, and in it with a growing mode in longer steps
+    CHECK(!prover(2, 2, 2).holds({0.7, 0.7}, 0, Grade::paired));
+    CHECK(!prover(2, 2, 2).holds({3, 3}, 0, Grade::paired));
+    CHECK(!prover(2, 2, 2).holds({1, 1}, 0.77, Grade::paired));
+    // paired alone: contractive ends at 4.0265
+    CHECK(!prover(3, 2, 3).holds({4.1, 4.1}, 0, Grade::contractive));
+    // a growing boundary mode, Re s = 18.1, although |R| <= 1
+    CHECK(!prover(2, 2, 1).holds({1, 1}, 0, Grade::paired));
+    // amplified by 6.7e-6 in a band 3e-10 wide
+    CHECK(!prover(5, 1, 5).holds({2.28, 2.28}, 0, Grade::contractive));
+    // C(1) = 0 and a pole
+    CHECK(!prover(1, 3, 1).holds({0.9, 1.1}, 0, Grade::paired));
+    CHECK(!prover(2, 2, 1).holds({1.5, 1.52}, 0, Grade::paired));
+}
+
+TEST_CASE("windows of G are proved but for their ends") {
+    const auto silent = [](double) {};
+    const auto parts = prover(2, 2, 2).parts({1, 1.6}, 0, Grade::paired, 1e-3, silent);
+    REQUIRE(parts.size() == 1);
+    CHECK(parts.front().low == 1);
+    CHECK(parts.front().high == 1.6);
+    // n = 1, N = 4 has two, [1/4, 2 - sqrt 2] and [1, 2 + sqrt 2]: nothing between them
+    const auto two = prover(1, 4, 1).parts({0.2, 4}, 0, Grade::paired, 1e-3, silent);
+    const double one_end = 2 - std::sqrt(2);
+    const double other_end = 2 + std::sqrt(2);
+    double covered = 0;
+    for (const nmbc::Window& part : two) {
+        CHECK(((part.low >= 0.25 && part.high <= one_end) ||
+               (part.low >= 1 && part.high <= other_end)));
+        covered += part.high - part.low;
+    }
+    CHECK(covered > 0.95 * (one_end - 0.25 + other_end - 1));
+}
+
+TEST_CASE("damped lattices have no proofs") {
+    CHECK_THROWS_AS(
+        Prover(nmbcgen::derive(
+            {.horizon = 1, .order = 2, .stabilisation = {}, .damping = nmbcgen::Rational(1, 10)})),
+        std::invalid_argument);
+}
+
+}  // namespace

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck disable=SC1091,SC2154  # assert.sh defines what is used here
+# nmbcgen prove: what its page shows, and mistakes. Usage: run_nmbcgen_prove.sh NMBCGEN
+source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+
+try prove --order 2 --horizon 1 --G 1/2
+expect_exit 0
+expect_no_stderr
+expect "both grades to the sampled step" test "$(grep -c \
+    'G = 1/2: proved in every step up to cfl 0.7; sampled: cfl 0.70' "$scratch/stdout")" -eq 2
+try prove --order 1 --horizon 2 --G 1
+expect "NMBC1 is not contractive" grep -q 'contractive  G = 1: nothing proved' "$scratch/stdout"
+# 1/3 is no double: proved at both its neighbours
+try prove --order 2 --horizon 1 --G 1/3
+expect "a proof" grep -q 'paired       G = 1/3: proved in every step' "$scratch/stdout"
+try prove --order 2 --horizon 1 --up-to 0.3
+expect_exit 0
+expect "a window" grep -Eq '^paired +0.250000 .. 1.000000$' "$scratch/stdout"
+expect "a part of it" grep -Eq '^  proved +0.25[0-9]* .. ' "$scratch/stdout"
+try prove --family chain1d --horizon 1 --order 2
+expect_exit 0
+
+for wrong in '--horizon 1' '--order 2' '--order 2 --horizon 1 --up-to 1' \
+    '--order 2 --horizon 1 --up-to 0' '--order 2 --horizon 1 --finest x' \
+    '--order 2 --horizon 1 --G 1 --up-to 0.5' '--order 2 --horizon 1 --damping 1/10' \
+    '--order 2 --horizon 1 --time-step 1/2' '--order 2 --horizon 1 --G -1'; do
+    # shellcheck disable=SC2086  # words
+    try prove $wrong
+    expect_exit 2
+    expect_no_stdout
+done
+try prove --order 2 --horizon 1 --G 1/4
+expect_exit 0
+try prove --order 2 --horizon 2 --stride 1 --G 128/85
+expect "a pole has no condition" test "$code" -eq 3
