@@ -29,8 +29,8 @@ LateralChain bar_chain(const Rational& length, const Medium& medium) {
     LateralChain chain;
     for (int m = -reach; m <= reach; ++m) {
         const double entry = nearest_double(unit * stencil[std::size_t(std::abs(m))]);
-        chain.stiffness.push_back(Eigen::MatrixXd::Constant(1, 1, entry));
-        chain.damping.push_back(Eigen::MatrixXd::Zero(1, 1));
+        chain.stiffness.emplace_back(Eigen::MatrixXd::Constant(1, 1, entry));
+        chain.damping.emplace_back(Eigen::MatrixXd::Zero(1, 1));
     }
     return chain;
 }
