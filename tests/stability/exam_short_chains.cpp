@@ -9,6 +9,7 @@
 #include <nmbc/ends.hpp>
 #include <nmbc/energy.hpp>
 
+#include "generator/stability/discrete.hpp"
 #include "tests/stability/boundary.hpp"
 #include "tests/stability/spectra.hpp"
 
@@ -52,6 +53,23 @@ TEST_CASE("inside a window chains grow up to some length, and none above it") {
         }
         CHECK(longest == each.longest);
     }
+}
+
+TEST_CASE("at horizon 5 chains of up to 46 nodes grow in certified steps, and none of 47 to 60") {
+    const auto h = make_half_space(
+        nmbcgen::derive({.horizon = 5, .order = 2, .stride = 5, .stabilisation = {}}),
+        nmbcgen::Rational(103, 34));
+    const nmbcgen::LatticeEnd end{nmbcgen::LatticeEnd::Kind::matching, h};
+    constexpr double cfl = 0.46;
+    std::size_t longest = 0;
+    for (std::size_t nodes = 40; nodes <= 60; ++nodes) {
+        const auto map = one_step_map(end, end, nodes, 2 * cfl / maximum_frequency(h));
+        for (const auto factor : nmbcgen::test::eigenvalues_by_parity(map, map.rows() / 2)) {
+            constexpr double roundings = 1e-9;
+            longest = std::abs(factor) > 1 + roundings ? nodes : longest;
+        }
+    }
+    CHECK(longest == 46);
 }
 
 TEST_CASE("the runtime's short chain grows so, and a longer one does not") {
