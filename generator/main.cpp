@@ -223,8 +223,7 @@ int run(const Request& request) {
             print(request.as_json ? bonds_json(request.bonds) : bonds_text(request.bonds));
             return done;
         case Action::closure:
-            print(request.as_json ? surface_node_json(request.closure)
-                                  : surface_node_text(request.closure));
+            print(request.as_json ? closure_json(request.closure) : closure_text(request.closure));
             return done;
         case Action::coupling:
             print(with_progress([&request](const Progress&) {

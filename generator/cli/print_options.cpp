@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -104,6 +106,19 @@ void add_format(CLI::App& command, Request& request) {
     command.add_flag("--stdout", request.to_stdout, "print it, as is done in any case");
 }
 
+/// Of summation by parts.
+std::vector<Rational> parts_weights(const WeightChoice& choice, unsigned horizon) {
+    if (std::ranges::any_of(choice.values, [](const Rational& weight) { return weight < 0; })) {
+        throw CLI::ValidationError("--weights", "they must be above 0");
+    }
+    try {
+        const std::vector<Rational> weights = weights_at(choice, horizon);
+        return weights.empty() ? std::vector<Rational>(horizon, Rational(1)) : weights;
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError("--weights", error.what());
+    }
+}
+
 }  // namespace
 
 CLI::App* add_bonds(CLI::App& app, Request& request) {
@@ -148,16 +163,17 @@ CLI::App* add_bonds(CLI::App& app, Request& request) {
 
 CLI::App* add_closure(CLI::App& app, Request& request) {
     auto* const closure = app.add_subcommand(
-        "closure", "a true end of a bond-based chain (docs/how-to/end-a-body.md)");
+        "closure", "a true end of a chain, in exact numbers (docs/how-to/end-a-body.md)");
     const auto require_known = [](const std::string& text) {
-        if (text != "snm") {
+        if (text != "snm" && text != "sbp") {
             throw std::invalid_argument(
-                fmt::format("'{}' is not a closure; allowed: snm", text.substr(0, 60)));
+                fmt::format("'{}' is not a closure; allowed: snm, sbp", text.substr(0, 60)));
         }
         return text;
     };
     add_parsed(*closure, "METHOD", request.closure.method, require_known,
-               "snm, the surface node method")
+               "snm, the surface node method of chains of bonds, or sbp, summation by parts for "
+               "chains of correspondence")
         ->required();
     const auto parse_horizon = [](const std::string& text) {
         return parse_whole_number(text, largest_closure_horizon);
@@ -165,10 +181,25 @@ CLI::App* add_closure(CLI::App& app, Request& request) {
     add_parsed(*closure, "--horizon", request.closure.horizon, parse_horizon,
                fmt::format("m in units of dX, 1 to {}", largest_closure_horizon))
         ->required();
-    closure->add_flag("--corrected", request.closure.corrected,
-                      "weight 3/2 for the nearest bond in place of the printed 1, which makes the "
-                      "chain of second order");
+    auto* const corrected = closure->add_flag(
+        "--corrected", request.closure.corrected,
+        "of snm: weight 3/2 for the nearest bond in place of the printed 1, which makes the chain "
+        "of second order");
+    const auto weights = std::make_shared<WeightChoice>(WeightChoice{&influences().front(), {}});
+    auto* const weights_option =
+        add_parsed(*closure, "--weights", *weights, parse_weights,
+                   "of sbp: influence of bonds of 1 .. n dX, " + influence_names() +
+                       " or exact numbers with commas between; left out: constant");
     add_format(*closure, request);
+    closure->parse_complete_callback([&request, weights, weights_option, corrected] {
+        ClosureTask& task = request.closure;
+        const bool is_sbp = task.method == "sbp";
+        if ((is_sbp ? corrected : weights_option)->count() > 0) {
+            throw CLI::ValidationError(fmt::format(
+                "{} is not of closure {}", is_sbp ? "--corrected" : "--weights", task.method));
+        }
+        task.weights = is_sbp ? parts_weights(*weights, task.horizon) : task.weights;
+    });
     return closure;
 }
 

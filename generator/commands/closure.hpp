@@ -3,17 +3,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "generator/table/exact.hpp"
 
 namespace nmbcgen {
 
 struct ClosureTask {
-    std::string method;
+    std::string method;  ///< "snm" or "sbp"
     unsigned horizon = 0;
-    bool corrected = false;  ///< beta_1 = 3/2
+    bool corrected = false;           ///< of snm: beta_1 = 3/2
+    std::vector<Rational> weights{};  ///< of sbp: w_1 .. w_n
 };
 
-/// The surface node method's rows: for people, or JSON (docs/reference/json.md).
-std::string surface_node_text(const ClosureTask& task);
-std::string surface_node_json(const ClosureTask& task);
+/// The rows of a closure: for people, or JSON (docs/reference/json.md). Throws as the closures do.
+std::string closure_text(const ClosureTask& task);
+std::string closure_json(const ClosureTask& task);
 
 }  // namespace nmbcgen

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <nmbc/coefficients.hpp>
+#include <nmbc/edge_energy.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/node_line.hpp>
 #include <span>
@@ -58,6 +59,13 @@ class BoundaryCondition {
     /// end with forces of its own puts the v of its layer right.
     virtual void after_start(NodeLine<const Real> /*u*/, NodeLine<Real> /*v*/,
                              double /*duration*/) {}
+
+    /// Of an end whose outermost nodes have an energy of their own: that.
+    virtual const EdgeEnergy* own_energy(End /*end*/) const { return nullptr; }
+
+    /// In every step, when the lattice's own forces have acted and nothing else has: the forces of
+    /// such nodes.
+    virtual void complete_kick(NodeLine<const Real> /*u*/, NodeLine<Real> /*v*/) {}
 
     /// In every step, when u is at t, t = step * dt, and the lattice's own forces have brought the
     /// layer's and the interior's v to t + dt/2. Writes the ghosts' v, and may change the v of

@@ -86,6 +86,10 @@ class BasicChain {
     std::size_t nodes_changed_by(End end) const {
         return (end == End::left ? left_ : right_)->least_interior_nodes();
     }
+    /// Of the interior nodes next to an end that has it for them; nullptr: they have the lattice's.
+    const EdgeEnergy* edge_energy(End end) const {
+        return (end == End::left ? left_ : right_)->own_energy(end);
+    }
     double time() const { return static_cast<double>(steps_) * parameters_.time_step; }
     std::size_t steps() const { return steps_; }
 
@@ -265,6 +269,8 @@ class BasicChain {
     void close_sides(Prescribe& prescribe, Observe& observe) {
         const std::size_t done = steps_++;
         const std::span<const Real> u = displacement_;
+        left_->complete_kick({u, End::left}, {velocity_, End::left});
+        right_->complete_kick({u, End::right}, {velocity_, End::right});
         prescribe(u, std::span<Real>(velocity_), time());
         left_->after_kick({u, End::left}, {velocity_, End::left}, done);
         right_->after_kick({u, End::right}, {velocity_, End::right}, done);

@@ -52,6 +52,43 @@ struct EnergySums {
     FoldedBlock::Sum change{};         ///< (now - before)^2 of all squares
 };
 
+/// Adds what the edge at an end has at its nodes first .. last-1, if it has an energy of its own,
+/// to the sums of node 0. Returns how many of these nodes there are.
+template <class Real>
+std::size_t add_edge(const BasicChain<Real>& chain, End end, std::size_t first, std::size_t last,
+                     EnergySums& sums) {
+    const EdgeEnergy* const edge = chain.edge_energy(end);
+    const std::size_t own = edge == nullptr ? 0 : std::min(edge->mass.size(), last);
+    if (first >= own) {
+        return 0;
+    }
+    const std::size_t outermost =
+        chain.first_interior() + (end == End::left ? 0 : chain.parameters().nodes - 1);
+    const std::ptrdiff_t inwards = end == End::left ? 1 : -1;
+    const NodeLine<const Real> u(&chain.displacement()[outermost], inwards);
+    const NodeLine<const Real> v(&chain.velocity()[outermost], inwards);
+    for (std::size_t node = first; node < own; ++node) {
+        const auto velocity = static_cast<double>(v[node]);
+        sums.kinetic[0] += edge->mass[node] * velocity * velocity;
+    }
+    for (const auto& [node, part, weight, stencil] : edge->squares) {
+        if (node < first || node >= own) {
+            continue;
+        }
+        double now = 0;
+        double rate = 0;
+        for (std::size_t i = 0; i < stencil.size(); ++i) {
+            now += stencil[i] * static_cast<double>(u[i]);
+            rate += stencil[i] * static_cast<double>(v[i]);
+        }
+        const double before = now - chain.parameters().time_step * rate;
+        (part == EnergyPart::strain ? sums.strain : sums.stabilisation)[0] +=
+            weight * (now + before) * (now + before);
+        sums.change[0] += weight * (now - before) * (now - before);
+    }
+    return own - first;
+}
+
 }  // namespace detail
 
 /// The energies of the interior nodes first .. last-1 (counted from 0, ghosts and layers left out):
@@ -74,8 +111,11 @@ Energies energies(const BasicChain<Real>& chain, std::size_t first, std::size_t 
     detail::EnergySums sums;
     detail::EnergySums below_0;  // of bonds that are
     detail::FoldedBlock block(detail::reach_of(chain.folded_energy()));
-    for (std::size_t node = begin; node < end; node += detail::FoldedBlock::nodes) {
-        const std::size_t nodes = std::min(end - node, detail::FoldedBlock::nodes);
+    const std::size_t begin_inside = begin + detail::add_edge(chain, End::left, first, last, sums);
+    const std::size_t end_inside =
+        end - detail::add_edge(chain, End::right, p.nodes - last, p.nodes - first, sums);
+    for (std::size_t node = begin_inside; node < end_inside; node += detail::FoldedBlock::nodes) {
+        const std::size_t nodes = std::min(end_inside - node, detail::FoldedBlock::nodes);
         for (std::size_t i = 0; i < nodes; ++i) {
             const double velocity = v[node + i];
             sums.kinetic[i] += velocity * velocity;

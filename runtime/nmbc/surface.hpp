@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// True surfaces: ends at which the body ends, with a displacement or a traction that is given in
-/// time. The ghosts stand in for the neighbours that the families beside the surface lack.
+/// time. Either ghosts stand in for the neighbours that the families beside the surface lack, or
+/// these families have an energy of their own.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +11,9 @@
 #include <memory>
 #include <nmbc/boundary_condition.hpp>
 #include <nmbc/certificate.hpp>
+#include <nmbc/convex_kernel.hpp>
+#include <nmbc/edge_condition.hpp>
+#include <nmbc/edge_energy.hpp>
 #include <nmbc/lattice.hpp>
 #include <stdexcept>
 #include <string>
@@ -19,14 +23,9 @@
 
 namespace nmbc {
 
-/// What is given on the surface.
-enum class OnSurface {
-    displacement,  ///< Dirichlet: u [length]
-    traction,      ///< Neumann: the force on the body per area [stress], along X as u is
-};
-
-/// How the ghosts follow. The surface is midway between the outermost interior node and the
-/// innermost ghost; nodes and ghosts are counted from it, 1, 2, ..
+/// How the chain ends. Of the first two the surface is midway between the outermost interior node
+/// and the innermost ghost; nodes and ghosts are counted from it, 1, 2, .. Of the others the
+/// outermost interior node lies on it.
 enum class Closure {
     /// The mirror image about the surface: ghost f has 2 u_s - u_f, u_s the displacement given, or
     /// u_f + (2f - 1) dX e, e the strain of the traction. The chain is one half of a longer one.
@@ -35,29 +34,45 @@ enum class Closure {
     /// surface and the nearest node, and the bonds across the surface bear the traction. For
     /// chains of bonds.
     surface_node,
+    sbp,     ///< summation by parts (sbp_edge): lattices of correspondence
+    kernel,  ///< convex kernels (kernel_edge): the same, with the influence of a cubic spline
+    cut,     ///< families end where the nodes do (cut_edge): of bonds, too
 };
 
-/// A true end. Both closures keep shifts and uniform strains exactly.
+/// Whether its surface is at the outermost interior node.
+inline bool ends_on_node(Closure closure) {
+    return closure == Closure::sbp || closure == Closure::kernel || closure == Closure::cut;
+}
+
+/// A true end. The closures keep shifts and, but for the last two, uniform strains exactly.
 ///
-/// A mirror keeps the energy while nothing is given. A surface node has no energy: its rows are not
-/// symmetric. Of bonds w_k > 0 between which one wave travels at every frequency it sends that wave
-/// back whole, since its rows are real; `largest_eigenvalue` limits the step.
+/// A surface node has no energy: its rows are not symmetric. Of bonds w_k > 0 between which one
+/// wave travels at every frequency it sends that wave back whole, since its rows are real. The
+/// others have one that is a sum of squares, and keep it while nothing is given.
+/// `largest_eigenvalue` limits the step.
 struct SurfaceEnd {
     Closure closure = Closure::mirror;
     OnSurface given = OnSurface::traction;
     std::function<double(double time)> value{};  ///< none: 0 at all times
 
-    /// Throws NotCertified for a surface node in steps that are too long, std::invalid_argument for
-    /// a surface node of a damped lattice or one whose bonds across the surface bear nothing.
+    /// Throws NotCertified for steps that are too long for the closure, std::invalid_argument for a
+    /// lattice that it does not end: a damped one for all but a mirror.
     template <class Real>
     std::unique_ptr<BoundaryCondition<Real>> make(const Lattice& lattice, const ChainParameters& p,
                                                   std::type_identity<Real> precision) const;
+
+  private:
+    /// Of a value of 1 [length].
+    double unit_of(const ChainParameters& p) const {
+        return given == OnSurface::traction ? p.spacing / p.youngs_modulus : 1;
+    }
 };
 
-/// Bounds -lambda of u'' = lambda u [c^2/dX^2] in a chain of so many interior nodes with surface
-/// nodes at both ends, where this is given: 1 % above the largest, which is the interior's or that
-/// of a mode that decays inwards.
-double largest_eigenvalue(const Lattice& lattice, OnSurface given, std::size_t nodes);
+/// Bounds -lambda of u'' = lambda u [c^2/dX^2] in a chain of so many interior nodes with this
+/// closure at both ends, where this is given: 1 % above the largest, which is the interior's or
+/// that of a mode that decays inwards. Throws as SurfaceEnd::make.
+double largest_eigenvalue(const Lattice& lattice, Closure closure, OnSurface given,
+                          std::size_t nodes);
 
 namespace detail {
 
@@ -214,36 +229,64 @@ inline double fastest_eigenvalue(const Lattice& lattice, const GhostRows& ghosts
 
 }  // namespace detail
 
-inline double largest_eigenvalue(const Lattice& lattice, OnSurface given, std::size_t nodes) {
+namespace detail {
+
+inline EdgeEnergies edges_of(Closure closure, const Lattice& lattice) {
+    if (closure == Closure::cut) {
+        return {cut_edge(lattice, End::left), cut_edge(lattice, End::right)};
+    }
+    const EdgeEnergy edge = closure == Closure::sbp ? sbp_edge(lattice) : kernel_edge(lattice);
+    return {edge, edge};
+}
+
+}  // namespace detail
+
+inline double largest_eigenvalue(const Lattice& lattice, Closure closure, OnSurface given,
+                                 std::size_t nodes) {
     const std::size_t n = lattice.reach();
-    // In a longer chain what decays from one end is gone at the other.
-    const std::size_t short_enough = std::clamp(nodes, n, 6 * n + 8);
     constexpr double margin = 1.01;
-    return margin * detail::fastest_eigenvalue(lattice, detail::surface_node_rows(lattice, given),
-                                               short_enough);
+    // In a longer chain what decays from one end is gone at the other.
+    const auto short_enough = [&](std::size_t least) {
+        return std::clamp(nodes, least, std::max(least, 6 * n + 8));
+    };
+    if (ends_on_node(closure)) {
+        const EdgeEnergies edges = detail::edges_of(closure, lattice);
+        const std::size_t least = 2 * edges.left.mass.size() + 1;
+        return margin * detail::fastest_between(edges, lattice, given == OnSurface::displacement,
+                                                short_enough(least));
+    }
+    const detail::GhostRows ghosts = closure == Closure::mirror
+                                         ? detail::mirror_rows(lattice, given)
+                                         : detail::surface_node_rows(lattice, given);
+    return margin * detail::fastest_eigenvalue(lattice, ghosts, short_enough(n));
 }
 
 template <class Real>
 std::unique_ptr<BoundaryCondition<Real>> SurfaceEnd::make(
     const Lattice& lattice, const ChainParameters& p,
     std::type_identity<Real> /*precision*/) const {
-    const bool is_mirror = closure == Closure::mirror;
-    if (!is_mirror) {
-        if (!lattice.damping.empty()) {
-            throw std::invalid_argument("a surface node needs a lattice without damping");
-        }
-        const double longest = 2 / std::sqrt(largest_eigenvalue(lattice, given, p.nodes));
-        const double step = p.time_step * p.wave_speed() / p.spacing;
-        if (!(step <= longest)) {
-            throw NotCertified("a chain with this surface node is stable in steps up to " +
-                               std::to_string(longest) + " dX/c, and the step is " +
-                               std::to_string(step) + " dX/c");
-        }
+    if (closure == Closure::mirror) {
+        return std::make_unique<detail::SurfaceCondition<Real>>(detail::mirror_rows(lattice, given),
+                                                                unit_of(p), p.time_step, value);
     }
-    const detail::GhostRows ghosts =
-        is_mirror ? detail::mirror_rows(lattice, given) : detail::surface_node_rows(lattice, given);
-    const double unit = given == OnSurface::traction ? p.spacing / p.youngs_modulus : 1;
-    return std::make_unique<detail::SurfaceCondition<Real>>(ghosts, unit, p.time_step, value);
+    if (closure == Closure::surface_node && !lattice.damping.empty()) {
+        throw std::invalid_argument("a surface node needs a lattice without damping");
+    }
+    const double longest = 2 / std::sqrt(largest_eigenvalue(lattice, closure, given, p.nodes));
+    const double step = p.time_step * p.wave_speed() / p.spacing;
+    if (!(step <= longest)) {
+        throw NotCertified("a chain with this true end is stable in steps up to " +
+                           std::to_string(longest) + " dX/c, and the step is " +
+                           std::to_string(step) + " dX/c");
+    }
+    if (closure == Closure::surface_node) {
+        return std::make_unique<detail::SurfaceCondition<Real>>(
+            detail::surface_node_rows(lattice, given), unit_of(p), p.time_step, value);
+    }
+    EdgeEnergies edges = detail::edges_of(closure, lattice);
+    const detail::EdgeStiffness K = detail::stiffness_of(edges.left, lattice);
+    return std::make_unique<detail::EdgeCondition<Real>>(std::move(edges), K, lattice, p, given,
+                                                         value);
 }
 
 }  // namespace nmbc

@@ -246,7 +246,8 @@ TEST_CASE("the spectrum is real and not positive, and within the bound for steps
                 CAPTURE(nodes);
                 const Eigen::VectorXcd lambda =
                     eigenvalues(stiffness_between(lattice, left, right, nodes));
-                const double top = nmbc::largest_eigenvalue(lattice, left, nodes);
+                const double top =
+                    nmbc::largest_eigenvalue(lattice, nmbc::Closure::surface_node, left, nodes);
                 constexpr double roundings =
                     1e-9;  // 1e-13 top, and a root of that for a double one
                 CHECK(lambda.imag().cwiseAbs().maxCoeff() < roundings);

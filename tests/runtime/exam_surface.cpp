@@ -203,7 +203,9 @@ TEST_CASE("in the longest steps that a surface node allows nothing grows") {
             auto p = parameters_of(nodes, 0.5, lattice);
             const double unit = p.spacing / p.wave_speed();
             const double longest =
-                2 / std::sqrt(nmbc::largest_eigenvalue(lattice, given, nodes)) * unit;
+                2 /
+                std::sqrt(nmbc::largest_eigenvalue(lattice, Closure::surface_node, given, nodes)) *
+                unit;
             p.time_step = longest * (1 - 1e-12);
             const SurfaceEnd end{Closure::surface_node, given, {}};
             nmbc::Chain chain(lattice, end, p);

@@ -206,6 +206,25 @@ TEST_CASE("what leaves through an end is what arrives in the nodes beyond it") {
     }
 }
 
+TEST_CASE("the ledger closes beside true ends, which take and give what is given on them") {
+    for (int horizon = 1; horizon <= 3; ++horizon) {
+        for (const auto closure : {nmbc::Closure::sbp, nmbc::Closure::cut}) {
+            for (const auto given : {nmbc::OnSurface::traction, nmbc::OnSurface::displacement}) {
+                CAPTURE(horizon);
+                const nmbc::SurfaceEnd loaded{closure, given,
+                                              [](double time) { return 0.01 * std::sin(time); }};
+                nmbc::Chain chain(lattice_of(horizon, 0.9, false), loaded,
+                                  nmbc::SurfaceEnd{.closure = closure}, parameters);
+                nmbcrun::Ledger ledger(chain, driven);
+                const Outcome outcome = run(chain, ledger, 1000);
+                CHECK(outcome.drift < 3e-12);  // the chain may fly away, as above
+                CHECK(outcome.last.left != 0);
+                CHECK(outcome.last.right == 0);
+            }
+        }
+    }
+}
+
 TEST_CASE("a ledger goes on from its totals bit for bit") {
     const auto ends = ends_of(2, 0.9);
     const auto chain_of_test = [&] {

@@ -67,6 +67,42 @@ expect_stdout_line "right     surface node under a traction of 0"
 expect "what a surface node allows" grep -q "what a surface node allows" "$scratch/stdout"
 expect "the energy stays" awk '/^energy left/ { exit !($3 > .9 && $3 < 1.1) }' "$scratch/stdout"
 
+# Surfaces on the outermost node: the same wave goes in, half a dX later.
+for closure in sbp cut; do
+    try run "$pull" --quiet --set boundary.left.kind=$closure --set output.probes='[200]' --set time.end=400
+    expect_exit 0
+    expect_no_stderr
+    expect "u = -.026587 behind the wave of $closure" \
+        awk -F, 'END { exit !($2 < -.026586 && $2 > -.026588) }' results/surface_pull_probes.csv
+done
+try verify "$pull" --tolerance 2e-5 --set boundary.left.kind=sbp
+expect_exit 0
+for given in traction displacement; do
+    try run "$pull" --quiet --set boundary.left.kind=sbp --set boundary.left.given=$given
+    expect_exit 0
+    expect "energy in at the left, out at the right" awk \
+        '/^went out/ { exit !($3 < -.99 && $3 > -1.001 && $(NF - 4) > .99 && $(NF - 4) < 1.001) }' "$scratch/stdout"
+done
+# Between two, nothing goes out, and what the outermost nodes have is the body's.
+sed '/^\[boundary.left.value\]/,/^$/d; s/^kind = .*/kind = "sbp"/' "$pull" >body.toml
+cat >>body.toml <<'TOML'
+[initial]
+shape = "gaussian"
+amplitude = 0.01
+centre = 50
+width = 10
+TOML
+try run body.toml
+expect_exit 0
+expect_stdout_line "boundary  summation by parts under a traction of 0"
+expect "what an sbp end allows" grep -q 'what a "sbp" end allows' "$scratch/stdout"
+expect "the energy stays" awk '/^energy left/ { exit !($3 > .98 && $3 < 1.001) }' "$scratch/stdout"
+expect "nothing went out" awk '/^went out/ { exit !($3 * $3 < 1e-24 && $(NF - 4) ^ 2 < 1e-24) }' "$scratch/stdout"
+refuses 2 "convex kernels continue the influence of a cubic spline" body.toml --set boundary.left.kind=kernel
+refuses 2 "this end is one of correspondence lattices without damping" bonds.toml --set boundary.left.kind=sbp
+refuses 2 'preload is not known beside an end of kind "sbp"' body.toml --set preload.strain=0.01
+refuses 2 "needs at least 8 interior nodes" body.toml --set domain.nodes=7 --set initial.centre=4
+
 refuses 2 "stable in steps up to" bonds.toml --set time.cfl=0.999
 refuses 4 "no certificate for a surface node where several waves have one frequency" bonds.toml \
     --set model.horizon=2 --set model.influence='[1, 1]' --set model.tables='["alike.json"]'

@@ -5,11 +5,11 @@ namespace nmbcrun {
 namespace {
 
 /// Of the numbers of a node and its image.
-std::ptrdiff_t sum_with_image(bool at_left, bool fixed, std::ptrdiff_t nodes) {
-    if (at_left) {
-        return fixed ? -2 : -1;
-    }
-    return fixed ? 2 * nodes : 2 * nodes - 1;
+std::ptrdiff_t sum_with_image(bool at_left, BoundaryKind kind, std::ptrdiff_t nodes) {
+    // Midway between the outermost node and the ghost beyond; fixed on this, or the other one.
+    const bool on_node = is_surface(kind) && nmbc::ends_on_node(closure_of(kind));
+    const std::ptrdiff_t outwards = kind == BoundaryKind::fixed ? 1 : on_node ? -1 : 0;
+    return at_left ? -1 - outwards : 2 * nodes - 1 + outwards;
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ std::vector<double> Mirrors::folded(std::span<const double> field) const {
         while ((node < 0 && at_left()) || (node >= nodes && at_right())) {
             const Boundary& end = node < 0 ? left_ : right_;
             const bool fixed = end.kind == BoundaryKind::fixed;
-            const std::ptrdiff_t sum = sum_with_image(node < 0, fixed, nodes);
+            const std::ptrdiff_t sum = sum_with_image(node < 0, end.kind, nodes);
             if (2 * node == sum) {
                 value = 0;
                 break;

@@ -36,12 +36,12 @@ void shorten(AutomaticStep& step, double cfl, std::string limit) {
     }
 }
 
-/// Of the fastest mode beside a surface node, or of the interior: omega_max over its frequency.
-double surface_node_cfl(const Scene& scene, const Boundary& boundary,
-                        const nmbc::Lattice& lattice) {
+/// Of the fastest mode beside a true end, or of the interior: omega_max over its frequency.
+double surface_cfl(const Scene& scene, const Boundary& boundary, const nmbc::Lattice& lattice) {
     constexpr double rounding = 1e-9;  // of the largest eigenvalue
     return (1 - rounding) * nmbc::maximum_frequency(lattice) /
-           std::sqrt(nmbc::largest_eigenvalue(lattice, boundary.given, scene.nodes));
+           std::sqrt(nmbc::largest_eigenvalue(lattice, closure_of(boundary.kind), boundary.given,
+                                              scene.nodes));
 }
 
 std::string why_uncertified(const Scene& scene, const Boundary& boundary) {
@@ -69,9 +69,11 @@ AutomaticStep with_their_like(const Scene& scene, const nmbc::Lattice& lattice) 
         if (boundary->kind == BoundaryKind::passive) {
             shorten(step, DesignedEnd::largest_cfl, "what passive ends are designed for");
         }
-        if (boundary->kind == BoundaryKind::snm) {
-            shorten(step, surface_node_cfl(scene, *boundary, lattice),
-                    "what a surface node allows");
+        if (is_surface(boundary->kind) && boundary->kind != BoundaryKind::mirror) {
+            shorten(step, surface_cfl(scene, *boundary, lattice),
+                    boundary->kind == BoundaryKind::snm
+                        ? "what a surface node allows"
+                        : fmt::format("what a \"{}\" end allows", name_of(boundary->kind)));
         }
         const Boundary& opposite = boundary == &scene.left ? scene.right : scene.left;
         const double time_step = 2 * step.cfl / nmbc::maximum_frequency(lattice);

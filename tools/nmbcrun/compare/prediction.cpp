@@ -21,6 +21,9 @@ std::optional<std::function<double(double xi)>> reflected_energy_of(const Scene&
         case BoundaryKind::free:
         case BoundaryKind::mirror:
         case BoundaryKind::snm:
+        case BoundaryKind::sbp:
+        case BoundaryKind::kernel:
+        case BoundaryKind::cut:
             return [](double) { return 1.0; };
         case BoundaryKind::exact:
             return [](double) { return 0.0; };

@@ -25,12 +25,45 @@ constexpr double sponge_target = 1e-2;
 constexpr double pml_target = 1e-4;
 
 const std::vector<std::pair<std::string_view, BoundaryKind>> boundary_kinds{
-    {"nmbc", BoundaryKind::nmbc},     {"fixed", BoundaryKind::fixed},
-    {"free", BoundaryKind::free},     {"mirror", BoundaryKind::mirror},
-    {"snm", BoundaryKind::snm},       {"extended", BoundaryKind::extended},
-    {"exact", BoundaryKind::exact},   {"sponge", BoundaryKind::sponge},
-    {"pml", BoundaryKind::pml},       {"passive", BoundaryKind::passive},
-    {"higdon", BoundaryKind::higdon}, {"truncated", BoundaryKind::truncated}};
+    {"nmbc", BoundaryKind::nmbc},
+    {"fixed", BoundaryKind::fixed},
+    {"free", BoundaryKind::free},
+    {"mirror", BoundaryKind::mirror},
+    {"snm", BoundaryKind::snm},
+    {"sbp", BoundaryKind::sbp},
+    {"kernel", BoundaryKind::kernel},
+    {"cut", BoundaryKind::cut},
+    {"extended", BoundaryKind::extended},
+    {"exact", BoundaryKind::exact},
+    {"sponge", BoundaryKind::sponge},
+    {"pml", BoundaryKind::pml},
+    {"passive", BoundaryKind::passive},
+    {"higdon", BoundaryKind::higdon},
+    {"truncated", BoundaryKind::truncated}};
+
+const std::vector<std::pair<BoundaryKind, nmbc::Closure>> surfaces{
+    {BoundaryKind::mirror, nmbc::Closure::mirror},
+    {BoundaryKind::snm, nmbc::Closure::surface_node},
+    {BoundaryKind::sbp, nmbc::Closure::sbp},
+    {BoundaryKind::kernel, nmbc::Closure::kernel},
+    {BoundaryKind::cut, nmbc::Closure::cut}};
+
+/// In words.
+std::string_view name_of(nmbc::Closure closure) {
+    switch (closure) {
+        case nmbc::Closure::surface_node:
+            return "surface node";
+        case nmbc::Closure::sbp:
+            return "summation by parts";
+        case nmbc::Closure::kernel:
+            return "convex kernels";
+        case nmbc::Closure::cut:
+            return "cut";
+        case nmbc::Closure::mirror:
+            break;
+    }
+    return "mirror";
+}
 
 /// The keys that count for it, `kind` aside.
 std::vector<std::string_view> keys_of(BoundaryKind kind) {
@@ -47,6 +80,9 @@ std::vector<std::string_view> keys_of(BoundaryKind kind) {
             return {"layer", "profile", "target"};
         case BoundaryKind::mirror:
         case BoundaryKind::snm:
+        case BoundaryKind::sbp:
+        case BoundaryKind::kernel:
+        case BoundaryKind::cut:
             return {"given"};
         case BoundaryKind::fixed:
         case BoundaryKind::free:
@@ -134,8 +170,8 @@ std::optional<ForceHistory> read_value(SceneReader& reader, const std::string& p
         return std::nullopt;
     }
     if (!is_surface(kind)) {
-        reader.fail(name, fmt::format("does not count for kind \"{}\"; it is given on a \"mirror\" "
-                                      "or an \"snm\"",
+        reader.fail(name, fmt::format("does not count for kind \"{}\"; it is given on a surface: a "
+                                      "\"mirror\", \"snm\", \"sbp\", \"kernel\" or \"cut\"",
                                       name_of(kind)));
     }
     const KeyGroup group(reader, name, path);
@@ -204,7 +240,17 @@ bool is_physical(BoundaryKind kind) {
 }
 
 bool is_surface(BoundaryKind kind) {
-    return kind == BoundaryKind::mirror || kind == BoundaryKind::snm;
+    return std::ranges::find(surfaces, kind, &std::pair<BoundaryKind, nmbc::Closure>::first) !=
+           surfaces.end();
+}
+
+nmbc::Closure closure_of(BoundaryKind kind) {
+    const auto found =
+        std::ranges::find(surfaces, kind, &std::pair<BoundaryKind, nmbc::Closure>::first);
+    if (found == surfaces.end()) {
+        throw std::logic_error("this end is no surface");
+    }
+    return found->second;
 }
 
 Scene with_artificial_ends(Scene scene, const Boundary& boundary) {
@@ -269,8 +315,10 @@ std::string heading_of(const Boundary& boundary) {
             return fmt::format("higdon of order {}", boundary.order);
         case BoundaryKind::mirror:
         case BoundaryKind::snm:
-            return fmt::format("{} {}{}",
-                               boundary.kind == BoundaryKind::mirror ? "mirror" : "surface node",
+        case BoundaryKind::sbp:
+        case BoundaryKind::kernel:
+        case BoundaryKind::cut:
+            return fmt::format("{} {}{}", name_of(closure_of(boundary.kind)),
                                boundary.given == nmbc::OnSurface::traction ? "under a traction"
                                                                            : "at a displacement",
                                boundary.value ? " in time" : " of 0");

@@ -29,6 +29,9 @@ enum class BoundaryKind {
     free,       ///< ghosts the mirror image
     mirror,     ///< likewise, under a traction or at a displacement that is given in time
     snm,        ///< the same by a surface node (SNM 2023)
+    sbp,        ///< the same on the outermost node, by summation by parts
+    kernel,     ///< the same by convex kernels (Wu 2015)
+    cut,        ///< the same, the families cut off there
     extended,   ///< more of the same lattice, fixed at its far end
     exact,      ///< the same lattice for ever, by convolution
     sponge,     ///< a layer that damps the velocity
@@ -51,7 +54,7 @@ struct Boundary {
     // Of a sponge or pml:
     double profile = 2;              ///< exponent of the loss in the depth
     std::optional<double> target{};  ///< what the continuum sends back; nothing: the kind's own
-    // Of a mirror or snm:
+    // Of a surface, is_surface():
     nmbc::OnSurface given = nmbc::OnSurface::traction;
     std::optional<ForceHistory> value{};  ///< of that [stress or length]; nothing: 0
 
@@ -71,6 +74,9 @@ bool is_physical(BoundaryKind kind);
 
 /// Whether it is a surface with something given on it.
 bool is_surface(BoundaryKind kind);
+
+/// How it is closed. Throws std::logic_error for a kind that is no surface.
+nmbc::Closure closure_of(BoundaryKind kind);
 
 /// Whether it puts a layer outside of the interior.
 bool has_layer(BoundaryKind kind);

@@ -68,10 +68,13 @@ nmbc::SurfaceEnd surface_of(const Scene& scene, const Boundary& boundary) {
                         "{}: take \"mirror\"",
                         scene.family));
     }
-    nmbc::SurfaceEnd surface{
-        boundary.kind == BoundaryKind::mirror ? nmbc::Closure::mirror : nmbc::Closure::surface_node,
-        boundary.given,
-        {}};
+    if (ends_on_node(closure_of(boundary.kind)) && (scene.incoming || scene.preload)) {
+        throw SceneError(fmt::format(
+            R"({} beside an end of kind "{}": take "mirror", or give what is on the surface)",
+            scene.preload ? "preload is not known" : "incoming waves are not known",
+            name_of(boundary.kind)));
+    }
+    nmbc::SurfaceEnd surface{closure_of(boundary.kind), boundary.given, {}};
     if (boundary.value) {
         surface.value = [history = value_in_time(*boundary.value)](double time) {
             return history.at(time);
@@ -105,6 +108,9 @@ nmbc::ChainEnd chain_end(const Scene& scene, const Boundary& boundary) {
             return nmbc::FreeEnd{};
         case BoundaryKind::mirror:
         case BoundaryKind::snm:
+        case BoundaryKind::sbp:
+        case BoundaryKind::kernel:
+        case BoundaryKind::cut:
             return surface_of(scene, boundary);
         case BoundaryKind::extended:
             return boundary.layer > 0 ? nmbc::ChainEnd(nmbc::FixedEnd{boundary.layer})

@@ -5,6 +5,23 @@
 #include <set>
 
 namespace nmbcrun {
+namespace {
+
+/// Over that of an interior node.
+double mass_of(const nmbc::Chain& chain, std::size_t node) {
+    const std::size_t from_left = node - chain.first_interior();
+    const std::size_t from_right = chain.parameters().nodes - 1 - from_left;
+    for (const auto& [end, depth] :
+         {std::pair(nmbc::End::left, from_left), std::pair(nmbc::End::right, from_right)}) {
+        const nmbc::EdgeEnergy* const edge = chain.edge_energy(end);
+        if (edge != nullptr && depth < edge->mass.size()) {
+            return edge->mass[depth];
+        }
+    }
+    return 1;
+}
+
+}  // namespace
 
 Ledger::Ledger(const nmbc::Chain& chain, std::span<const std::size_t> driven)
     : begin_(chain.first_interior()),
@@ -20,8 +37,9 @@ Ledger::Ledger(const nmbc::Chain& chain, std::span<const std::size_t> driven)
         squares_.push_back({weight * unit, {first, last}, std::size_t(middle - first)});
     }
     watch(chain, driven);
-    left_ = edge_at(begin_, true);
-    right_ = edge_at(end_, false);
+    // Beyond an edge with an energy of its own there is nothing.
+    left_ = chain.edge_energy(nmbc::End::left) == nullptr ? edge_at(begin_, true) : Edge{};
+    right_ = chain.edge_energy(nmbc::End::right) == nullptr ? edge_at(end_, false) : Edge{};
     keep_old(chain.velocity());
     totals_.start = energy(chain, nmbc::energies(chain));
 }
@@ -38,7 +56,7 @@ void Ledger::watch(const nmbc::Chain& chain, std::span<const std::size_t> driven
         nodes.insert(end_ - 1 - i);
     }
     for (const std::size_t node : nodes) {
-        watched_.push_back({.node = node, .old = 0});
+        watched_.push_back({.node = node, .mass = mass_of(chain, node), .old = 0});
     }
 }
 
@@ -105,8 +123,8 @@ void Ledger::enter(std::span<const double> u, std::span<const double> v) {
     double work = 0;
     double left = time_step_ / 2 * power(left_, u, v);
     double right = time_step_ / 2 * power(right_, u, v);
-    for (const auto& [node, old, kicked, driven] : watched_) {
-        const double path = mass_ * (v[node] + old) / 2;
+    for (const auto& [node, mass, old, kicked, driven] : watched_) {
+        const double path = mass_ * mass * (v[node] + old) / 2;
         work += path * driven;
         // What an end has corrected:
         (node - begin_ < end_ - 1 - node ? left : right) += path * (v[node] - kicked);
@@ -145,8 +163,12 @@ double Ledger::energy(const nmbc::Chain& chain, const nmbc::Energies& energies) 
                 outside += square.weight / 2 * now * (now - time_step_ * rate);
             }
         };
-        add(begin_ + 1 - stencil.size(), begin_ - square.before);
-        add(end_ - square.before, end_);
+        if (chain.edge_energy(nmbc::End::left) == nullptr) {
+            add(begin_ + 1 - stencil.size(), begin_ - square.before);
+        }
+        if (chain.edge_energy(nmbc::End::right) == nullptr) {
+            add(end_ - square.before, end_);
+        }
     }
     return energies.staggered + outside;
 }

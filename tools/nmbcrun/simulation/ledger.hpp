@@ -72,6 +72,7 @@ class Ledger {
     /// An interior node whose velocity the sources or an end may change.
     struct Watched {
         std::size_t node = 0;
+        double mass = 1;    // of an interior node's
         double old = 0;     // v half a step ago
         double kicked = 0;  // by the lattice, and then the sources
         double driven = 0;  // what the sources added

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// True ends on the outermost node: summation by parts, convex kernels (Wu 2015), the plain cut.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nmbc/nmbc.hpp>
+#include <nmbc/tables/tables.hpp>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+using nmbc::Closure;
+using nmbc::OnSurface;
+using nmbc::SurfaceEnd;
+
+nmbc::Lattice constant_influence(int horizon, double G) {
+    return nmbc::make_lattice(*nmbc::find_table(nmbc::generated::tables, "nopd1d", horizon, 1, 1),
+                              G);
+}
+
+/// nopd1d of a cubic spline of radius 3 dX, at G = 0: weights 15, 2.
+nmbc::Lattice spline_lattice() {
+    const double shape = 2 * (15 + 4 * 2);
+    const double near = 15 / shape;
+    const double far = 4 / shape;
+    nmbc::Lattice lattice;
+    lattice.energy.push_back({nmbc::EnergyPart::strain, 1, {-far, -near, 0, near, far}});
+    const std::vector<double>& strain = lattice.energy[0].stencil;
+    for (std::size_t m = 0; m <= 4; ++m) {
+        double sum = 0;
+        for (std::size_t i = 0; i + m < strain.size(); ++i) {
+            sum += strain[i] * strain[i + m];
+        }
+        lattice.symbol.push_back(sum);
+    }
+    return lattice;
+}
+
+/// In units of their own, so that none is taken for 1, and in steps that the closure allows.
+nmbc::ChainParameters parameters_of(std::size_t nodes, Closure closure,
+                                    const nmbc::Lattice& lattice) {
+    nmbc::ChainParameters p{.nodes = nodes, .spacing = 0.5, .youngs_modulus = 8, .density = 2};
+    p.time_step =
+        1.8 / std::sqrt(nmbc::largest_eigenvalue(lattice, closure, OnSurface::traction, nodes)) *
+        p.spacing / p.wave_speed();
+    return p;
+}
+
+/// X of an entry, from the left surface.
+double place(const nmbc::Chain& chain, std::size_t entry) {
+    return (double(entry) - double(chain.first_interior())) * chain.parameters().spacing;
+}
+
+/// The largest departure from an even strain of 1/4 in 2000 steps between a displacement and the
+/// traction of that strain, over the largest displacement.
+double failure_of_patch(const nmbc::Lattice& lattice, Closure closure) {
+    constexpr double strain = 0.25;
+    const auto p = parameters_of(40, closure, lattice);
+    const auto constant = [](double value) { return [value](double) { return value; }; };
+    nmbc::Chain chain(lattice, SurfaceEnd{closure, OnSurface::displacement, constant(1.5)},
+                      SurfaceEnd{closure, OnSurface::traction, constant(p.youngs_modulus * strain)},
+                      p);
+    std::vector<double> u(chain.nodes());
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        u[i] = 1.5 + strain * place(chain, i);
+    }
+    chain.start(u, std::vector<double>(u.size()));
+    chain.advance(2000);
+    double failure = 0;
+    const std::size_t end = chain.first_interior() + p.nodes;
+    for (std::size_t i = chain.first_interior(); i < end; ++i) {
+        failure = std::max(failure, std::abs(std::as_const(chain).displacement()[i] - u[i]));
+    }
+    return failure / u[end - 1];
+}
+
+void start_anyhow(nmbc::Chain& chain) {
+    std::vector<double> u(chain.nodes());
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        u[i] = std::sin(double(i * i));
+    }
+    chain.start(u, std::vector<double>(u.size()));
+}
+
+}  // namespace
+
+TEST_CASE("summation by parts passes the patch test, whatever G is") {
+    for (int horizon = 1; horizon <= 5; ++horizon) {
+        for (const double G : {0.0, 0.3, 1.0, 4.0}) {
+            CAPTURE(horizon);
+            CAPTURE(G);
+            CHECK(failure_of_patch(constant_influence(horizon, G), Closure::sbp) < 1e-12);
+        }
+    }
+    CHECK(failure_of_patch(spline_lattice(), Closure::sbp) < 1e-12);
+}
+
+TEST_CASE("a plain cut and convex kernels do not pass it") {
+    CHECK(failure_of_patch(constant_influence(2, 0), Closure::cut) > 0.01);
+    CHECK(failure_of_patch(spline_lattice(), Closure::cut) > 0.01);
+    CHECK(failure_of_patch(spline_lattice(), Closure::kernel) > 0.01);
+}
+
+TEST_CASE("convex kernels: partition of unity, (20), and the force at the end, (25)") {
+    for (const std::size_t n : {1U, 2U, 3U, 5U}) {
+        const std::size_t nodes = 4 * n + 3;
+        const auto psi = nmbc::detail::convex_kernels(n, nodes);
+        for (std::size_t at = 0; at + n < nodes; ++at) {
+            double sum = 0;
+            double moment = 0;
+            for (std::size_t node = 0; node < nodes; ++node) {
+                CHECK(psi[node * nodes + at] >= 0);
+                sum += psi[node * nodes + at];
+                moment += psi[node * nodes + at] * double(node);
+            }
+            CHECK(std::abs(sum - 1) < 1e-12);
+            CHECK(std::abs(moment - double(at)) < 1e-12);
+            CHECK(psi[at] == doctest::Approx(at == 0 ? 1 : at == 1 ? psi[1] : 0));
+        }
+    }
+    // Forces of an even strain of 1, of which node 0 has the stress itself.
+    const nmbc::Lattice lattice = spline_lattice();
+    const auto K = nmbc::detail::stiffness_of(nmbc::kernel_edge(lattice), lattice);
+    std::vector<double> force(K.rows);
+    for (std::size_t row = 0; row < K.rows; ++row) {
+        for (std::size_t column = 0; column < K.columns; ++column) {
+            force[row] -= K.entries[row * K.columns + column] * double(column);
+        }
+    }
+    constexpr double digits = 5e-3;
+    CHECK(std::abs(force[0] - 1) < 1e-12);
+    CHECK(std::abs(force[1] - 0.06) < digits);
+    CHECK(std::abs(force[2] - 0.22) < digits);
+    CHECK(std::abs(force[3] + 0.15) < digits);
+}
+
+TEST_CASE("the energy is kept, between unlike ends, too") {
+    for (const Closure closure : {Closure::sbp, Closure::kernel, Closure::cut}) {
+        for (int horizon = 1; horizon <= 4; ++horizon) {
+            const nmbc::Lattice lattice =
+                closure == Closure::kernel ? spline_lattice() : constant_influence(horizon, 0.8);
+            for (const auto given : {OnSurface::displacement, OnSurface::traction}) {
+                CAPTURE(int(closure));
+                CAPTURE(horizon);
+                const auto p = parameters_of(30, closure, lattice);
+                nmbc::Chain chain(lattice, SurfaceEnd{closure, given, {}},
+                                  SurfaceEnd{closure, OnSurface::traction, {}}, p);
+                start_anyhow(chain);
+                const double start = nmbc::energies(chain).staggered;
+                double drift = 0;
+                for (int step = 0; step < 2000; ++step) {
+                    chain.step();
+                    drift = std::max(drift, std::abs(nmbc::energies(chain).staggered / start - 1));
+                }
+                CHECK(drift < 1e-12);  // 2000 steps of roundings
+                CHECK(nmbc::energies(chain, 0, 3).kinetic + nmbc::energies(chain, 3, 30).kinetic ==
+                      doctest::Approx(nmbc::energies(chain).kinetic).epsilon(1e-13));
+            }
+        }
+    }
+}
+
+TEST_CASE("a bar of bonds that is cut has no bonds beyond, at either end") {
+    nmbc::Lattice bonds;
+    bonds.symbol = {2.5, -1, -0.25};
+    bonds.energy.push_back({nmbc::EnergyPart::strain, 1, {0, -1, 1}});
+    bonds.energy.push_back({nmbc::EnergyPart::strain, 0.25, {0, 0, -1, 0, 1}});
+    const nmbc::ChainParameters p{.nodes = 12, .time_step = 0.5};
+    nmbc::Chain chain(bonds, SurfaceEnd{.closure = Closure::cut}, p);
+    std::vector<double> u(chain.nodes());
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        u[i] = place(chain, i);
+    }
+    chain.start(u, std::vector<double>(u.size()));
+    chain.step();
+    for (std::size_t i = 0; i < p.nodes; ++i) {
+        // Of an even strain of 1, a bond k has the force w_k k.
+        const std::size_t depth = std::min(i, p.nodes - 1 - i);
+        const double missing = (depth == 0 ? 1.0 : 0.0) + (depth < 2 ? 0.5 : 0.0);
+        const double sign = i < 6 ? 1 : -1;
+        CHECK(std::as_const(chain).velocity()[chain.first_interior() + i] ==
+              doctest::Approx(sign * missing * 0.25).epsilon(1e-13));  // half a step
+    }
+}
+
+TEST_CASE("a surface that moves far takes the bar with it, without roundings of the way") {
+    const nmbc::Lattice lattice = constant_influence(2, 1);
+    const auto p = parameters_of(40, Closure::sbp, lattice);
+    nmbc::Chain chain(lattice, SurfaceEnd{.closure = Closure::sbp}, p);
+    std::vector<double> far(chain.nodes(), 1e9);
+    chain.start(far, std::vector<double>(far.size()));
+    chain.advance(1000);
+    for (std::size_t i = 0; i < far.size(); ++i) {
+        CHECK(std::as_const(chain).displacement()[i] == 1e9);
+    }
+}
+
+TEST_CASE("what is given in time goes in as a wave, to second order in dX") {
+    const nmbc::Lattice lattice = constant_influence(2, 1);
+    for (const auto given : {OnSurface::displacement, OnSurface::traction}) {
+        std::vector<double> errors;
+        for (const double width : {20.0, 40.0}) {
+            auto p = parameters_of(std::size_t(24 * width), Closure::sbp, lattice);
+            const double c = p.wave_speed();
+            const double unit = width * p.spacing / c;
+            const auto g = [=](double t) { return std::exp(-std::pow(t / unit - 6, 2)); };
+            const auto value = [=](double t) {
+                const double slope = -2 * (t / unit - 6) / unit * g(t);
+                return given == OnSurface::displacement ? g(t) : p.density * c * slope;
+            };
+            nmbc::Chain chain(lattice, SurfaceEnd{Closure::sbp, given, value}, nmbc::FixedEnd{}, p);
+            double error = 0;
+            while (chain.time() < 15 * unit) {
+                chain.step();
+                for (std::size_t i = chain.first_interior(); i + chain.ghosts() < chain.nodes();
+                     ++i) {
+                    error = std::max(error, std::abs(std::as_const(chain).displacement()[i] -
+                                                     g(chain.time() - place(chain, i) / c)));
+                }
+            }
+            errors.push_back(error);
+        }
+        CHECK(errors[0] < 0.02);
+        CHECK(errors[0] / errors[1] > 3.5);
+    }
+}
+
+TEST_CASE("steps and lattices that are refused") {
+    const nmbc::Lattice lattice = constant_influence(2, 1);
+    const SurfaceEnd end{.closure = Closure::sbp};
+    auto p = parameters_of(40, Closure::sbp, lattice);
+    p.time_step *= 1.2;
+    CHECK_THROWS_AS(nmbc::Chain(lattice, end, p), nmbc::NotCertified);
+    p.time_step /= 2;
+    CHECK_NOTHROW(nmbc::Chain(lattice, end, p));
+    CHECK_THROWS_AS(nmbc::Chain(lattice, SurfaceEnd{.closure = Closure::kernel}, p),
+                    std::invalid_argument);
+    nmbc::Lattice damped = lattice;
+    damped.damping = {2, -1};
+    for (const Closure closure : {Closure::sbp, Closure::cut, Closure::kernel}) {
+        CHECK_THROWS_AS(nmbc::Chain(damped, SurfaceEnd{.closure = closure}, p),
+                        std::invalid_argument);
+    }
+    p.nodes = 7;
+    CHECK_THROWS_AS(nmbc::Chain(lattice, end, p), std::invalid_argument);
+}
