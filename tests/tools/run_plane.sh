@@ -31,11 +31,51 @@ energy_left 2.4e-4 2.7e-4 "$scene" --set boundary.kind=higdon --set boundary.abs
     --set boundary.allow_unstable=true --set model.G=0.7853981633974483
 energy_left 0.9 1 "$scene" --set boundary.kind=free
 energy_left 0.9 1 "$scene" --set boundary.kind=fixed
+energy_left 0.9 1 "$scene" --set boundary.kind=sbp
 energy_left 0.01 0.03 "$scene" --set boundary.kind=sponge --set boundary.layer=60
 energy_left 3.5e-5 3.6e-5 "$scene" --set boundary.kind=pml --set boundary.layer=20 --set boundary.target=1e-4 \
     --set boundary.allow_unstable=true
 energy_left 0.1 0.3 "$scene" --set boundary.left.kind=free --set boundary.top.kind=fixed
 energy_left 1e-4 2e-3 "$band" --set model.G=0
+
+# Pulled slowly at one side and held at the other, which lie on the outer ones of two lines beyond: u_y = sigma (Y +
+# 1)/E, u_x = -nu sigma (X - 21/2)/E.
+cat >pulled.toml <<'TOML'
+[model]
+family = "nopd2d"
+radius2 = 1
+nu = 0.3
+G = 0.5
+[domain]
+nodes = [20, 10]
+[boundary]
+kind = "sbp"
+[load.top]
+kind = "traction"
+side = "top"
+component = "y"
+amplitude = 1e-3
+rise = 4000
+[load.bottom]
+kind = "velocity"
+side = "bottom"
+component = "y"
+amplitude = 0
+[time]
+end = 4100
+[output]
+every = 1000
+probes = [[20, 10]]
+TOML
+try run pulled.toml --quiet
+expect_exit 0
+expect_no_stderr
+expect "an even strain" awk -F, 'END { x = -0.3e-3 * 9.5; y = 11e-3; exit !(($2 / x - 1) ^ 2 < 1e-5 && ($3 / y - 1) ^ 2 < 1e-5) }' \
+    results/pulled_probes.csv
+expect "the ledger closes" awk '/^ledger drift/ { exit !($3 < 1e-12) }' "$scratch/stdout"
+try run pulled.toml --quiet --out refused --set model.radius2=4
+expect_exit 2
+expect_stderr 'a side of kind "sbp" is for nopd2d of model.radius2 = 1'
 
 # A field that comes in from the layers beside the scene's nodes is no growth.
 for kind in extended passive; do

@@ -62,9 +62,10 @@ struct PlaneLoad {
     double amplitude = 0;  ///< [length/time] or [force/volume]
     std::array<double, 2> centre{};
     std::array<double, 2> half_width{};
-    double rise = 0;               ///< grows linearly up to this time
-    double until = 0;              ///< and ends at this one
-    std::filesystem::path file{};  ///< or follows this one, columns time, force
+    std::optional<std::size_t> surface{};  ///< an sbp side, on whose nodes it acts instead
+    double rise = 0;                       ///< grows linearly up to this time
+    double until = 0;                      ///< and ends at this one
+    std::filesystem::path file{};          ///< or follows this one, columns time, force
 };
 
 /// Bonds that are cut from the start, and when others break.

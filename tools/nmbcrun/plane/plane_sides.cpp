@@ -28,11 +28,12 @@ nmbc::PassiveSide designed_side_of(const PlaneScene& scene) {
                         nmbcgen::largest_side_radius_squared, scene.radius_squared));
     }
     try {
-        nmbcgen::SideTask task{.family = "nopd2d",
-                               .choice = {.radius_squared = scene.radius_squared},
-                               .g = nmbcgen::Rational(scene.G / std::numbers::pi),
-                               .time_step = 0,
-                               .has_null_lagrangian = !scene.has(SideKind::free)};
+        nmbcgen::SideTask task{
+            .family = "nopd2d",
+            .choice = {.radius_squared = scene.radius_squared},
+            .g = nmbcgen::Rational(scene.G / std::numbers::pi),
+            .time_step = 0,
+            .has_null_lagrangian = !scene.has(SideKind::free) && !scene.has(SideKind::sbp)};
         if (scene.is_bond_based()) {
             task.family = "bond2d";
             task.choice.weights.assign(scene.weights.begin(), scene.weights.end());
@@ -103,6 +104,22 @@ nmbc::HigdonSide higdon_side_of(const PlaneScene& scene, const PlaneSideChoice& 
     return side;
 }
 
+/// Of radius 1 gradients are those of a chain of n = 1 along each axis, and so their sums by parts:
+/// half of the volume and mass on the surface, and products of these in the corners.
+nmbc::PassiveSide sbp_side_of(const PlaneScene& scene) {
+    if (scene.is_bond_based() || scene.radius_squared != 1) {
+        throw SceneError(
+            "a side of kind \"sbp\" is for nopd2d of model.radius2 = 1, whose gradients along one "
+            "axis are not sums along the other, too: take \"free\", which is too soft, or radius "
+            "1");
+    }
+    const std::vector<double> half{0.5};
+    return {.strain = half,
+            .stabilisation = half,
+            .mass = {half, half},
+            .dashpots = {std::vector<double>{0}, std::vector<double>{0}}};
+}
+
 nmbc::SpongeSide sponge_side_of(const PlaneScene& scene, const PlaneSideChoice& choice) {
     const double speed = model_of(scene).speed_P();
     // Of steps of 2 dX sqrt(rho/E): gamma dt/2 is gamma then.
@@ -144,7 +161,7 @@ void require_matched_layers(const PlaneScene& scene) {
             "bond2d that leads along both has none: take passive sides or a sponge");
     }
     for (const SideKind kind :
-         {SideKind::passive, SideKind::free, SideKind::nmbc, SideKind::higdon}) {
+         {SideKind::passive, SideKind::free, SideKind::sbp, SideKind::nmbc, SideKind::higdon}) {
         if (scene.has(kind)) {
             throw SceneError(
                 fmt::format("beside a perfectly matched layer there are pml, fixed, extended, "
@@ -184,6 +201,8 @@ nmbc::PlaneSides sides_of(const PlaneScene& scene) {
                 return passive;
             case SideKind::free:
                 return nmbc::FreeSide{};
+            case SideKind::sbp:
+                return sbp_side_of(scene);
             case SideKind::periodic:
                 return nmbc::PeriodicSide{};
             case SideKind::nmbc:

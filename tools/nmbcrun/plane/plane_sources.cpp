@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -14,6 +15,42 @@ namespace nmbcrun {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+
+/// Of nodes by their entry: on a surface that is closed by summation by parts they have a half, and
+/// in the corner of two a quarter.
+std::function<double(std::size_t)> masses_of(const PlaneScene& scene, const nmbc::Plane& plane) {
+    const double whole = scene.density * scene.spacing * scene.spacing;
+    const nmbc::Grid grid = plane.grid();
+    const std::size_t ghosts = plane.ghosts();
+    const auto is_sbp = [sides = scene.sides](std::size_t side) {
+        return sides[side].kind == SideKind::sbp;
+    };
+    return [=](std::size_t entry) {
+        const std::size_t x = entry % grid.nx;
+        const std::size_t y = entry / grid.nx;
+        double mass = whole;
+        mass *= is_sbp(0) && x == ghosts ? 0.5 : 1;
+        mass *= is_sbp(1) && x + ghosts + 1 == grid.nx ? 0.5 : 1;
+        mass *= is_sbp(2) && y == ghosts ? 0.5 : 1;
+        mass *= is_sbp(3) && y + ghosts + 1 == grid.ny ? 0.5 : 1;
+        return mass;
+    };
+}
+
+/// The nodes of the layer of a side, corners included.
+std::vector<std::size_t> entries_of_layer(const nmbc::Plane& plane, std::size_t side) {
+    const nmbc::Grid grid = plane.grid();
+    const std::size_t ghosts = plane.ghosts();
+    const bool is_high = side % 2 == 1;
+    const std::size_t across = side / 2 == 0 ? grid.nx : grid.ny;
+    const std::size_t along = side / 2 == 0 ? grid.ny : grid.nx;
+    const std::size_t line = is_high ? across - 1 - ghosts : ghosts;
+    std::vector<std::size_t> entries;
+    for (std::size_t i = ghosts; i + ghosts < along; ++i) {
+        entries.push_back(side / 2 == 0 ? i * grid.nx + line : line * grid.nx + i);
+    }
+    return entries;
+}
 
 }  // namespace
 
@@ -90,7 +127,7 @@ void PlaneSources::add(Source source, std::size_t component, const Entries& entr
     for (const std::size_t entry : entries) {
         const auto [found, is_new] = places_.try_emplace({component, entry}, moved_.size());
         if (is_new) {
-            moved_.push_back({.component = component, .entry = entry});
+            moved_.push_back({.component = component, .entry = entry, .mass = mass_of_(entry)});
         }
         source.nodes.push_back(found->second);
         if (source.gives != Source::Gives::force) {
@@ -107,9 +144,7 @@ void PlaneSources::add(Source source, std::size_t component, const Entries& entr
 
 PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
                            const std::array<std::size_t, 2>& extension, double time_step)
-    : density_(scene.density),
-      mass_(scene.density * scene.spacing * scene.spacing),
-      time_step_(time_step) {
+    : density_(scene.density), mass_of_(masses_of(scene, plane)), time_step_(time_step) {
     constexpr double roundings = 1e-9;  // of the spacing: a node on the edge of a region is in it
     const double more = roundings * scene.spacing;
     const auto entries_where = [&](const auto& is_within) {
@@ -150,7 +185,9 @@ PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
                 : source_of_history(
                       {.history = History::file, .amplitude = load.amplitude, .file = load.file});
         source.gives = load.is_velocity ? Source::Gives::velocity : Source::Gives::force;
-        add(std::move(source), load.component, entries_around(load.centre, load.half_width),
+        add(std::move(source), load.component,
+            load.surface ? entries_of_layer(plane, *load.surface)
+                         : entries_around(load.centre, load.half_width),
             load.name);
     }
     if (scene.drive) {
@@ -205,7 +242,7 @@ void PlaneSources::operator()(nmbc::Plane& plane, double time) {
     }
     for (Moved& node : moved_) {
         const double now = velocity(node);
-        work_ += mass_ * (now - node.kicked) * (node.before + now) / 2;
+        work_ += node.mass * (now - node.kicked) * (node.before + now) / 2;
         node.before = now;
     }
 }

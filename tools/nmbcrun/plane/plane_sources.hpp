@@ -66,6 +66,7 @@ class PlaneSources {
     struct Moved {
         std::size_t component = 0;
         std::size_t entry = 0;
+        double mass = 0;       ///< per thickness
         double before = 0;     ///< its velocity after the last step
         double kicked = 0;     ///< and after the kick of this one
         std::string course{};  ///< the table of the scene that gives its course
@@ -93,7 +94,7 @@ class PlaneSources {
     std::vector<Moved> moved_{};
     std::map<std::array<std::size_t, 2>, std::size_t> places_{};  // there, by component and entry
     double density_;
-    double mass_;  // of a node, per thickness
+    std::function<double(std::size_t entry)> mass_of_;  // per thickness
     double time_step_;
     double work_ = 0;
 };

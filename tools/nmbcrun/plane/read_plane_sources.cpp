@@ -91,8 +91,9 @@ PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneS
     const auto side = read_choice<std::size_t>(
         reader, group.key("side"), {{"left", 0}, {"right", 1}, {"bottom", 2}, {"top", 3}});
     PlaneLoad load{.name = name};
-    load.amplitude = group.not_zero("amplitude");
     load.is_velocity = kind == Kind::velocity;
+    load.amplitude = load.is_velocity ? group.number("amplitude", any_number)  // 0 holds it
+                                      : group.not_zero("amplitude");
     if (kind == Kind::pressure) {
         group.refuse({"component"}, "a pressure, which acts inwards");
     } else {
@@ -100,19 +101,23 @@ PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneS
     }
     if (kind == Kind::traction || kind == Kind::pressure) {
         const PlaneSideChoice& beside = scene.sides[reader.required(group.key("side"), side)];
-        if (beside.kind != SideKind::free) {
+        if (beside.kind != SideKind::free && beside.kind != SideKind::sbp) {
             reader.fail(
                 group.key("side"),
                 fmt::format("has no surface: the body does not end there, or is held (side "
-                            "{}). A traction or pressure needs boundary.{}.kind = \"free\"; "
-                            "loads of the kinds force and velocity do not",
+                            "{}). A traction or pressure needs boundary.{}.kind = \"free\" or "
+                            "\"sbp\"; loads of the kinds force and velocity do not",
                             heading_of(beside), plane_side_names[*side]));
         }
-        load.amplitude /= scene.spacing;
+        // Nodes on a surface have half of a cell, and outermost ones beside it a whole one.
+        load.amplitude *= (beside.kind == SideKind::sbp ? 2 : 1) / scene.spacing;
     }
     if (side) {
         group.refuse({"centre", "half_width"}, "the nodes of a side");
         take_side(load, *side, scene);
+        if (scene.sides[*side].kind == SideKind::sbp) {
+            load.surface = side;
+        }
         if (kind == Kind::pressure) {
             load.component = *side / 2;
             load.amplitude *= *side % 2 == 0 ? 1 : -1;

@@ -15,6 +15,7 @@ enum class SideKind {
     passive,   ///< stable by construction, designed for the lattice
     fixed,     ///< ghosts held at u = 0
     free,      ///< no nodes beyond it
+    sbp,       ///< two lines of nodes beyond it, the outer one the surface, by summation by parts
     periodic,  ///< the opposite side is its neighbour
     extended,  ///< more of the same lattice, fixed at its far end
     nmbc,      ///< (60) on the ghost layers, component by component
@@ -55,7 +56,8 @@ bool may_grow(SideKind kind);
 /// Whether it has nodes of its own beyond the scene's, `layer` of them.
 bool has_layer(SideKind kind);
 
-/// Whether it stands for more of the same lattice: physical sides are fixed, free and periodic.
+/// Whether it stands for more of the same lattice: physical sides are fixed, free, sbp and
+/// periodic.
 bool is_artificial(SideKind kind);
 
 /// As a scene spells it, such as "fixed".
