@@ -10,11 +10,18 @@ try --nodes 100 --bin "$bin"
 expect_exit 0
 expect_no_stderr
 expect "the page's table" diff \
-    <(sed -n 's/^| \(printed\|corrected\) | `\(.*\)` | \(.*\) | \(.*\) | \(.*\) |$/\2,\1,100,\3,\4,\5/p' "$2/docs/how-to/end-a-body.md") \
+    <(sed -n 's/^| \(printed\|corrected\) | `\(.*\)` | \(.*\) | \(.*\) | \(.*\) |$/\2,\1,100,\3,\4,\5/p' "$2/docs/evidence/closures.md") \
     <(tail -n +2 "$scratch/stdout")
 try --nodes 20 --bin "$bin" --plot bar.svg
 expect_exit 0
 expect_file bar.svg
+
+try wu --bin "$bin"
+expect_exit 0
+expect_no_stderr
+expect "the page's table of Wu" diff \
+    <(sed -n 's/^| `\([a-z]*\)` |[^|]*| \([^ |]*\) | \([^ |]*\) | \([^ |]*\) |$/\1,\2,\3,\4/p' "$2/docs/evidence/closures.md") \
+    <(tail -n +2 "$scratch/stdout")
 
 refuses() { # TEXT ARGUMENT..
     local text=$1
@@ -30,4 +37,6 @@ refuses "--nodes needs a multiple of 10" --nodes
 refuses "--plot needs a file that ends in .svg" --plot bar.png
 refuses "there is no program nowhere/nmbcgen" --bin nowhere
 refuses "no such option: 'all'" all
+refuses "with wu there is no '--plot'" wu --plot bar.svg
+refuses "with cost there is no '--nodes'" cost --nodes 20
 finish
