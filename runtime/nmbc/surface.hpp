@@ -37,14 +37,17 @@ enum class Closure {
     sbp,     ///< summation by parts (sbp_edge): lattices of correspondence
     kernel,  ///< convex kernels (kernel_edge): the same, with the influence of a cubic spline
     cut,     ///< families end where the nodes do (cut_edge): of bonds, too
+    /// A mirror through the outermost node: ghost f has 2 u_s - u_f, or u_f + 2 f dX e, nodes
+    /// counted from 0. Of energies this node counts whole, where one half is the body's.
+    node_mirror,
 };
 
 /// Whether its surface is at the outermost interior node.
 inline bool ends_on_node(Closure closure) {
-    return closure == Closure::sbp || closure == Closure::kernel || closure == Closure::cut;
+    return closure != Closure::mirror && closure != Closure::surface_node;
 }
 
-/// A true end. The closures keep shifts and, but for the last two, uniform strains exactly.
+/// A true end. The closures keep shifts and, but for kernel and cut, uniform strains exactly.
 ///
 /// A surface node has no energy: its rows are not symmetric. Of bonds w_k > 0 between which one
 /// wave travels at every frequency it sends that wave back whole, since its rows are real. The
@@ -80,22 +83,28 @@ namespace detail {
 /// given: rows . u + given [length] value.
 struct GhostRows {
     std::size_t count = 0;
-    std::vector<double> rows{};  ///< count times count, row by row
+    std::size_t columns = 0;     ///< nodes that they follow
+    std::vector<double> rows{};  ///< count times columns, row by row
     std::vector<double> given{};
+    bool holds_node = false;  ///< the outermost one has the value given
 };
 
 /// A traction is in units of E/dX: the elongation that it makes of a node's length.
-inline GhostRows mirror_rows(const Lattice& lattice, OnSurface given) {
+/// through_node: through the outermost one, and not midway between it and the ghost beyond.
+inline GhostRows mirror_rows(const Lattice& lattice, OnSurface given, bool through_node) {
     const std::size_t count = lattice.reach();
+    const std::size_t columns = count + (through_node ? 1 : 0);
     double modulus = 0;
     for (std::size_t k = 1; k <= count; ++k) {
         modulus -= static_cast<double>(k * k) * lattice.symbol[k];
     }
     const bool is_traction = given == OnSurface::traction;
-    GhostRows ghosts{count, std::vector<double>(count * count), std::vector<double>(count)};
+    GhostRows ghosts{count, columns, std::vector<double>(count * columns),
+                     std::vector<double>(count), through_node && !is_traction};
     for (std::size_t f = 1; f <= count; ++f) {
-        ghosts.rows[(f - 1) * count + f - 1] = is_traction ? 1 : -1;
-        ghosts.given[f - 1] = is_traction ? static_cast<double>(2 * f - 1) / modulus : 2;
+        ghosts.rows[(f - 1) * columns + columns - count + f - 1] = is_traction ? 1 : -1;
+        const auto distance = static_cast<double>(2 * f - (through_node ? 0 : 1));
+        ghosts.given[f - 1] = is_traction ? distance / modulus : 2;
     }
     return ghosts;
 }
@@ -122,7 +131,7 @@ inline GhostRows surface_node_rows(const Lattice& lattice, OnSurface given) {
         }
         load = 1 / own;
     }
-    GhostRows ghosts{count, std::vector<double>(count * count), std::vector<double>(count)};
+    GhostRows ghosts{count, count, std::vector<double>(count * count), std::vector<double>(count)};
     for (std::size_t f = 1; f <= count; ++f) {
         for (std::size_t i = 0; i < count; ++i) {
             ghosts.rows[(f - 1) * count + i] = static_cast<double>(2 * f) * surface[i];
@@ -140,6 +149,8 @@ class SurfaceCondition final : public BoundaryCondition<Real> {
     SurfaceCondition(const GhostRows& ghosts, double unit, double time_step,
                      std::function<double(double)> value)
         : ghosts_(ghosts.count),
+          columns_(ghosts.columns),
+          holds_node_(ghosts.holds_node),
           rows_(ghosts.rows.begin(), ghosts.rows.end()),
           given_(ghosts.given),
           time_step_(time_step),
@@ -149,12 +160,16 @@ class SurfaceCondition final : public BoundaryCondition<Real> {
         }
     }
 
-    std::size_t least_interior_nodes() const override { return ghosts_; }
+    std::size_t least_interior_nodes() const override { return columns_; }
 
     void start(NodeLine<Real> u, NodeLine<Real> v, std::size_t step) override {
         const double time = static_cast<double>(step) * time_step_;
         const double now = at(time);
         const double rate = (now - at(time - time_step_)) / time_step_;
+        if (holds_node_) {
+            u[ghosts_] = static_cast<Real>(now);
+            v[ghosts_] = static_cast<Real>(rate);
+        }
         for (std::size_t f = 0; f < ghosts_; ++f) {
             u[ghosts_ - 1 - f] = row(f, u) + static_cast<Real>(given_[f] * now);
             v[ghosts_ - 1 - f] = row(f, v) + static_cast<Real>(given_[f] * rate);
@@ -165,6 +180,9 @@ class SurfaceCondition final : public BoundaryCondition<Real> {
     void after_kick(NodeLine<const Real> u, NodeLine<Real> v, std::size_t step) override {
         const double next = at(static_cast<double>(step + 1) * time_step_);
         const auto dt = static_cast<Real>(time_step_);
+        if (holds_node_) {
+            v[ghosts_] = (static_cast<Real>(next) - u[ghosts_]) / dt;
+        }
         const NodeLine<const Real> velocity = v;
         for (std::size_t f = 0; f < ghosts_; ++f) {
             const std::size_t ghost = ghosts_ - 1 - f;
@@ -178,13 +196,15 @@ class SurfaceCondition final : public BoundaryCondition<Real> {
 
     Real row(std::size_t f, NodeLine<const Real> field) const {
         Real sum = 0;
-        for (std::size_t i = 0; i < ghosts_; ++i) {
-            sum += rows_[f * ghosts_ + i] * field[ghosts_ + i];
+        for (std::size_t i = 0; i < columns_; ++i) {
+            sum += rows_[f * columns_ + i] * field[ghosts_ + i];
         }
         return sum;
     }
 
     std::size_t ghosts_;
+    std::size_t columns_;
+    bool holds_node_;
     std::vector<Real> rows_;
     std::vector<double> given_;
     double time_step_;
@@ -231,6 +251,10 @@ inline double fastest_eigenvalue(const Lattice& lattice, const GhostRows& ghosts
 
 namespace detail {
 
+inline bool is_mirror(Closure closure) {
+    return closure == Closure::mirror || closure == Closure::node_mirror;
+}
+
 inline EdgeEnergies edges_of(Closure closure, const Lattice& lattice) {
     if (closure == Closure::cut) {
         return {cut_edge(lattice, End::left), cut_edge(lattice, End::right)};
@@ -245,6 +269,9 @@ inline double largest_eigenvalue(const Lattice& lattice, Closure closure, OnSurf
                                  std::size_t nodes) {
     const std::size_t n = lattice.reach();
     constexpr double margin = 1.01;
+    if (detail::is_mirror(closure)) {  // half of a longer chain
+        return margin * std::pow(maximum_frequency(lattice), 2);
+    }
     // In a longer chain what decays from one end is gone at the other.
     const auto short_enough = [&](std::size_t least) {
         return std::clamp(nodes, least, std::max(least, 6 * n + 8));
@@ -255,19 +282,18 @@ inline double largest_eigenvalue(const Lattice& lattice, Closure closure, OnSurf
         return margin * detail::fastest_between(edges, lattice, given == OnSurface::displacement,
                                                 short_enough(least));
     }
-    const detail::GhostRows ghosts = closure == Closure::mirror
-                                         ? detail::mirror_rows(lattice, given)
-                                         : detail::surface_node_rows(lattice, given);
-    return margin * detail::fastest_eigenvalue(lattice, ghosts, short_enough(n));
+    return margin * detail::fastest_eigenvalue(lattice, detail::surface_node_rows(lattice, given),
+                                               short_enough(n));
 }
 
 template <class Real>
 std::unique_ptr<BoundaryCondition<Real>> SurfaceEnd::make(
     const Lattice& lattice, const ChainParameters& p,
     std::type_identity<Real> /*precision*/) const {
-    if (closure == Closure::mirror) {
-        return std::make_unique<detail::SurfaceCondition<Real>>(detail::mirror_rows(lattice, given),
-                                                                unit_of(p), p.time_step, value);
+    if (detail::is_mirror(closure)) {
+        return std::make_unique<detail::SurfaceCondition<Real>>(
+            detail::mirror_rows(lattice, given, closure == Closure::node_mirror), unit_of(p),
+            p.time_step, value);
     }
     if (closure == Closure::surface_node && !lattice.damping.empty()) {
         throw std::invalid_argument("a surface node needs a lattice without damping");

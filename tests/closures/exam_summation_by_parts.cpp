@@ -72,7 +72,7 @@ TEST_CASE("sums by parts, exactly, and takes shifts to 0 and x to 1") {
     for (unsigned n = 1; n <= 8; ++n) {
         for (const auto& weights : {constant(n), inverse(n)}) {
             const SummationByParts parts = summation_by_parts(weights);
-            const std::size_t nodes = 4 * n;
+            const std::size_t nodes = std::size_t{4} * n;
             const auto Q = whole(parts, nodes);
             for (std::size_t i = 0; i < nodes; ++i) {
                 Rational sum = 0;

@@ -81,6 +81,33 @@ TEST_CASE("a mirror makes one half of a longer chain, even for traction and odd 
     }
 }
 
+TEST_CASE("a mirror through a node makes one half of a longer chain, too") {
+    const nmbc::Lattice lattice = bonds(3);
+    constexpr std::size_t nodes = 50;
+    for (const auto given : {OnSurface::displacement, OnSurface::traction}) {
+        nmbc::Chain half(lattice, SurfaceEnd{Closure::node_mirror, given, {}}, nmbc::FreeEnd{},
+                         parameters_of(nodes, 0.9, lattice));
+        nmbc::Chain whole(lattice, nmbc::FreeEnd{}, parameters_of(2 * nodes - 1, 0.9, lattice));
+        const double sign = given == OnSurface::traction ? 1 : -1;
+        std::vector<double> u(half.nodes());
+        std::vector<double> whole_u(whole.nodes());
+        for (std::size_t i = given == OnSurface::traction ? 0 : 1; i < nodes; ++i) {
+            u[half.ghosts() + i] = std::sin(double(i * i + 1));
+            whole_u[whole.ghosts() + nodes - 1 + i] = u[half.ghosts() + i];
+            whole_u[whole.ghosts() + nodes - 1 - i] = (i == 0 ? 1 : sign) * u[half.ghosts() + i];
+        }
+        half.start(u, std::vector<double>(u.size()));
+        whole.start(whole_u, std::vector<double>(whole_u.size()));
+        half.advance(1000);
+        whole.advance(1000);
+        for (std::size_t i = 0; i < nodes; ++i) {
+            const double difference = half.displacement()[half.ghosts() + i] -
+                                      whole.displacement()[whole.ghosts() + nodes - 1 + i];
+            CHECK(std::abs(difference) < 1e-12);  // as above
+        }
+    }
+}
+
 TEST_CASE("under no traction a mirror is a free end") {
     const nmbc::Lattice lattice = bonds(2);
     const auto p = parameters_of(30, 0.9, lattice);

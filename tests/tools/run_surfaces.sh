@@ -98,6 +98,16 @@ expect_stdout_line "boundary  summation by parts under a traction of 0"
 expect "what an sbp end allows" grep -q 'what a "sbp" end allows' "$scratch/stdout"
 expect "the energy stays" awk '/^energy left/ { exit !($3 > .98 && $3 < 1.001) }' "$scratch/stdout"
 expect "nothing went out" awk '/^went out/ { exit !($3 * $3 < 1e-24 && $(NF - 4) ^ 2 < 1e-24) }' "$scratch/stdout"
+# A body between two is verified beside mirrors through the same nodes.
+try verify body.toml --tolerance 1e-2 --set time.cfl=0.5
+expect_exit 0
+expect_no_stderr
+expect_stdout_line "reference  mirror through the outermost node under a traction of 0; mirror through the outermost node under a traction of 0"
+try verify body.toml --tolerance 1e-3 --set time.cfl=0.5 --set boundary.left.kind=cut
+expect_exit 1
+try verify body.toml --tolerance 1e-3 --set boundary.left.kind=mirror --set boundary.right.kind=mirror
+expect_exit 2
+expect_stderr "or closures beside mirrors: there is none"
 refuses 2 "convex kernels continue the influence of a cubic spline" body.toml --set boundary.left.kind=kernel
 refuses 2 "this end is one of correspondence lattices without damping" bonds.toml --set boundary.left.kind=sbp
 refuses 2 'preload is not known beside an end of kind "sbp"' body.toml --set preload.strain=0.01

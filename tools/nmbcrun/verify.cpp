@@ -112,13 +112,15 @@ void print_reflections(const Simulation& simulation, const nmbc::Chain& endless)
 }  // namespace
 
 bool verify(const Scene& scene, double tolerance, bool quiet) {
-    if (is_physical(scene.left.kind) && is_physical(scene.right.kind)) {
+    const bool is_closed = is_physical(scene.left.kind) && is_physical(scene.right.kind);
+    const Scene mirrored = is_closed ? with_mirrors(scene) : scene;
+    if (is_closed && mirrored.left == scene.left && mirrored.right == scene.right) {
         throw SceneError(
-            "both ends are physical, and verify looks at what artificial ones do: "
-            "there is none");
+            "both ends are physical, and verify looks at what artificial ones do, or closures "
+            "beside mirrors: there is none");
     }
     Simulation simulation(scene);
-    Simulation reference(endless(scene, simulation.plan().time_step));
+    Simulation reference(endless(mirrored, simulation.plan().time_step));
     if (!simulation.warning().empty()) {
         print_warnings({simulation.warning()});
     }
@@ -137,10 +139,11 @@ bool verify(const Scene& scene, double tolerance, bool quiet) {
     fmt::print("error        {:.3e} of max |u|, at node {}, t = {:.4g}; {} the tolerance {:g}\n",
                error, outcome.deviation.node(), outcome.deviation.time(),
                holds ? "within" : "above", tolerance);
-    fmt::print("{:<12} {:.3e} of the peak; without artificial ends {:.3e}\n",
+    fmt::print("{:<12} {:.3e} of the peak; {} {:.3e}\n",
                simulation.is_driven(simulation.chain().time()) ? "energy then" : "energy left",
-               outcome.energy_left, outcome.reference_energy_left);
-    if (!quiet) {
+               outcome.energy_left, is_closed ? "between mirrors" : "without artificial ends",
+               outcome.reference_energy_left);
+    if (!quiet && !is_closed) {
         print_reflections(simulation, reference.chain());
     }
     return holds;

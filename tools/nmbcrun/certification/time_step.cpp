@@ -69,7 +69,8 @@ AutomaticStep with_their_like(const Scene& scene, const nmbc::Lattice& lattice) 
         if (boundary->kind == BoundaryKind::passive) {
             shorten(step, DesignedEnd::largest_cfl, "what passive ends are designed for");
         }
-        if (is_surface(boundary->kind) && boundary->kind != BoundaryKind::mirror) {
+        if (is_surface(boundary->kind) && boundary->kind != BoundaryKind::mirror &&
+            boundary->kind != BoundaryKind::node_mirror) {
             shorten(step, surface_cfl(scene, *boundary, lattice),
                     boundary->kind == BoundaryKind::snm
                         ? "what a surface node allows"

@@ -24,6 +24,7 @@ std::optional<std::function<double(double xi)>> reflected_energy_of(const Scene&
         case BoundaryKind::sbp:
         case BoundaryKind::kernel:
         case BoundaryKind::cut:
+        case BoundaryKind::node_mirror:
             return [](double) { return 1.0; };
         case BoundaryKind::exact:
             return [](double) { return 0.0; };

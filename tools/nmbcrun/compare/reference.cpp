@@ -14,6 +14,16 @@ Scene endless(Scene scene, double time_step) {
     return with_artificial_ends(std::move(scene), {.kind = BoundaryKind::extended});
 }
 
+Scene with_mirrors(Scene scene) {
+    for (Boundary* const end : {&scene.left, &scene.right}) {
+        if (is_surface(end->kind)) {
+            end->kind = nmbc::ends_on_node(closure_of(end->kind)) ? BoundaryKind::node_mirror
+                                                                  : BoundaryKind::mirror;
+        }
+    }
+    return scene;
+}
+
 std::span<const double> interior(const nmbc::Chain& chain) {
     return chain.displacement().subspan(chain.first_interior(), chain.parameters().nodes);
 }

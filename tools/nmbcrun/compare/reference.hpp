@@ -13,6 +13,10 @@ namespace nmbcrun {
 /// returns from them. Physical ends stay.
 Scene endless(Scene scene, double time_step);
 
+/// The scene with a mirror, about the same surface, in the place of every other closure: half of a
+/// longer chain.
+Scene with_mirrors(Scene scene);
+
 /// Interior displacements of a chain.
 std::span<const double> interior(const nmbc::Chain& chain);
 

@@ -29,6 +29,7 @@ const std::vector<std::pair<std::string_view, BoundaryKind>> boundary_kinds{
     {"fixed", BoundaryKind::fixed},
     {"free", BoundaryKind::free},
     {"mirror", BoundaryKind::mirror},
+    {"node_mirror", BoundaryKind::node_mirror},
     {"snm", BoundaryKind::snm},
     {"sbp", BoundaryKind::sbp},
     {"kernel", BoundaryKind::kernel},
@@ -46,7 +47,8 @@ const std::vector<std::pair<BoundaryKind, nmbc::Closure>> surfaces{
     {BoundaryKind::snm, nmbc::Closure::surface_node},
     {BoundaryKind::sbp, nmbc::Closure::sbp},
     {BoundaryKind::kernel, nmbc::Closure::kernel},
-    {BoundaryKind::cut, nmbc::Closure::cut}};
+    {BoundaryKind::cut, nmbc::Closure::cut},
+    {BoundaryKind::node_mirror, nmbc::Closure::node_mirror}};
 
 /// In words.
 std::string_view name_of(nmbc::Closure closure) {
@@ -59,6 +61,8 @@ std::string_view name_of(nmbc::Closure closure) {
             return "convex kernels";
         case nmbc::Closure::cut:
             return "cut";
+        case nmbc::Closure::node_mirror:
+            return "mirror through the outermost node";
         case nmbc::Closure::mirror:
             break;
     }
@@ -83,6 +87,7 @@ std::vector<std::string_view> keys_of(BoundaryKind kind) {
         case BoundaryKind::sbp:
         case BoundaryKind::kernel:
         case BoundaryKind::cut:
+        case BoundaryKind::node_mirror:
             return {"given"};
         case BoundaryKind::fixed:
         case BoundaryKind::free:
@@ -170,9 +175,11 @@ std::optional<ForceHistory> read_value(SceneReader& reader, const std::string& p
         return std::nullopt;
     }
     if (!is_surface(kind)) {
-        reader.fail(name, fmt::format("does not count for kind \"{}\"; it is given on a surface: a "
-                                      "\"mirror\", \"snm\", \"sbp\", \"kernel\" or \"cut\"",
-                                      name_of(kind)));
+        reader.fail(name,
+                    fmt::format("does not count for kind \"{}\"; it is given on a surface: a "
+                                "\"mirror\", \"node_mirror\", \"snm\", \"sbp\", \"kernel\" or "
+                                "\"cut\"",
+                                name_of(kind)));
     }
     const KeyGroup group(reader, name, path);
     return read_history(group, history_of(group));
@@ -318,6 +325,7 @@ std::string heading_of(const Boundary& boundary) {
         case BoundaryKind::sbp:
         case BoundaryKind::kernel:
         case BoundaryKind::cut:
+        case BoundaryKind::node_mirror:
             return fmt::format("{} {}{}", name_of(closure_of(boundary.kind)),
                                boundary.given == nmbc::OnSurface::traction ? "under a traction"
                                                                            : "at a displacement",

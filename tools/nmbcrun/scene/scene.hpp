@@ -24,21 +24,22 @@ namespace nmbcrun {
 inline constexpr long most_layer = 10'000'000;
 
 enum class BoundaryKind {
-    nmbc,       ///< (60) on all ghost layers
-    fixed,      ///< ghosts held at u = 0
-    free,       ///< ghosts the mirror image
-    mirror,     ///< likewise, under a traction or at a displacement that is given in time
-    snm,        ///< the same by a surface node (SNM 2023)
-    sbp,        ///< the same on the outermost node, by summation by parts
-    kernel,     ///< the same by convex kernels (Wu 2015)
-    cut,        ///< the same, the families cut off there
-    extended,   ///< more of the same lattice, fixed at its far end
-    exact,      ///< the same lattice for ever, by convolution
-    sponge,     ///< a layer that damps the velocity
-    pml,        ///< a perfectly matched layer
-    passive,    ///< stable by construction, designed for the lattice and the steps
-    higdon,     ///< Higdon's one-way product on all ghost layers
-    truncated,  ///< (60) on n ghost nodes, the families cut off there: the edge effect
+    nmbc,         ///< (60) on all ghost layers
+    fixed,        ///< ghosts held at u = 0
+    free,         ///< ghosts the mirror image
+    mirror,       ///< likewise, under a traction or at a displacement that is given in time
+    snm,          ///< the same by a surface node (SNM 2023)
+    sbp,          ///< the same on the outermost node, by summation by parts
+    kernel,       ///< the same by convex kernels (Wu 2015)
+    cut,          ///< the same, the families cut off there
+    extended,     ///< more of the same lattice, fixed at its far end
+    exact,        ///< the same lattice for ever, by convolution
+    sponge,       ///< a layer that damps the velocity
+    pml,          ///< a perfectly matched layer
+    passive,      ///< stable by construction, designed for the lattice and the steps
+    higdon,       ///< Higdon's one-way product on all ghost layers
+    truncated,    ///< (60) on n ghost nodes, the families cut off there: the edge effect
+    node_mirror,  ///< a mirror whose surface is on the outermost node
 };
 
 /// One end of the chain.

@@ -111,6 +111,7 @@ nmbc::ChainEnd chain_end(const Scene& scene, const Boundary& boundary) {
         case BoundaryKind::sbp:
         case BoundaryKind::kernel:
         case BoundaryKind::cut:
+        case BoundaryKind::node_mirror:
             return surface_of(scene, boundary);
         case BoundaryKind::extended:
             return boundary.layer > 0 ? nmbc::ChainEnd(nmbc::FixedEnd{boundary.layer})
