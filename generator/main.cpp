@@ -161,11 +161,12 @@ void print_curves(std::string_view family, const PlaneCurves& curves,
     }
 }
 
-std::string passive_text(const Request& request) {
+std::string passive_text(const Request& request, const Progress& progress) {
     if (request.end) {
         return request.as_header ? passive_header(*request.end) : passive_json(*request.end);
     }
-    return request.as_header ? passive_header(*request.side) : passive_json(*request.side);
+    return request.as_header ? passive_header(*request.side, progress)
+                             : passive_json(*request.side, progress);
 }
 
 /// Puts a time step in the place of cfl.
@@ -197,7 +198,8 @@ int run(const Request& request) {
             }));
             return done;
         case Action::passive:
-            print(with_progress([&request](const Progress&) { return passive_text(request); }));
+            print(with_progress(
+                [&request](const Progress& progress) { return passive_text(request, progress); }));
             return done;
         case Action::optimise:
             print(with_progress([&request](const Progress& progress) {

@@ -170,6 +170,10 @@ CLI::App* add_passive(CLI::App& app, Request& request, Pending& pending) {
     add_parsed(*passive, "--time-step", pending.passive_step, parse_rational,
                "dt of the leapfrog steps it is for, an exact number in dX/c such as 1/2 (of plane "
                "families in dX sqrt(rho/E); default 0: continuous time)");
+    add_parsed(
+        *passive, "--layers", pending.layers, parse_count,
+        "of a side: outermost layers with numbers of their own, from 2n, the default, to 16; "
+        "more reflect less at wide angles, and take longer to design and to run");
     passive
         ->add_flag("--header", request.as_header,
                    "print a C++ header: of an end of a chain an nmbc::PassiveEnd, of a side of "

@@ -25,7 +25,9 @@ struct Pending {
     PlaneOptions plane;
     std::optional<Matching> matching;
     std::optional<WeightChoice> weights;
-    Rational passive_step = 0;  ///< of nmbcgen passive
+    // Of nmbcgen passive:
+    Rational passive_step = 0;
+    std::optional<unsigned> layers{};
 };
 
 /// Puts it there, and G = 0 where a command needs a G and the family has none.

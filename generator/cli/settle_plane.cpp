@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -51,6 +52,9 @@ ChainModel settled_end(const Question& question, const Pending& pending) {
     if (pending.weights) {
         throw CLI::ValidationError("--weights", "passive ends have constant influence");
     }
+    if (pending.layers) {
+        throw CLI::ValidationError("--layers", "is of a side of the plane");
+    }
     return {.horizon = question.horizon, .G = question.G, .time_step = pending.passive_step};
 }
 
@@ -91,6 +95,15 @@ std::vector<Rational> relative(std::vector<Rational> weights) {
     return weights;
 }
 
+/// 0: not given.
+std::size_t settled_layers(const VectorChoice& choice, const std::optional<unsigned>& layers) {
+    try {
+        return layers ? side_layers_checked(choice, *layers) : 0;
+    } catch (const std::invalid_argument& reason) {
+        throw CLI::ValidationError("--layers", reason.what());
+    }
+}
+
 /// recommend and passive of a side of the plane.
 void settle_side(Request& request, const VectorFamily& family, const VectorChoice& choice,
                  const Pending& pending, const CLI::App& used, const char* blamed) {
@@ -123,7 +136,8 @@ void settle_side(Request& request, const VectorFamily& family, const VectorChoic
     request.side = {.family = std::string(family.name),
                     .choice = choice,
                     .g = request.question.G,
-                    .time_step = pending.passive_step};
+                    .time_step = pending.passive_step,
+                    .layers = settled_layers(choice, pending.layers)};
 }
 
 }  // namespace

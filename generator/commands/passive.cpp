@@ -85,9 +85,9 @@ ArrivingWave told_wave(const PlaneLattice& lattice, bool is_P, double xi, double
     }
 }
 
-DesignedSide designed(const SideTask& model) {
+DesignedSide designed(const SideTask& model, const DesignProgress& progress) {
     try {
-        return passive_side(model);
+        return passive_side(model, progress);
     } catch (const std::domain_error& error) {
         throw no_design("g = " + to_string(model.g), error);
     }
@@ -104,8 +104,8 @@ DesignedSide passive_end(const ChainModel& model) {
     }
 }
 
-std::string passive_json(const SideTask& model) {
-    const DesignedSide side = designed(model);
+std::string passive_json(const SideTask& model, const DesignProgress& progress) {
+    const DesignedSide side = designed(model, progress);
     const VectorModel described = find_vector_family(model.family).describe(model.choice);
     const PlaneLattice lattice = plane_lattice(described, model.g, 0);
     Json all{
@@ -130,7 +130,7 @@ std::string passive_json(const SideTask& model) {
                             ", dashpots are speed times L L^T over their scale: the energy of a "
                             "body with this straight "
                             "side is a sum of squares, which the side's dashpots never raise"},
-             {"designed_up_to_degrees", widest_designed_angle},
+             {"designed_up_to_degrees", widest_designed_angle(side)},
              {"highest_eigenvalue_interior", side.task.highest_eigenvalue},
              {"highest_eigenvalue", side.highest_eigenvalue},
              {"reflected_energy", reflections(lattice, side)}});

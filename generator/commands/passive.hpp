@@ -14,7 +14,7 @@ namespace nmbcgen {
 ArrivingWave told_wave(const PlaneLattice& lattice, bool is_P, double xi, double degrees);
 
 /// passive_side(). Throws NoSuchBoundary where no design is found.
-DesignedSide designed(const SideTask& model);
+DesignedSide designed(const SideTask& model, const DesignProgress& progress = {});
 
 /// A chain nopd1d at one G.
 struct ChainModel {
@@ -28,10 +28,10 @@ DesignedSide passive_end(const ChainModel& model);
 
 /// As a C++ header: an nmbc::PassiveEnd, an nmbc::PassiveSide.
 std::string passive_header(const ChainModel& model);
-std::string passive_header(const SideTask& model);
+std::string passive_header(const SideTask& model, const DesignProgress& progress);
 
 /// Designs as JSON (docs/reference/json.md): all of it exact, and what they reflect.
-std::string passive_json(const SideTask& model);
+std::string passive_json(const SideTask& model, const DesignProgress& progress);
 std::string passive_json(const ChainModel& model);
 
 }  // namespace nmbcgen

@@ -80,8 +80,8 @@ std::string passive_header(const ChainModel& model) {
          fmt::format(".further = {}", end.further)});
 }
 
-std::string passive_header(const SideTask& model) {
-    const nmbc::PassiveSide side = for_runtime(designed(model));
+std::string passive_header(const SideTask& model, const DesignProgress& progress) {
+    const nmbc::PassiveSide side = for_runtime(designed(model, progress));
     const std::size_t layers = side.strain.size();
     const VectorChoice& choice = model.choice;
     std::string lattice =
@@ -109,10 +109,17 @@ std::string passive_header(const SideTask& model) {
                                choice.radius_squared, nearest_double(nu),
                                nearest_double(model.g) * std::numbers::pi, state);
     }
+    std::string layers_name;
+    std::string layers_option;
+    if (model.layers != 0) {
+        layers_name = fmt::format("_q{}", layers);
+        layers_option = fmt::format(" --layers {}", layers);
+    }
     return header_of(
-        fmt::format("--family {} {}{}", model.family, options, step_option(model.time_step)),
+        fmt::format("--family {} {}{}", model.family, options,
+                    step_option(model.time_step) + layers_option),
         "plane_sides.hpp", "A passive side of the lattice that it was made for.", "PassiveSide",
-        name + step_name(model.time_step),
+        name + step_name(model.time_step) + layers_name,
         {fmt::format(".strain = {{{}}}", rows_of(side.strain, layers)),
          fmt::format(".stabilisation = {{{}}}", rows_of(side.stabilisation, layers)),
          fmt::format(".mass = {{std::vector<double>{{{}}},\n             {{{}}}}}",

@@ -189,7 +189,7 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
         "sqrt(density/E)]; -: none\n"
         "degrees: from the normal; reflected energy of P/S, xi = {:g}/dX\n",
         passive->design.strain.size(), sides.described.description, to_string(model.g),
-        widest_designed_angle,
+        widest_designed_angle(*passive),
         std::sqrt(passive->task.highest_eigenvalue / passive->highest_eigenvalue), table,
         side_samples.waves, side_samples.waves + 1, side_samples.layers,
         side_samples.wave_numbers + 1, reflected_xi);

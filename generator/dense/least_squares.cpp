@@ -45,14 +45,14 @@ class Functor : public Eigen::DenseFunctor<double> {
 
 }  // namespace
 
-VectorXd least_squares(const VectorXd& start, const Residuals& residuals) {
+VectorXd least_squares(const VectorXd& start, const Residuals& residuals,
+                       Eigen::Index evaluations) {
     Functor functor(residuals, start);
     Eigen::LevenbergMarquardt<Functor> search(functor);
     constexpr double nine_digits = 1e-9;
     search.setXtol(nine_digits);
     search.setFtol(nine_digits);
-    constexpr Eigen::Index enough = 400;
-    search.setMaxfev(enough);
+    search.setMaxfev(evaluations);
     VectorXd parameters = start;
     search.minimize(parameters);
     if (!parameters.allFinite() || !std::isfinite(search.fnorm())) {

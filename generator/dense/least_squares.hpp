@@ -15,10 +15,11 @@ struct Linearised {
 };
 
 /// Parameters near `start` whose residuals have a least sum of squares (Levenberg and Marquardt),
-/// nine digits or so of them, or what is found after 400 evaluations.
+/// nine digits or so of them, or what is found after so many evaluations.
 /// @throws std::domain_error if the search leaves the finite numbers
 Eigen::VectorXd least_squares(const Eigen::VectorXd& start,
-                              const std::function<Linearised(const Eigen::VectorXd&)>& residuals);
+                              const std::function<Linearised(const Eigen::VectorXd&)>& residuals,
+                              Eigen::Index evaluations);
 
 }  // namespace nmbcgen
 

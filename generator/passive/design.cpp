@@ -50,6 +50,40 @@ Rational rounded(double value, long denominator) {
     return {nearest == 0 && value > 0 ? 1 : nearest, denominator};
 }
 
+VectorXd searched(const EdgeResiduals& residuals, const std::vector<double>& starts,
+                  const DesignProgress& progress) {
+    constexpr Index short_look = 100;
+    constexpr Index enough = 400;
+    const std::size_t looks = starts.size() > 1 ? starts.size() : 0;
+    const std::size_t all = looks * short_look + enough;
+    std::size_t done = 0;
+    const auto search = [&](const VectorXd& start, Index evaluations) {
+        return least_squares(
+            start,
+            [&](const VectorXd& at) {
+                if (progress) {
+                    done = std::min(done + 1, all);  // a search looks at its end once more
+                    progress(done, all);
+                }
+                return residuals.at(at);
+            },
+            evaluations);
+    };
+    VectorXd best = residuals.start(starts.front());
+    if (looks > 0) {
+        double least = HUGE_VAL;
+        for (const double heavier : starts) {
+            const VectorXd found = search(residuals.start(heavier), short_look);
+            const double squares = residuals.at(found).values.squaredNorm();
+            if (squares < least) {
+                least = squares;
+                best = found;
+            }
+        }
+    }
+    return search(best, enough);
+}
+
 }  // namespace
 
 double EdgeTask::most_stiff() const {
@@ -77,10 +111,9 @@ void require_passive(const PassiveDesign& design, const Rational& largest_beta) 
 }
 
 PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>& waves,
-                          const std::vector<double>& speeds) {
+                          const std::vector<double>& speeds, const DesignProgress& progress) {
     const EdgeResiduals residuals(task, waves, speeds);
-    const VectorXd parameters =
-        least_squares(residuals.start(), [&](const VectorXd& at) { return residuals.at(at); });
+    const VectorXd parameters = searched(residuals, task.starts, progress);
     PassiveDesign design = converted<Rational>(residuals.numbers(parameters), [&](double value) {
         return rounded(value, task.denominator);
     });
@@ -120,7 +153,8 @@ double highest_eigenvalue_of_edge(EdgeTask task, const PassiveEdge& edge,
 }
 
 DesignedSide designed_side(EdgeTask task, const std::vector<WeightedWave>& waves,
-                           const std::vector<double>& speeds, std::size_t wave_numbers) {
+                           const std::vector<double>& speeds, std::size_t wave_numbers,
+                           const DesignProgress& progress) {
     const double stable = stable_margin * 4 / (task.time_step * task.time_step);
     if (!(task.highest_eigenvalue < stable)) {
         throw std::domain_error("the lattice itself is stable in steps below " +
@@ -128,7 +162,7 @@ DesignedSide designed_side(EdgeTask task, const std::vector<WeightedWave>& waves
                                 std::to_string(task.time_step));
     }
     DesignedSide side{.task = std::move(task), .design = {}, .edge = {}, .highest_eigenvalue = 0};
-    side.design = design_edge(side.task, waves, speeds);
+    side.design = design_edge(side.task, waves, speeds, progress);
     side.edge = edge_of(side.design, speeds);
     side.highest_eigenvalue =
         std::max(side.task.highest_eigenvalue,

@@ -23,6 +23,11 @@ struct EdgeTask {
     double near_the_lattice = 0.03;
     /// Of what the highest eigenvalue is above most_stiff().
     double long_steps = 0.3;
+    std::size_t stiff_steps = 2;  ///< of wave numbers from 0 to pi where it is looked at
+    /// Where searches begin: weights and masses of the outermost layer are those of the lattice
+    /// times this, and from there to the second layer from inside a geometric sequence. A network
+    /// of many layers has more than one minimum.
+    std::vector<double> starts{1};
     long denominator = 1000;        ///< of the numbers of the design
     double highest_eigenvalue = 0;  ///< the largest omega^2 of the interior
     double time_step = 0;           ///< of the steps it is made for; 0: continuous time
@@ -59,18 +64,22 @@ PassiveEdge edge_of(const PassiveDesign& design, const std::vector<double>& spee
 /// Throws std::logic_error where one of the conditions above does not hold.
 void require_passive(const PassiveDesign& design, const Rational& largest_beta);
 
+/// Called with the evaluations done and the most there may be.
+using DesignProgress = std::function<void(std::size_t done, std::size_t all)>;
+
 /// A wave that is to leave, and the weight of its reflected amplitudes.
 struct WeightedWave {
     ArrivingWave wave;
     double weight = 1;
 };
 
-/// Least squares of the waves' reflected amplitudes, from a fixed start; of the logarithms of
+/// Least squares of the waves' reflected amplitudes, from fixed starts; of the logarithms of
 /// weights and masses, too, which keeps the edge near the lattice, and of what its highest
-/// eigenvalue is above most_stiff(), which keeps steps long. Stops at a minimum or after 400
-/// evaluations. Throws std::domain_error where it leaves the numbers that there are.
+/// eigenvalue is above most_stiff(), which keeps steps long. Of several starts the best after 100
+/// evaluations goes on. Stops at a minimum or after 400 evaluations. Throws std::domain_error where
+/// it leaves the numbers that there are.
 PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>& waves,
-                          const std::vector<double>& speeds);
+                          const std::vector<double>& speeds, const DesignProgress& progress = {});
 
 /// Of the eigenvalue that steps allow: two sides next to each other are stiffer than one.
 inline constexpr double stable_margin = 0.99;
@@ -87,7 +96,8 @@ struct DesignedSide {
 /// With the highest eigenvalue of so many wave numbers along the side. Throws as design_edge(), and
 /// std::domain_error where its own steps are too long for the lattice or the design.
 DesignedSide designed_side(EdgeTask task, const std::vector<WeightedWave>& waves,
-                           const std::vector<double>& speeds, std::size_t wave_numbers);
+                           const std::vector<double>& speeds, std::size_t wave_numbers,
+                           const DesignProgress& progress = {});
 
 /// The part of a wave's energy that comes back, in any polarisation.
 double reflected_by_edge(const EdgeTask& task, const PassiveEdge& edge, const ArrivingWave& wave);

@@ -62,15 +62,21 @@ EdgeSquares::EdgeSquares(const NodeEnergy& node_energy, Index node, const Ration
 void EdgeSquares::add(MatrixXd& stiffness, const std::vector<Square>& squares, Index layer,
                       Index components, double wave_number) {
     for (const Square& square : squares) {
-        Eigen::VectorXcd row = Eigen::VectorXcd::Zero(stiffness.rows());
+        if (square.terms.empty()) {  // cut off
+            continue;
+        }
+        const auto [first, last] = std::ranges::minmax(square.terms, {}, &Square::Term::layer);
+        Eigen::VectorXcd row = Eigen::VectorXcd::Zero(components * (last.layer - first.layer + 1));
         for (const Square::Term& term : square.terms) {
             const Complex phase = std::polar(1.0, wave_number * term.along);
             for (Index a = 0; a < components; ++a) {
-                row(components * (layer + term.layer) + a) +=
+                row(components * (term.layer - first.layer) + a) +=
                     term.factors[std::size_t(a)] * phase * (a == 1 ? Complex(0, -1) : Complex(1));
             }
         }
-        stiffness += square.weight * (row.conjugate() * row.transpose()).real();
+        const Index corner = components * (layer + first.layer);
+        stiffness.block(corner, corner, row.size(), row.size()) +=
+            square.weight * (row.conjugate() * row.transpose()).real();
     }
 }
 

@@ -56,9 +56,9 @@ EdgeEigenvalue highest_eigenvalue_beside(const EdgeEnergies& energies, const Pas
 
 EdgeResiduals::EdgeResiduals(const EdgeTask& task, const std::vector<WeightedWave>& waves,
                              const std::vector<double>& speeds)
-    : task_(task), waves_(waves), speeds_(speeds), layers_(task.reach.layers), start_(first()) {
-    for (const double wave_number : {0.0, std::numbers::pi / 2, std::numbers::pi}) {
-        stiff_.push_back(task.at(wave_number));
+    : task_(task), waves_(waves), speeds_(speeds), layers_(task.reach.layers), lattice_(start(1)) {
+    for (std::size_t i = 0; i <= task.stiff_steps; ++i) {
+        stiff_.push_back(task.at(std::numbers::pi * double(i) / double(task.stiff_steps)));
     }
     for (const auto& [wave, weight] : waves) {
         energies_.push_back(task.at(wave.wave_number));
@@ -66,12 +66,14 @@ EdgeResiduals::EdgeResiduals(const EdgeTask& task, const std::vector<WeightedWav
     }
 }
 
-VectorXd EdgeResiduals::first() const {
+VectorXd EdgeResiduals::start(double heavier) const {
     constexpr double next_to_none = 0.05;
     std::vector<double> values;
     const auto add_logarithms = [&](double outermost) {
         for (Index layer = 0; layer < layers_; ++layer) {
-            values.push_back(layer == 0 ? std::log(outermost) : 0);
+            const double share = double(std::max<Index>(0, layers_ - 2 - layer)) /
+                                 double(std::max<Index>(1, layers_ - 2));
+            values.push_back(share * std::log(heavier) + (layer == 0 ? std::log(outermost) : 0));
         }
     };
     add_logarithms(0.5);
@@ -132,22 +134,34 @@ Vector EdgeResiduals::slopes(const Edge& at, const EdgeEnergies& energies, const
                              typename Vector::Scalar damping) const {
     const Index size = energies.components;
     const Index rows = left.size();
-    const auto form = [&](const MatrixXd& matrix) -> typename Vector::Scalar {
-        return (left.transpose() * matrix.topLeftCorner(rows, right.size()) * right).value();
+    const auto form = [&](const MatrixXd& matrix, Index first, Index end) {
+        const Index height = std::min(rows, end) - first;
+        const Index width = std::min(Index(right.size()), end) - first;
+        return (left.segment(first, height).transpose() *
+                matrix.block(first, first, height, width) * right.segment(first, width))
+            .value();
+    };
+    const auto form_of_node = [&](const MatrixXd& matrix, Index layer) {  // whole families at most
+        const Index reach = energies.reach.node;
+        return form(matrix, size * std::max<Index>(0, layer - reach), size * (layer + reach + 1));
     };
     const double beta = at.edge.null_lagrangian;
-    Vector result = Vector::Zero(start_.size());
+    Vector result = Vector::Zero(lattice_.size());
     Index entry = 0;
-    typename Vector::Scalar by_beta = form(energies.further.null_lagrangian);
+    typename Vector::Scalar by_beta = 0;
+    if (task_.largest_beta != 0) {
+        by_beta = form(energies.further.null_lagrangian, 0, right.size());
+    }
     for (Index layer = 0; layer < layers_; ++layer) {
         const EdgeEnergies::Node& node = energies.outermost[std::size_t(layer)];
-        const typename Vector::Scalar of_beta = form(node.null_lagrangian);
+        const typename Vector::Scalar of_beta = form_of_node(node.null_lagrangian, layer);
         by_beta += at.edge.strain(layer) * of_beta;
-        result(entry++) = at.edge.strain(layer) * (form(node.strain) + beta * of_beta);
+        result(entry++) =
+            at.edge.strain(layer) * (form_of_node(node.strain, layer) + beta * of_beta);
     }
     for (Index layer = 0; task_.has_stabilisation && layer < layers_; ++layer) {
         result(entry++) = at.edge.stabilisation(layer) *
-                          form(energies.outermost[std::size_t(layer)].stabilisation);
+                          form_of_node(energies.outermost[std::size_t(layer)].stabilisation, layer);
     }
     for (Index a = 0; a < size; ++a) {
         for (Index layer = 0; layer < layers_; ++layer) {
@@ -189,8 +203,8 @@ Vector EdgeResiduals::slopes(const Edge& at, const EdgeEnergies& energies, const
 }
 
 Linearised EdgeResiduals::at(const VectorXd& parameters) const {
-    Linearised result{VectorXd(entries_ + Index(stiff_.size()) + start_.size()), {}};
-    result.slopes = MatrixXd::Zero(result.values.size(), start_.size());
+    Linearised result{VectorXd(entries_ + Index(stiff_.size()) + lattice_.size()), {}};
+    result.slopes = MatrixXd::Zero(result.values.size(), lattice_.size());
     Edge now{.numbers = numbers(parameters), .edge = {}, .beta_slope = 0};
     now.edge = edge_in_doubles(now.numbers, speeds_);
     if (task_.largest_beta != 0) {
@@ -223,8 +237,8 @@ Linearised EdgeResiduals::at(const VectorXd& parameters) const {
         }
         ++at;
     }
-    result.values.tail(start_.size()) = task_.near_the_lattice * (parameters - start_);
-    result.slopes.bottomRows(start_.size()).diagonal().setConstant(task_.near_the_lattice);
+    result.values.tail(lattice_.size()) = task_.near_the_lattice * (parameters - lattice_);
+    result.slopes.bottomRows(lattice_.size()).diagonal().setConstant(task_.near_the_lattice);
     return result;
 }
 

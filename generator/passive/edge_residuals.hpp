@@ -52,8 +52,9 @@ class EdgeResiduals {
                   const std::vector<double>& speeds);
 
     /// The lattice as it is, half a cell on its outermost layer, dashpots there alone; next to none
-    /// on the others, since at none the derivatives vanish.
-    Eigen::VectorXd start() const { return start_; }
+    /// on the others, since at none the derivatives vanish. Weights and masses times a geometric
+    /// sequence, `heavier` on the outermost layer and 1 on the two innermost.
+    Eigen::VectorXd start(double heavier) const;
 
     EdgeNumbers<double> numbers(const Eigen::VectorXd& parameters) const;
 
@@ -67,7 +68,6 @@ class EdgeResiduals {
         double beta_slope = 0;  ///< of beta by its parameter
     };
 
-    Eigen::VectorXd first() const;
     /// left.(dD/dp) right for each parameter p, D the dynamic stiffness K - omega^2 M + i damping
     /// C.
     template <class Vector>
@@ -78,7 +78,7 @@ class EdgeResiduals {
     const std::vector<WeightedWave>& waves_;
     const std::vector<double>& speeds_;
     Eigen::Index layers_;
-    Eigen::VectorXd start_;
+    Eigen::VectorXd lattice_;               // start(1)
     std::vector<EdgeEnergies> energies_{};  // at the wave numbers of the waves
     std::vector<EdgeEnergies> stiff_{};     // at those whose eigenvalues are kept low
     Eigen::Index entries_ = 0;

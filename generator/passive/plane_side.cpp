@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "generator/passive/plane_side.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -13,12 +14,17 @@
 namespace nmbcgen {
 namespace {
 
+struct DesignedWaves {
+    std::vector<double> angles;
+    std::vector<double> xi;
+    double longest = 0;  ///< those with a lower xi count no more than this one
+};
+
 /// Long waves count more, and so do steep ones: more of their energy meets a side, and sooner.
-std::vector<WeightedWave> designed_waves(const PlaneLattice& lattice) {
+std::vector<WeightedWave> weighted(const DesignedWaves& which, const PlaneLattice& lattice) {
     std::vector<WeightedWave> waves;
-    for (const double angle : {0.0, 15.0, 30.0, 45.0, widest_designed_angle}) {
-        for (const double xi :
-             {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0}) {
+    for (const double angle : which.angles) {
+        for (const double xi : which.xi) {
             for (const bool is_P : {true, false}) {
                 const ArrivingWave wave = wave_at(lattice, is_P, xi, angle);
                 const PlaneMode& mode = wave.outgoing[std::size_t(wave.column)];
@@ -26,12 +32,36 @@ std::vector<WeightedWave> designed_waves(const PlaneLattice& lattice) {
                 const double slow = 0.2 * (is_P ? lattice.speed_P : lattice.speed_S);
                 if (mode.group_velocity > slow) {
                     const double cosine = std::cos(angle * std::numbers::pi / 180);
-                    waves.push_back({wave, cosine * std::sqrt(cosine) / xi});
+                    waves.push_back(
+                        {wave, cosine * std::sqrt(cosine) / std::max(xi, which.longest)});
                 }
             }
         }
     }
     return waves;
+}
+
+const DesignedWaves all_waves{
+    .angles = {0, 15, 30, 45, 60},
+    .xi = {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0}};
+
+/// More layers can do something about wider angles and about S waves beside the critical one.
+/// Heavy layers have low frequencies of their own: lower wave numbers, too. Fewer of these make up
+/// for the time.
+const DesignedWaves wide_waves{.angles = {0, 15, 30, 35, 45, 60, 75},
+                               .xi = {0.02, 0.05, 0.1, 0.2, 0.35, 0.6, 1.0},
+                               .longest = 0.1};
+
+bool has_more_layers(const EdgeReach& reach) {
+    return reach.layers > 2 * reach.node;
+}
+
+const DesignedWaves& waves_for(const EdgeReach& reach) {
+    return has_more_layers(reach) ? wide_waves : all_waves;
+}
+
+std::size_t least_side_layers(const VectorChoice& choice) {
+    return 2 * std::size_t(horizon_of(choice));
 }
 
 }  // namespace
@@ -47,12 +77,34 @@ ArrivingWave wave_at(const PlaneLattice& lattice, bool is_P, double xi, double d
     }
 }
 
-DesignedSide passive_side(const SideTask& model) {
+std::size_t side_layers_checked(const VectorChoice& choice, std::size_t layers) {
+    const std::size_t least = least_side_layers(choice);
+    constexpr std::size_t quick = 16;
+    const std::size_t most = std::max(least, quick);
+    if (layers < least || layers > most) {
+        std::ostringstream text;
+        text << "a passive side of this family has " << least << " to " << most << " layers, not "
+             << layers;
+        throw std::invalid_argument(text.str());
+    }
+    return layers;
+}
+
+double widest_designed_angle(const DesignedSide& side) {
+    return waves_for(side.task.reach).angles.back();
+}
+
+DesignedSide passive_side(const SideTask& model, const DesignProgress& progress) {
     const VectorFamily& family = find_vector_family(model.family);
     const PlaneLattice lattice = plane_lattice(family.describe(model.choice), model.g, 0);
     constexpr std::size_t wave_numbers = 32;
     const auto node = Eigen::Index(horizon_of(model.choice));
     const auto forces = Eigen::Index(lateral_chain(lattice, 0).reach());
+    const EdgeReach reach{
+        .node = node,
+        .forces = forces,
+        .layers = Eigen::Index(std::max(model.layers, least_side_layers(model.choice)))};
+    const bool more = has_more_layers(reach);
     const Rational largest_beta =
         model.has_null_lagrangian ? family.largest_beta(model.choice) : Rational(0);
     EdgeTask task{.squares = EdgeSquares(
@@ -61,14 +113,17 @@ DesignedSide passive_side(const SideTask& model) {
                       },
                       node, model.g, largest_beta),
                   .dimensions = 2,
-                  .reach = {.node = node, .forces = forces, .layers = 2 * node},
+                  .reach = reach,
                   .has_stabilisation = model.g != 0,
                   .largest_beta = largest_beta,
+                  .near_the_lattice = more ? 0.2 : 0.03,
                   .long_steps = 10,
+                  .stiff_steps = more ? 4U : 2U,
+                  .starts = more ? std::vector<double>{1, 1. / 16, 16, 80} : std::vector<double>{1},
                   .highest_eigenvalue = highest_eigenvalue(lattice, wave_numbers),
                   .time_step = nearest_double(model.time_step)};
-    return designed_side(std::move(task), designed_waves(lattice),
-                         {lattice.speed_P, lattice.speed_S}, wave_numbers);
+    return designed_side(std::move(task), weighted(waves_for(reach), lattice),
+                         {lattice.speed_P, lattice.speed_S}, wave_numbers, progress);
 }
 
 nmbc::PassiveSide for_runtime(const DesignedSide& side) {

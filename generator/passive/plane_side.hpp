@@ -18,21 +18,28 @@ struct SideTask {
     Rational time_step;  ///< of the steps it is for [dX sqrt(rho/E)]; 0: continuous time
     /// Whether the body may have one: beside a free side it must not.
     bool has_null_lagrangian = true;
+    std::size_t layers = 0;  ///< with numbers of their own; 0: twice the horizon, the fewest
 };
 
 /// Larger families take minutes.
 inline constexpr unsigned largest_side_radius_squared = 25;
 
-inline constexpr double widest_designed_angle = 60;  ///< from the normal [degrees]
+/// From the normal [degrees].
+double widest_designed_angle(const DesignedSide& side);
+
+/// Throws std::invalid_argument, "..  has 2 to 16 layers, not 1", where there are no sides of so
+/// many: fewer do not reach all forces that are cut, more take too long to design.
+std::size_t side_layers_checked(const VectorChoice& choice, std::size_t layers);
 
 /// At an angle from the normal [degrees]. Throws std::domain_error where it cannot be told from
 /// other waves.
 ArrivingWave wave_at(const PlaneLattice& lattice, bool is_P, double xi, double degrees);
 
 /// Designed for P and S waves at angles up to the widest one with xi up to 1/dX, longer ones
-/// counting more. Takes a second at radius 1, and 20 s at radius 3. Throws std::domain_error where
-/// such waves cannot be told from each other, or no design is found.
-DesignedSide passive_side(const SideTask& model);
+/// counting more. Takes a second at radius 1, and 10 s at radius 3, of more layers some ten times
+/// as long. Throws std::domain_error where such waves cannot be told from each other, or no design
+/// is found.
+DesignedSide passive_side(const SideTask& model, const DesignProgress& progress = {});
 
 /// The same as the runtime takes it.
 nmbc::PassiveSide for_runtime(const DesignedSide& side);

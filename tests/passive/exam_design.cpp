@@ -8,6 +8,7 @@
 
 #include "generator/dense/decompositions.hpp"
 #include "generator/passive/design.hpp"
+#include "generator/passive/plane_side.hpp"
 #include "tests/support/nopd2d.hpp"
 
 using namespace nmbcgen;
@@ -67,6 +68,39 @@ TEST_CASE("a design is passive, reflects little, and keeps steps long") {
         }
         CHECK(design_edge(task, some_waves(lattice), speeds).mass == design.mass);
     }
+}
+
+TEST_CASE("more layers reflect less, at wide angles too") {
+    // Reflected energies at xi = 0.1 of a second order condition with one scalar more per boundary
+    // node, which is not passive: 0/.001 head-on, .012/.012 at 60 degrees, .060/.059 at 70.
+    const SideTask six{
+        .family = "nopd2d", .choice = of_paper(1), .g = 0, .time_step = 0, .layers = 6};
+    std::size_t done = 0;
+    std::size_t most = 0;
+    const DesignedSide side = passive_side(six, [&](std::size_t now, std::size_t all) {
+        CHECK(now >= done);
+        done = now;
+        most = all;
+    });
+    CHECK(done > 0);
+    CHECK(done <= most);
+    CHECK_NOTHROW(require_passive(side.design, side.task.largest_beta));
+    CHECK(side.design.strain.size() == 6);
+    CHECK(side.highest_eigenvalue < 1.4 * side.task.highest_eigenvalue);
+    const PlaneLattice lattice = lattice_of_paper(1, 0);
+    const auto reflected = [&](bool is_P, double xi, double degrees) {
+        return reflected_by_edge(side.task, side.edge, wave_at(lattice, is_P, xi, degrees));
+    };
+    for (const bool is_P : {true, false}) {
+        for (const double degrees : {0.0, 20.0, 30.0, 35.0, 40.0}) {
+            CAPTURE(degrees);
+            CHECK(reflected(is_P, 0.1, degrees) < 0.0025);
+        }
+        CHECK(reflected(is_P, 0.1, 60) < 0.012);
+        CHECK(reflected(is_P, 0.1, 70) < 0.065);
+    }
+    CHECK_THROWS_AS(side_layers_checked(of_paper(1), 1), std::invalid_argument);
+    CHECK_THROWS_AS(side_layers_checked(of_paper(9), 17), std::invalid_argument);
 }
 
 TEST_CASE("no motion beside an edge grows, and leapfrog is stable to its limit") {

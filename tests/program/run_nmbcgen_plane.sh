@@ -67,6 +67,24 @@ assert head_on["angle"] == 0 and head_on["P"] < 0.005 and head_on["S"] < 0.02
 try passive "${smallest[@]}" --G 1/5
 expect "the same again" cmp "$scratch/once" "$scratch/stdout"
 
+# More layers: what is asked for is in the command of a header, and what is proved is the same.
+try passive "${smallest[@]}" --G 1/5 --layers 4
+expect_exit 0
+cp "$scratch/stdout" "$scratch/four"
+expect "less comes back at wide angles" python3 -c '
+import json, sys
+two, four = [{(one["angle"], one["xi"]): one for one in json.load(open(name))["reflected_energy"]} for name in sys.argv[1:]]
+side = json.load(open(sys.argv[2]))
+assert side["layers"] == 4 and side["designed_up_to_degrees"] == 75
+for wave in "PS":
+    assert all(four[60, xi][wave] < 0.6 * two[60, xi][wave] for xi in (0.05, 0.1)), wave
+    assert four[35, 0.1][wave] < 0.01, wave
+' "$scratch/once" "$scratch/four"
+try passive "${smallest[@]}" --G 1/5 --layers 4 --header
+expect_exit 0
+expect "its command" grep -q -- "--G 1/5 --layers 4 --header" "$scratch/stdout"
+expect "its name" grep -q "passive_nopd2d_r1_nu1o4_g1o5_q4{" "$scratch/stdout"
+
 # An end of a chain: energies beside those of NMBC2, whose amplitudes at xi = 0.05, 0.1, 0.2, 0.5, 1
 # are 5.2e-7, 8.3e-6, 1.3e-4, 5.5e-3, 1.0e-1 at n = 2, G = 1, s = 2.
 try passive --horizon 2 --G 1
@@ -131,6 +149,11 @@ refuses 2 "passive ends have constant influence" passive --horizon 2 --weights 1
 for horizon in 0 7; do
     refuses 2 "--horizon: '$horizon' is not a whole number from 1 to 6" passive --horizon $horizon --G 1
 done
+refuses 2 "--layers: is of a side of the plane" passive --horizon 2 --G 1 --layers 4
+refuses 2 "--layers: a passive side of this family has 2 to 16 layers, not 1" passive "${smallest[@]}" --G 1 --layers 1
+refuses 2 "--layers: a passive side of this family has 6 to 16 layers, not 17" \
+    passive --family nopd2d --radius2 9 --nu 1/4 --G 1 --layers 17
+refuses 2 "--layers" passive "${smallest[@]}" --G 1 --layers 4.5
 refuses 2 "passive requires --G" passive --horizon 2
 # Stable head-on, but not as a side, component by component; and what is stable as both.
 waves=("${smallest[@]}" --polarisation P --order 1 --stdout --require-stable)

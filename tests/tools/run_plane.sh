@@ -29,6 +29,8 @@ energy_left 2.6e-5 2.8e-5 "$scene" --set boundary.kind=higdon --set boundary.all
 # Made for wide angles, it lets more of the waves that come head-on back.
 energy_left 2.4e-4 2.7e-4 "$scene" --set boundary.kind=higdon --set boundary.absorb='["P:30", "S:60"]' \
     --set boundary.allow_unstable=true --set model.G=0.7853981633974483
+# More layers, proved as well.
+energy_left 9.5e-5 1.1e-4 "$scene" --set boundary.layer=4
 energy_left 0.9 1 "$scene" --set boundary.kind=free
 energy_left 0.9 1 "$scene" --set boundary.kind=fixed
 energy_left 0.9 1 "$scene" --set boundary.kind=sbp
@@ -260,7 +262,9 @@ setting 2 "two whole numbers" "domain.nodes=[1.5, 2]"
 setting 2 "whose product is at most 100000000" "domain.nodes=[100000, 100000]"
 setting 2 'boundary.left.kind must be "passive", "fixed", "free"' boundary.left.kind=open
 setting 2 "a periodic side opposite one that is not" boundary.left.kind=periodic
-setting 2 "boundary.layer does not count for kind \"passive\"" boundary.layer=3
+setting 2 "boundary.layer does not fit: a passive side of this family has 2 to 16 layers, not 1" boundary.layer=1
+setting 2 "has passive sides of unlike boundary.layer" boundary.left.layer=4
+setting 2 "boundary.order does not count for kind \"passive\"" boundary.order=3
 setting 2 "needs boundary.layer" boundary.kind=sponge
 setting 2 "has a pml, which needs boundary.layer" boundary.kind=pml
 setting 4 "where their losses vary" boundary.kind=pml boundary.layer=10

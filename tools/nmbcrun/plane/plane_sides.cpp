@@ -34,6 +34,11 @@ nmbc::PassiveSide designed_side_of(const PlaneScene& scene) {
             .g = nmbcgen::Rational(scene.G / std::numbers::pi),
             .time_step = 0,
             .has_null_lagrangian = !scene.has(SideKind::free) && !scene.has(SideKind::sbp)};
+        for (const PlaneSideChoice& side : scene.sides) {
+            if (side.kind == SideKind::passive) {
+                task.layers = side.layer;
+            }
+        }
         if (scene.is_bond_based()) {
             task.family = "bond2d";
             task.choice.weights.assign(scene.weights.begin(), scene.weights.end());

@@ -8,11 +8,13 @@
 #include <charconv>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "generator/passive/plane_side.hpp"
 #include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/scene/read_choice.hpp"
 
@@ -26,6 +28,7 @@ std::vector<std::string_view> keys_of(SideKind kind) {
             return {"order", "stride", "as_printed"};
         case SideKind::higdon:
             return {"absorb"};
+        case SideKind::passive:
         case SideKind::extended:
             return {"layer"};
         case SideKind::sponge:
@@ -107,6 +110,25 @@ void refuse_idle_keys(SceneReader& reader, const std::string& group,
     }
 }
 
+/// They share one design, and with it the null Lagrangian of the body.
+void require_like_passive_sides(SceneReader& reader, const PlaneScene& scene) {
+    std::optional<std::size_t> layers;
+    for (const PlaneSideChoice& side : scene.sides) {
+        if (side.kind == SideKind::passive && layers.value_or(side.layer) != side.layer) {
+            reader.fail("boundary", "has passive sides of unlike boundary.layer: they share one");
+        }
+        layers = side.kind == SideKind::passive ? side.layer : layers;
+    }
+    if (layers.value_or(0) == 0) {
+        return;
+    }
+    try {
+        nmbcgen::side_layers_checked({.radius_squared = scene.radius_squared}, *layers);
+    } catch (const std::invalid_argument& reason) {
+        reader.fail("boundary.layer", std::string("does not fit: ") + reason.what());
+    }
+}
+
 }  // namespace
 
 void read_plane_sides(SceneReader& reader, PlaneScene& scene) {
@@ -128,6 +150,7 @@ void read_plane_sides(SceneReader& reader, PlaneScene& scene) {
                         "has as_printed, which is (81), beside another order or stride than 1");
         }
     }
+    require_like_passive_sides(reader, scene);
     for (const std::size_t low : {0U, 2U}) {
         if ((scene.sides[low].kind == SideKind::periodic) !=
             (scene.sides[low + 1].kind == SideKind::periodic)) {

@@ -62,6 +62,8 @@ std::string heading_of(const PlaneSideChoice& side) {
         case SideKind::pml:
             return fmt::format("{} of {} nodes, profile {}, target {}", name_of(side.kind),
                                side.layer, side.profile, side.target);
+        case SideKind::passive:
+            return side.layer == 0 ? "passive" : fmt::format("passive of {} layers", side.layer);
         default:
             return std::string(name_of(side.kind));
     }

@@ -34,7 +34,9 @@ struct ObliqueWave {
 
 struct PlaneSideChoice {
     SideKind kind = SideKind::passive;
-    std::size_t layer = 0;  ///< nodes of an extended one, 0: as many as it takes; of a layer
+    /// Nodes of an extended one, 0: as many as it takes; of a layer; of a passive one with numbers
+    /// of their own, 0: 2n.
+    std::size_t layer = 0;
     // Of an nmbc:
     int order = 1;
     int stride = 1;
