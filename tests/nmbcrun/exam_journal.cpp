@@ -106,7 +106,8 @@ TEST_CASE("a copy that cannot be written leaves what was published, and nothing 
 TEST_CASE("a row of energies has all of its columns, or is none") {
     const Folder folder;
     const auto samples_of = [&](const std::string& row) {
-        std::ofstream(folder / "run.csv") << nmbcrun::energies_head("") << row;
+        std::ofstream(folder / "run.csv")
+            << nmbcrun::energies_head("", nmbcrun::energies_header) << row;
         std::vector<nmbcrun::Sample> samples;
         nmbcrun::read_energies(
             folder / "run.csv", nmbcrun::energies_header, [](std::size_t /*row*/) { return true; },
