@@ -161,6 +161,13 @@ void print_curves(std::string_view family, const PlaneCurves& curves,
     }
 }
 
+/// What is asked for, as JSON or as text.
+template <class Task>
+void print_as(bool as_json, std::string (*json)(const Task&), std::string (*text)(const Task&),
+              const Task& task) {
+    print((as_json ? json : text)(task));
+}
+
 std::string passive_text(const Request& request, const Progress& progress) {
     if (request.end) {
         return request.as_header ? passive_header(*request.end) : passive_json(*request.end);
@@ -222,10 +229,10 @@ int run(const Request& request) {
             }));
             return done;
         case Action::bonds:
-            print(request.as_json ? bonds_json(request.bonds) : bonds_text(request.bonds));
+            print_as(request.as_json, bonds_json, bonds_text, request.bonds);
             return done;
         case Action::closure:
-            print(request.as_json ? closure_json(request.closure) : closure_text(request.closure));
+            print_as(request.as_json, closure_json, closure_text, request.closure);
             return done;
         case Action::coupling:
             print(with_progress([&request](const Progress&) {
@@ -234,19 +241,18 @@ int run(const Request& request) {
             return done;
         case Action::influence:
             if (request.class_influence.radius_squared > 0) {
-                print(request.as_json ? class_influence_json(request.class_influence)
-                                      : class_influence_text(request.class_influence));
-                return done;
+                print_as(request.as_json, class_influence_json, class_influence_text,
+                         request.class_influence);
+            } else {
+                print_as(request.as_json, power_influence_json, power_influence_text,
+                         request.influence);
             }
-            print(request.as_json ? power_influence_json(request.influence)
-                                  : power_influence_text(request.influence));
             return done;
         case Action::taylor:
-            print(request.as_json ? plane_series_json(request.series)
-                                  : plane_series_text(request.series));
+            print_as(request.as_json, plane_series_json, plane_series_text, request.series);
             return done;
         case Action::oblique:
-            print(request.as_json ? oblique_json(request.oblique) : oblique_text(request.oblique));
+            print_as(request.as_json, oblique_json, oblique_text, request.oblique);
             return done;
         case Action::closed_forms:
             print(request.closed_format->emit(closed_forms(
