@@ -27,7 +27,7 @@ struct Factor {
     Rational b_squared;
 };
 
-struct Condition {
+struct ObliqueCondition {
     VectorModel model;
     Rational decay;
     std::vector<Factor> factors;
@@ -35,7 +35,8 @@ struct Condition {
     std::vector<std::vector<InRoots>> coefficients;
 };
 
-InRoots product(const InRoots& one, const InRoots& other, const std::vector<Factor>& factors) {
+InRoots product_in_roots(const InRoots& one, const InRoots& other,
+                         const std::vector<Factor>& factors) {
     InRoots result{};
     for (unsigned i = 0; i < one.size(); ++i) {
         for (unsigned j = 0; j < other.size(); ++j) {
@@ -54,7 +55,7 @@ InRoots product(const InRoots& one, const InRoots& other, const std::vector<Fact
 /// times (D + e)(1 + Z) - b (Z - 1), b the factor's.
 std::vector<std::vector<InRoots>> times_factor(
     const std::vector<std::vector<InRoots>>& coefficients, std::size_t which,
-    const Condition& condition) {
+    const ObliqueCondition& condition) {
     InRoots b{};
     b[std::size_t(1) << which] = 1;
     InRoots at_ghost{condition.decay};  // e + b, and of Z e - b
@@ -68,7 +69,8 @@ std::vector<std::vector<InRoots>> times_factor(
         for (std::size_t j = 0; j < coefficients[p].size(); ++j) {
             for (const std::size_t q : {0U, 1U}) {
                 for (const std::size_t i : {0U, 1U}) {
-                    const InRoots term = product(coefficients[p][j], own[q][i], condition.factors);
+                    const InRoots term =
+                        product_in_roots(coefficients[p][j], own[q][i], condition.factors);
                     for (std::size_t r = 0; r < term.size(); ++r) {
                         result[p + q][j + i][r] += term[r];
                     }
@@ -87,8 +89,8 @@ void prove(const Factor& factor) {
     }
 }
 
-Condition condition_of(const ObliqueTask& task) {
-    Condition condition{
+ObliqueCondition condition_of(const ObliqueTask& task) {
+    ObliqueCondition condition{
         .model = find_vector_family(task.family).describe(task.choice),
         .decay = task.decay.value_or(task.waves.size() == 1 ? Rational(0) : Rational(1, 500)),
         .factors = {},
@@ -133,15 +135,15 @@ std::string name_of(const ObliqueWave& wave) {
                        wave.direction.text);
 }
 
-constexpr const char* form =
+constexpr const char* oblique_form =
     "on every ghost layer and both components: the product of (D + e)(1 + Z) - b (Z - 1), D = "
     "d/dt, Z one node inwards";
-constexpr const char* units =
+constexpr const char* oblique_units =
     "dX = E = density = 1: times in dX sqrt(density/E); angles from the normal of the side";
-constexpr const char* proved =
+constexpr const char* oblique_proof =
     "b cos(angle) = 2 c, c that of the dynamical matrix at this angle: where e = 0 the residual of "
     "such waves has no power of the wave number below the third one, exactly";
-constexpr const char* source =
+constexpr const char* oblique_source =
     "Nicely 2018 (75) to (85), (85) corrected; a product of two: Higdon 1986";
 
 double speed_of(const Factor& factor) {
@@ -151,9 +153,9 @@ double speed_of(const Factor& factor) {
 }  // namespace
 
 std::string oblique_text(const ObliqueTask& task) {
-    const Condition condition = condition_of(task);
+    const ObliqueCondition condition = condition_of(task);
     std::string text = fmt::format("model       {}\ncondition   {}\nunits       {}\n",
-                                   condition.model.description, form, units);
+                                   condition.model.description, oblique_form, oblique_units);
     for (const Factor& factor : condition.factors) {
         text += fmt::format("{:<12}c^2 = {}, cos^2 = {}, b = {} = {:.10g}\n", name_of(factor.wave),
                             to_string(factor.speed_squared),
@@ -173,12 +175,12 @@ std::string oblique_text(const ObliqueTask& task) {
         }
         text += sum + "\n";
     }
-    return text + fmt::format("proved      {}\n", proved);
+    return text + fmt::format("proved      {}\n", oblique_proof);
 }
 
 std::string oblique_json(const ObliqueTask& task) {
     using Json = nlohmann::ordered_json;
-    const Condition condition = condition_of(task);
+    const ObliqueCondition condition = condition_of(task);
     Json factors = Json::array();
     for (const Factor& factor : condition.factors) {
         factors.push_back(
@@ -211,15 +213,15 @@ std::string oblique_json(const ObliqueTask& task) {
     const Json all{{"condition", "oblique"},
                    {"family", task.family},
                    {"model", condition.model.description},
-                   {"form", form},
-                   {"units", units},
+                   {"form", oblique_form},
+                   {"units", oblique_units},
                    {"factors", factors},
                    {"decay", to_string(condition.decay)},
                    {"basis", std::vector<std::string>(basis.begin(), basis.begin() + long(used))},
                    {"coefficients", exact},
                    {"numbers", numbers},
-                   {"source", source},
-                   {"proved", proved}};
+                   {"source", oblique_source},
+                   {"proved", oblique_proof}};
     return all.dump(2) + "\n";
 }
 

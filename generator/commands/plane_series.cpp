@@ -31,7 +31,7 @@ PlaneTaylorClosed series_of(const PlaneSeriesTask& task, const VectorModel& mode
     return series;
 }
 
-constexpr const char* units =
+constexpr const char* series_units =
     "dX = 1 and the speed of these long waves = 1; c^2 in E/density; g = G/pi";
 
 /// (-15g + 8)/12
@@ -67,7 +67,7 @@ std::string plane_series_text(const PlaneSeriesTask& task) {
     std::string text = fmt::format(
         "model       {}\nwaves       {}, s = i omega = sum a_k (i xi)^k, even a_k = 0\nunits       "
         "{}\nangle       {}\nc^2         {}\n",
-        model.description, task.polarisation == Polarisation::P ? 'P' : 'S', units,
+        model.description, task.polarisation == Polarisation::P ? 'P' : 'S', series_units,
         task.direction ? fmt::format("{}: cos^2 = {}", task.direction->text,
                                      to_string(task.direction->cosine_squared))
                        : "any; q = sin^2(2 angle)",
@@ -99,7 +99,7 @@ std::string plane_series_json(const PlaneSeriesTask& task) {
         {"taylor_of", task.family},
         {"model", model.description},
         {"polarisation", task.polarisation == Polarisation::P ? "P" : "S"},
-        {"units", units},
+        {"units", series_units},
         {"direction", task.direction ? Json(task.direction->text) : Json(nullptr)},
         {"cosine_squared",
          task.direction ? Json(to_string(task.direction->cosine_squared)) : Json(nullptr)},

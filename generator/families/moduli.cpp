@@ -10,7 +10,7 @@ namespace nmbcgen {
 namespace {
 
 Rational poisson_below(const Rational& highest, const VectorChoice& choice, const char* where) {
-    const Rational nu = choice.poisson.value_or(0);
+    Rational nu = choice.poisson.value_or(0);
     if (nu <= -1 || nu >= highest) {
         throw NoSuchModel(fmt::format("Poisson's ratio {}: {} needs -1 < nu < {}", to_string(nu),
                                       where, to_string(highest)));
