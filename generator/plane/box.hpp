@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+/// A square box of a plane lattice with corners.
+#pragma once
+
+#include <cstddef>
+
+#include "generator/plane/side_condition.hpp"
+
+namespace nmbcgen {
+
+/// Conditions on its ghost layers, of one order in D both. In the corners the ghosts follow the one
+/// across x.
+struct BoxSides {
+    SideCondition across_x;
+    SideCondition across_y;
+};
+
+/// The largest real part of s [c/dX of the model's units] over all motions exp(s t) of a box of
+/// nodes x nodes between these ghost layers, nodes even. Positive where it is not stable; static
+/// states have s = 0, up to the roundings of a multiple eigenvalue.
+double growth_in_box(const PlaneLattice& lattice, const BoxSides& sides, std::size_t nodes);
+
+}  // namespace nmbcgen
