@@ -16,8 +16,9 @@ struct BoxSides {
 };
 
 /// The largest real part of s [c/dX of the model's units] over all motions exp(s t) of a box of
-/// nodes x nodes between these ghost layers, nodes even. Positive where it is not stable; static
-/// states have s = 0, up to the roundings of a multiple eigenvalue.
+/// nodes x nodes between these ghost layers, nodes even and no fewer than the layers inwards that a
+/// condition looks at. x -> -x and y -> -y are symmetries of the lattice. Positive where it is not
+/// stable; static states have s = 0, up to the roundings of a multiple eigenvalue.
 double growth_in_box(const PlaneLattice& lattice, const BoxSides& sides, std::size_t nodes);
 
 }  // namespace nmbcgen

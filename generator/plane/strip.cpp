@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "generator/dense/decompositions.hpp"
+#include "generator/plane/ghost_row.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -65,21 +66,9 @@ class Strip {
                 const Index inwards = left ? 1 : -1;
                 const Index layer = left ? ghost : all_ - 1 - ghost;
                 for (Index a = 0; a < size_; ++a) {
-                    const ShiftPolynomial& residual = condition_.residual[std::size_t(a)];
-                    const auto row = [&](std::size_t j) {
-                        return size_ * (layer + inwards * Index(j)) + a;
-                    };
-                    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(state_);
-                    const std::vector<double>& own = residual.back();
-                    for (std::size_t j = 1; j < own.size(); ++j) {
-                        sum += own[j] * highest.row(row(j));
-                    }
-                    for (std::size_t p = 0; p < lower.size(); ++p) {
-                        for (std::size_t j = 0; j < residual[p].size(); ++j) {
-                            sum += residual[p][j] * lower[p]->row(row(j));
-                        }
-                    }
-                    highest.row(row(0)) = -sum / own[0];
+                    close_ghost(
+                        condition_.residual[std::size_t(a)], lower, highest,
+                        [&](std::size_t j) { return size_ * (layer + inwards * Index(j)) + a; });
                 }
             }
         }

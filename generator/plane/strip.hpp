@@ -9,7 +9,8 @@
 namespace nmbcgen {
 
 /// The largest real part of s [c/dX of the model's units] over all motions exp(s t + i k_t y) of a
-/// strip with this many layers between its ghost layers: positive where it is not stable. Static
+/// strip with this many layers between its ghost layers, no fewer than the layers inwards that the
+/// condition looks at: positive where it is not stable. Static
 /// states have s = 0, up to the roundings of a multiple eigenvalue.
 double growth_in_strip(const LateralChain& chain, const SideCondition& condition,
                        std::size_t layers);

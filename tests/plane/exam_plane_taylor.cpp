@@ -12,17 +12,14 @@
 #include "generator/names/projected_family.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/plane/plane_taylor.hpp"
+#include "tests/support/nopd2d.hpp"
 
 using namespace nmbcgen;
+using namespace nmbcgen::test;
 
 namespace {
 
-const Rational quarter(1, 4);
 const Polynomial g(std::vector<Rational>{0, 1});
-
-VectorChoice of_paper(unsigned radius_squared) {
-    return {.radius_squared = radius_squared, .poisson = quarter};
-}
 
 /// omega^2/c^2 of waves along (p, q) as a series in the square of the wave number: the sums of
 /// facts c^2 |kappa|^2 + S, term by term, with (i p + j q)^n as it stands.

@@ -22,6 +22,14 @@ inline PlaneLattice lattice_of_paper(unsigned radius_squared, double G) {
     return plane_lattice(nopd2d(of_paper(radius_squared)), g_of(G), 0);
 }
 
+constexpr double paper_time_unit = 10;  // sqrt(E = 100)
+
+/// Damping of the paper's units, where it acts as stabilisation does at G = 1.
+inline PlaneLattice damped_lattice(unsigned radius_squared, double G, double tau) {
+    return plane_lattice(nopd2d(of_paper(radius_squared)), g_of(G),
+                         Rational(paper_time_unit * tau / std::numbers::pi));
+}
+
 inline double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }
