@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "generator/families/vector_family.hpp"
 #include "generator/names/projected_family.hpp"
 #include "generator/pipeline.hpp"
+#include "generator/plane/box.hpp"
 #include "generator/plane/strip.hpp"
 #include "generator/stability/half_space.hpp"
 
@@ -32,12 +34,42 @@ constexpr double growth_limit = 1e-9;
 /// Samples reach 1 at the edges of bands, where waves stand, up to the roundings of a double root.
 constexpr double sampled_limit = 1 + 1e-6;
 
+/// How many layers inwards its ghost layers look.
+std::size_t width_of(const SideCondition& condition) {
+    std::size_t width = 0;
+    for (const ShiftPolynomial& residual : condition.residual) {
+        for (const std::vector<double>& shifts : residual) {
+            width = std::max(width, shifts.size() - 1);
+        }
+    }
+    return width;
+}
+
 /// 0 where it is roundings.
-double growth_of(const PlaneLattice& lattice, const SideCondition& condition) {
-    const double growth =
-        largest_growth_in_strip(lattice, condition, side_samples.layers, side_samples.wave_numbers);
+double told_growth(double growth, const PlaneLattice& lattice) {
     constexpr std::size_t steps = 16;
     return growth > growth_limit * std::sqrt(highest_eigenvalue(lattice, steps)) ? growth : 0;
+}
+
+double growth_between_two(const PlaneLattice& lattice, const SideCondition& condition,
+                          std::size_t layers) {
+    return told_growth(
+        largest_growth_in_strip(lattice, condition, std::max(layers, width_of(condition)),
+                                side_samples.wave_numbers),
+        lattice);
+}
+
+double growth_between_four(const PlaneLattice& lattice, const SideCondition& condition) {
+    const std::size_t even = 2 * ((width_of(condition) + 1) / 2);
+    return told_growth(growth_in_box(lattice, {.across_x = condition, .across_y = condition},
+                                     std::max(side_samples.nodes, even)),
+                       lattice);
+}
+
+bool grows(const PlaneLattice& lattice, const SideCondition& condition) {
+    return growth_between_two(lattice, condition, side_samples.layers) > 0 ||
+           growth_between_four(lattice, condition) > 0 ||
+           growth_between_two(lattice, condition, side_samples.other_layers) > 0;
 }
 
 }  // namespace
@@ -71,16 +103,18 @@ std::string component_name(unsigned order, unsigned stride) {
 
 void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice) {
     side.amplification = largest_amplification(lattice, side.condition, side_samples.waves);
-    side.growth = growth_of(lattice, side.condition);
+    side.growth = std::max(growth_between_two(lattice, side.condition, side_samples.layers),
+                           growth_between_two(lattice, side.condition, side_samples.other_layers));
+    side.growth_with_corners = growth_between_four(lattice, side.condition);
     const VectorFamily& family = find_vector_family(model.family);
-    if (side.growth == 0 || !family.has_stabilisation) {
+    if (!side.grows() || !family.has_stabilisation) {
         return;
     }
     const VectorModel described = family.describe(model.choice);
     for (const Rational& damping :
          {Rational(1, 100), Rational(1, 50), Rational(1, 20), Rational(1, 10), Rational(1, 5),
           Rational(1, 2), Rational(1), Rational(2)}) {
-        if (growth_of(plane_lattice(described, model.g, damping), side.condition) == 0) {
+        if (!grows(plane_lattice(described, model.g, damping), side.condition)) {
             side.damping = damping;
             return;
         }
@@ -88,7 +122,7 @@ void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice
 }
 
 std::string grade_of(const GhostSide& side) {
-    if (side.growth > 0) {
+    if (side.grows()) {
         return "grows";
     }
     const LargestAmplification& seen = side.amplification;

@@ -19,14 +19,19 @@ struct GhostSide {
     std::string name;
     SideCondition condition;
     LargestAmplification amplification{};
-    double growth = 0;                  ///< in a strip; 0 where it is roundings
-    std::optional<Rational> damping{};  ///< the smallest tau tried with which strips do not grow
+    double growth = 0;                  ///< in strips; 0 where it is roundings
+    double growth_with_corners = 0;     ///< in a box; likewise
+    std::optional<Rational> damping{};  ///< the smallest tau tried with which neither grows
+
+    bool grows() const { return growth > 0 || growth_with_corners > 0; }
 };
 
-/// How finely sides are sampled.
+/// How finely sides are sampled. Strips and boxes are wider where a condition reaches across them.
 struct SideSamples {
     std::size_t layers = 20;        ///< of the strip between two like sides
-    std::size_t wave_numbers = 40;  ///< steps of those along it
+    std::size_t other_layers = 31;  ///< of another one
+    std::size_t wave_numbers = 40;  ///< steps of those along them
+    std::size_t nodes = 12;         ///< of the box between four, along an edge
     std::size_t waves = 24;         ///< in each direction
 };
 inline constexpr SideSamples side_samples;
@@ -40,8 +45,8 @@ std::optional<SideCondition> component_condition(const SideTask& model, const Pl
 /// "NMBC2 by component, s = 3"
 std::string component_name(unsigned order, unsigned stride);
 
-/// Finds how the side amplifies waves and whether strips of the lattice grow between two of them;
-/// where they do, the damping that ends it.
+/// Finds how the side amplifies waves and whether strips of the lattice grow between two of them,
+/// or a box between four; where one does, the damping that ends it in all of them.
 void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice);
 
 /// "grows", "amplifies", "paired", "contractive", or "unknown" where most waves cannot be told.

@@ -70,7 +70,7 @@ std::string reflections_of(const PlaneLattice& lattice, Reflected reflected) {
     return text;
 }
 
-constexpr const char* row_format = "{:<26} {:<11} {:>10} {:>9} {:>5} {}\n";
+constexpr const char* row_format = "{:<26} {:<11} {:>10} {:>9} {:>9} {:>5} {}\n";
 
 /// A lattice and the sides there are for it.
 struct SidesOfLattice {
@@ -113,13 +113,16 @@ void for_each_side(const SidesOfLattice& sides, const Progress& progress, Passiv
     });
 }
 
+std::string rate_text(double growth) {
+    return growth > 0 ? fmt::format("{:.2g}", growth) : "none";
+}
+
 std::string row_of(const GhostSide& side, const SidesOfLattice& sides) {
-    const bool grows = side.growth > 0;
     return fmt::format(row_format, side.name, grade_of(side), amplification_of(side),
-                       grows ? fmt::format("{:.2g}", side.growth) : "none",
-                       side.damping ? to_string(*side.damping)
-                       : grows      ? "-"
-                                    : "0",
+                       rate_text(side.growth), rate_text(side.growth_with_corners),
+                       side.damping   ? to_string(*side.damping)
+                       : side.grows() ? "-"
+                                      : "0",
                        reflections_of(sides.lattice, [&](const ArrivingWave& wave) {
                            return sides.reflected_by(side, wave);
                        }));
@@ -143,7 +146,7 @@ std::string reflection_rows(std::string boundary, const PlaneLattice& lattice,
 
 std::string heading() {
     std::string text =
-        fmt::format(row_format, "boundary", "grade", "amplifies", "growth", "tau", "");
+        fmt::format(row_format, "boundary", "grade", "amplifies", "growth", "box", "tau", "");
     text.pop_back();
     for (const double angle : angles) {
         text += fmt::format("  {:>7} deg", angle);
@@ -161,7 +164,7 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
         sides, progress, [&](DesignedSide&& side) { passive = std::move(side); },
         [&](std::size_t i) { examine(sides.ghosts[i], model, sides.lattice); });
     std::string table =
-        heading() + fmt::format(row_format, "passive", "passive", "no", "none", "0",
+        heading() + fmt::format(row_format, "passive", "passive", "no", "none", "none", "0",
                                 reflections_of(sides.lattice, [&](const ArrivingWave& wave) {
                                     return reflected_by_edge(passive->task, passive->edge, wave);
                                 }));
@@ -177,22 +180,23 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
         "vanish for long waves\n"
         "  steps      times {:.2f} of those without it, beside an endless side\n\n"
         "{}\n"
-        "grade: passive is proved. Found on samples, {} x {} wave vectors and strips of {} layers "
-        "with {} wave numbers\n"
-        "  along them, and without corners: contractive (opposite any passive side), paired "
-        "(opposite its like),\n"
-        "  amplifies, grows (in the strip)\n"
+        "grade: passive is proved. Found on samples, {} x {} wave vectors, strips of {} and {} "
+        "layers with {} wave\n"
+        "  numbers along them and a box of {} x {} nodes: contractive (opposite any passive side), "
+        "paired (opposite its\n"
+        "  like), amplifies, grows (in a strip or in the box)\n"
         "amplifies: amplitudes at one reflection between like sides, the largest; <=: a bound\n"
-        "growth: rate in the strip [sqrt(E/density)/dX]; tau: least of 1/100 .. 2 that ends it in "
-        "this strip, of\n"
-        "  forces tau times those of the stabilisation at g = 1 on velocities [dX "
-        "sqrt(density/E)]; -: none\n"
+        "growth: rate in the strips; box: rate between four like sides, with corners "
+        "[sqrt(E/density)/dX]; tau: least of\n"
+        "  1/100 .. 2 that ends it in the strips and in the box, of forces tau times those of the "
+        "stabilisation at g = 1\n"
+        "  on velocities [dX sqrt(density/E)]; -: none\n"
         "degrees: from the normal; reflected energy of P/S, xi = {:g}/dX\n",
         passive->design.strain.size(), sides.described.description, to_string(model.g),
         widest_designed_angle(*passive),
         std::sqrt(passive->task.highest_eigenvalue / passive->highest_eigenvalue), table,
-        side_samples.waves, side_samples.waves + 1, side_samples.layers,
-        side_samples.wave_numbers + 1, reflected_xi);
+        side_samples.waves, side_samples.waves + 1, side_samples.layers, side_samples.other_layers,
+        side_samples.wave_numbers + 1, side_samples.nodes, side_samples.nodes, reflected_xi);
 }
 
 std::string side_reflection_csv(const SideTask& model, const std::vector<AbsorbedWave>& absorbed,

@@ -96,12 +96,12 @@ void require_stable_in_plane(const Specification& what, const ProjectedFamily& p
         "incidence: {}. Nothing was written.\nnmbcgen recommend {} --G {} shows the sides there "
         "are; the passive one is stable by construction",
         side.name, to_string(model.g),
-        side.growth > 0
-            ? fmt::format("strips of {} layers grow, Re s = {:.2g} sqrt(E/density)/dX",
-                          side_samples.layers, side.growth)
-            : fmt::format("of {} wave vectors some are amplified, {} times a reflection "
-                          "between like sides",
-                          side.amplification.samples, amplification_of(side)),
+        side.grows() ? fmt::format("{} between such sides grow, Re s = {:.2g} sqrt(E/density)/dX",
+                                   side.growth > 0 ? "strips" : "boxes with corners",
+                                   side.growth > 0 ? side.growth : side.growth_with_corners)
+                     : fmt::format("of {} wave vectors some are amplified, {} times a reflection "
+                                   "between like sides",
+                                   side.amplification.samples, amplification_of(side)),
         options, to_string(model.g)));
 }
 

@@ -22,6 +22,7 @@ grade paired 'NMBC1 as printed, \(81\)'
 try recommend "${smallest[@]}" --G 1/5
 grade contractive 'NMBC1 as printed, \(81\)'
 grade contractive 'NMBC2 by component'
+expect "nor does the box grow" grep -qE '^NMBC1 as printed, \(81\) +contractive +1\.000 +none +none +0 ' "$scratch/stdout"
 try recommend "${smallest[@]}" --G 1/4
 grade grows 'NMBC2 by component'
 try recommend --family bond2d --radius2 2 --weights 1,1/2
@@ -157,10 +158,18 @@ refuses 2 "--layers" passive "${smallest[@]}" --G 1 --layers 4.5
 refuses 2 "passive requires --G" passive --horizon 2
 # Stable head-on, but not as a side, component by component; and what is stable as both.
 waves=("${smallest[@]}" --polarisation P --order 1 --stdout --require-stable)
-refuses 4 "strips of 20 layers grow, Re s = 0.0062" "${waves[@]}" --G 0
+refuses 4 "strips between such sides grow, Re s = 0.0062" "${waves[@]}" --G 0
 refuses 4 "of 1200 wave vectors some are amplified, <= 1.100 times a reflection" "${waves[@]}" --G 1/10
 refuses 4 "nmbcgen recommend --family nopd2d --radius2 1 --nu 1/4 --G 1/10 shows the sides there are" "${waves[@]}" --G 1/10
 refuses 4 "the other polarisation has no such condition" "${smallest[@]}" --polarisation P --order 2 --stdout --require-stable --G 1/5
+# Corners: damping that ends the growth of strips does not end that of the box, and is not named.
+next=(--family nopd2d --radius2 4 --nu 1/4)
+refuses 4 "boxes with corners between such sides grow, Re s = 0.0051" \
+    "${next[@]}" --polarisation P --order 1 --damping 1/10 --stdout --require-stable --G 0
+try recommend "${next[@]}" --G 0
+expect_exit 0
+expect "the first is passive" grep -qE '^passive, on the 4 outermost layers' "$scratch/stdout"
+expect "rates in strips and in the box" grep -qE '^NMBC1 by component +grows +<= 5\.145 +0\.022 +0\.043 +1/5 ' "$scratch/stdout"
 try "${waves[@]}" --G 1/5
 expect_exit 0
 expect_no_stderr
