@@ -76,24 +76,51 @@ void number_components(std::vector<Disc>& discs) {
     }
 }
 
-/// |f(z_i)| factor / (leading prod_{l != i} distance of z_i from the disc about z_l): where the
-/// discs are points yet, with the degree as factor; once each root is in its disc, with 1, for
-/// those whose disc no other one touches.
-void set_radii(std::vector<Disc>& discs, const std::vector<double>& values, double leading,
-               double factor) {
-    std::vector<double> radii;
+/// Smith's radii: degree |f(z_i)| / (leading prod_{l != i} |z_i - z_l|).
+void set_radii(std::vector<Disc>& discs, const std::vector<double>& values, double leading) {
     for (std::size_t i = 0; i < discs.size(); ++i) {
         Interval denominator = leading;
         for (std::size_t l = 0; l < discs.size(); ++l) {
-            denominator *= l == i ? Interval(1)
-                                  : modulus(enclose(discs[i].centre) - enclose(discs[l].centre)) -
-                                        discs[l].radius;
+            denominator *=
+                l == i ? Interval(1) : modulus(enclose(discs[i].centre) - enclose(discs[l].centre));
         }
-        const bool alone = std::ranges::count(discs, discs[i].component, &Disc::component) == 1;
-        radii.push_back(!alone ? discs[i].radius
-                        : denominator.lower() <= 0
-                            ? HUGE_VAL
-                            : (Interval(values[i]) * factor / denominator).upper());
+        discs[i].radius = denominator.lower() > 0
+                              ? (Interval(values[i]) * double(discs.size()) / denominator).upper()
+                              : HUGE_VAL;
+    }
+}
+
+/// From z to any root that is in one of the discs of this component; 0 where it may be one itself.
+double least_distance(const Complex& z, const std::vector<Disc>& discs, std::size_t component) {
+    double least = HUGE_VAL;
+    for (const Disc& disc : discs) {
+        if (disc.component == component) {
+            const double distance =
+                (modulus(enclose(z) - enclose(disc.centre)) - disc.radius).lower();
+            least = distance > 0 ? std::min(least, distance) : 0;
+        }
+    }
+    return least;
+}
+
+/// Of discs that no other one touches, where that is less: |f(z_i)| / (leading prod_{l != i}
+/// |z_i - x_l|). The roots x_l of a component of several discs are anywhere in these.
+void narrow(std::vector<Disc>& discs, const std::vector<double>& values, double leading) {
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        radii.push_back(discs[i].radius);
+        if (std::ranges::count(discs, discs[i].component, &Disc::component) > 1) {
+            continue;
+        }
+        Interval denominator = leading;
+        for (std::size_t l = 0; l < discs.size(); ++l) {
+            if (l != i) {
+                denominator *= least_distance(discs[i].centre, discs, discs[l].component);
+            }
+        }
+        if (denominator.lower() > 0) {
+            radii.back() = std::min(radii.back(), (Interval(values[i]) / denominator).upper());
+        }
     }
     for (std::size_t i = 0; i < discs.size(); ++i) {
         discs[i].radius = radii[i];
@@ -112,8 +139,7 @@ std::vector<Disc> discs_of(const ModeEquation& equation) {
     }
     std::vector<Disc> discs;
     const auto approximations = polynomial_roots(middle);
-    const auto degree = double(f.size() - 1);
-    if (double(approximations.size()) != degree) {
+    if (approximations.size() != f.size() - 1) {
         return {};
     }
     std::vector<double> corrections;  // times the leading coefficient
@@ -122,11 +148,11 @@ std::vector<Disc> discs_of(const ModeEquation& equation) {
         discs.push_back({z, 0, discs.size()});
     }
     const double leading = abs(f.back()).lower();
-    set_radii(discs, corrections, leading, degree);
+    set_radii(discs, corrections, leading);
     number_components(discs);
     constexpr int narrower = 3;
     for (int step = 0; step < narrower; ++step) {
-        set_radii(discs, corrections, leading, 1);
+        narrow(discs, corrections, leading);
     }
     return discs;
 }
@@ -184,9 +210,10 @@ class Chart {
         if (variable_ == Variable::v && decay_next_to_0(reach_of(disc))) {
             return true;
         }
-        const Disc in_x = variable_ == Variable::w
-                              ? inverse({1.0 - disc.centre, disc.radius}, 2, -1)
-                              : inverse(disc, 1, 3);
+        const Disc in_x =
+            variable_ == Variable::w
+                ? inverse(enclose(Complex(1)) - enclose(disc.centre), disc.radius, 2, -1)
+                : inverse(enclose(disc.centre), disc.radius, 1, 3);
         return decay(box_about(disc)) ||
                (std::isfinite(in_x.radius) && decay_in_x(box_about(in_x)));
     }
@@ -200,16 +227,16 @@ class Chart {
         return {disc.centre.real() + spread, disc.centre.imag() + spread};
     }
 
-    /// factor/z + shift, with a radius that has room for roundings.
-    static Disc inverse(const Disc& disc, double factor, double shift) {
-        const double square = std::norm(disc.centre) - disc.radius * disc.radius;
-        if (!(square > 0)) {
+    /// factor/z + shift of all z within the radius of a centre.
+    static Disc inverse(const ComplexInterval& centre, double radius, double factor, double shift) {
+        const Interval power = square(centre.re) + square(centre.im) - square(Interval(radius));
+        if (!(power.lower() > 0)) {
             return {0, HUGE_VAL};
         }
-        constexpr double roundings = 1e-13;
-        const Complex centre = factor * std::conj(disc.centre) / square + shift;
-        return {centre, factor * disc.radius / square * (1 + roundings) +
-                            roundings * (1 + std::abs(centre) + factor / std::sqrt(square))};
+        const ComplexInterval image{factor * centre.re / power + shift,
+                                    -factor * centre.im / power};
+        const Complex middle{median(image.re), median(image.im)};
+        return {middle, (factor * radius / power + modulus(image - enclose(middle))).upper()};
     }
 
     /// Whether Re sigma < 0 for all of these, were they modes.

@@ -9,10 +9,10 @@ namespace nmbcgen {
 /// All k of sigma C = B are among the roots of a real polynomial in w or in v (condition.hpp),
 /// which are in discs about approximations (Smith 1970): of a polynomial of degree n with the
 /// leading coefficient a, and any n different z_i, about z_i with radius n |f(z_i)/(a prod_{l != i}
-/// (z_i - z_l))|; as many roots as discs in discs that hang together. Once all roots x_l are known
-/// so far, the one about z_i is f(z_i)/(a prod_{l != i} (z_i - x_l)) away from it. A root alone in
-/// a disc about a real number is real, and travels if w <= 0. For all others Re sigma < 0 is,
-/// without a factor Re y that vanishes towards travelling waves,
+/// (z_i - z_l))|; as many roots as discs in discs that hang together, anywhere in these. The one
+/// alone about z_i is then f(z_i)/(a prod_{l != i} (z_i - x_l)) away from it, x_l the other roots.
+/// A root alone in a disc about a real number is real, and travels if w <= 0. For all others Re
+/// sigma < 0 is, without a factor Re y that vanishes towards travelling waves,
 ///     Re O conj(E) - (|w| - Re w) Im(O conj(E))/Im w > 0,
 /// and in v the same with minus (|(3v+1)^2 - v^2| + |v|^2 - |3v+1|^2)/2 in place of |w| - Re w. Of
 /// those that travel, waves_have_grade() tells that none leaves the boundary without having come.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "generator/enclosures/prove.hpp"
 
+#include <cmath>
+
 #include "generator/enclosures/band_grade.hpp"
 #include "generator/enclosures/modes_decay.hpp"
 #include "generator/exact/rational_function.hpp"
@@ -15,7 +17,7 @@ bool Prover::holds(const nmbc::Window& window, double cfl, Grade least) const {
     const EnclosedCondition enclosed =
         enclose(window.low > 0 ? per_G_ : plain_, window.low, window.high);
     const double top = highest_square(enclosed.band).lower();
-    if (top <= 0) {
+    if (!(top > 0 && std::isfinite(top))) {
         return false;
     }
     const Interval tau = hull(Interval(0), square(Interval(cfl)) / top);
@@ -35,7 +37,8 @@ std::vector<nmbc::Window> Prover::parts(const nmbc::Window& window, double cfl, 
             } else {
                 found.push_back(piece);
             }
-        } else if (piece.high - piece.low > 2 * finest) {
+        } else if (piece.high - piece.low > 2 * finest && piece.low < middle &&
+                   middle < piece.high) {
             collect({piece.low, middle});
             collect({middle, piece.high});
         }
