@@ -75,7 +75,8 @@ std::string of_window(const StabilityWindow& window, const char* grade_name, Gra
         window.high ? fmt::format("{:.6f}", high) : fmt::format("(looked at up to {:g})", high));
     for (const nmbc::Window& part : parts) {
         proved += part.high - part.low;
-        text += fmt::format("  proved     {:.6f} .. {:.6f}\n", part.low, part.high);
+        text += fmt::format("  proved     {:.6f} .. {:.6f}\n", std::ceil(part.low * 1e6) / 1e6,
+                            std::floor(part.high * 1e6) / 1e6);  // not more than is proved
     }
     return text + fmt::format("  undecided  {:.6f} in all\n", high - low - proved);
 }

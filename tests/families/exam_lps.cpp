@@ -29,9 +29,9 @@ std::vector<Bond> random_bonds(unsigned seed) {
     const auto number = [&random](int least) {
         return Rational(int(random() % 30) + least, int(random() % 7) + 1);
     };
-    std::vector<Bond> bonds;
-    for (int i = 0; i < 6; ++i) {
-        bonds.push_back({number(1), number(-15), number(1)});
+    std::vector<Bond> bonds(6);
+    for (Bond& bond : bonds) {
+        bond = {number(1), number(-15), number(1)};
     }
     return bonds;
 }

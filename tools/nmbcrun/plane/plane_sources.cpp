@@ -14,8 +14,6 @@
 namespace nmbcrun {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// Of nodes by their entry: on a surface that is closed by summation by parts they have a half, and
 /// in the corner of two a quarter.
 std::function<double(std::size_t)> masses_of(const PlaneScene& scene, const nmbc::Plane& plane) {
@@ -59,7 +57,7 @@ PlaneInitialField::PlaneInitialField(const PlaneScene& scene)
     if (initial_.shape != PlaneShape::packet) {
         return;
     }
-    const double radians = initial_.angle * pi / 180;
+    const double radians = initial_.angle * std::numbers::pi / 180;
     xi_ = {initial_.wave_number * std::cos(radians), initial_.wave_number * std::sin(radians)};
     const nmbc::PlaneModel model = model_of(scene);
     const double rate = rate_of(scene);
@@ -94,8 +92,8 @@ PlaneStart PlaneInitialField::at(const std::array<double, 2>& point) const {
         return start;
     }
     const double shape = initial_.shape == PlaneShape::gaussian ? std::exp(-r * r)
-                         : r <= 1                               ? (1 + std::cos(pi * r)) / 2
-                                                                : 0;
+                         : r <= 1 ? (1 + std::cos(std::numbers::pi * r)) / 2
+                                  : 0;
     (initial_.of_velocity ? start.v : start.u)[initial_.component] = initial_.amplitude * shape;
     return start;
 }
@@ -114,7 +112,8 @@ PlaneSources::Source PlaneSources::source_of(const PlaneDrive& drive) {
     return {.gives = Source::Gives::displacement,
             .at =
                 [drive](double time) {
-                    return drive.amplitude / 2 * (1 - std::cos(2 * pi * time / drive.duration));
+                    return drive.amplitude / 2 *
+                           (1 - std::cos(2 * std::numbers::pi * time / drive.duration));
                 },
             .last = drive.duration};
 }

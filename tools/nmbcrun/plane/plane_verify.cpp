@@ -27,13 +27,40 @@ PlaneScene without_artificial_sides(PlaneScene scene) {
     return scene;
 }
 
+/// The largest displacement of the reference so far, and of what differs from it.
+struct Comparison {
+    double largest = 0;
+    double error = 0;
+    std::array<std::size_t, 2> where{};  ///< node, from 1
+    double when = 0;
+
+    void look(const PlaneSimulation& simulation, const PlaneSimulation& reference,
+              const std::array<std::size_t, 2>& nodes) {
+        for (std::size_t y = 0; y < nodes[1]; ++y) {
+            for (std::size_t x = 0; x < nodes[0]; ++x) {
+                for (const std::size_t a : {0U, 1U}) {
+                    const double u = simulation.plane().displacement(a)[simulation.entry(x, y)];
+                    const double there = reference.plane().displacement(a)[reference.entry(x, y)];
+                    largest = std::max(largest, std::abs(there));
+                    if (!(std::abs(u - there) <= error)) {
+                        error = std::abs(u - there);
+                        where = {x + 1, y + 1};
+                        when = simulation.plane().time();
+                    }
+                }
+            }
+        }
+    }
+};
+
 }  // namespace
 
 bool verify_plane(const PlaneScene& scene, double tolerance, bool quiet) {
     if (std::ranges::none_of(
             scene.sides, [](const PlaneSideChoice& side) { return is_artificial(side.kind); })) {
         throw SceneError(
-            "all sides are physical, fixed, free or periodic, and verify looks at what artificial "
+            "all sides are physical, fixed, free, sbp or periodic, and verify looks at what "
+            "artificial "
             "ones do: there is none");
     }
     PlaneSimulation simulation(scene);
@@ -49,28 +76,12 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool quiet) {
     note_interrupts();
     constexpr std::size_t peak_every = 10;  // steps
     Progress progress(simulation.plan().steps, quiet);
-    double largest = 0;
-    double error = 0;
-    std::array<std::size_t, 2> where{};
-    double when = 0;
+    Comparison found;
     double peak = reference.energies().total();
     while (!simulation.is_done()) {
         simulation.advance(1);
         reference.advance(1);
-        for (std::size_t y = 0; y < scene.nodes[1]; ++y) {
-            for (std::size_t x = 0; x < scene.nodes[0]; ++x) {
-                for (const std::size_t a : {0U, 1U}) {
-                    const double u = simulation.plane().displacement(a)[simulation.entry(x, y)];
-                    const double there = reference.plane().displacement(a)[reference.entry(x, y)];
-                    largest = std::max(largest, std::abs(there));
-                    if (!(std::abs(u - there) <= error)) {
-                        error = std::abs(u - there);
-                        where = {x + 1, y + 1};
-                        when = simulation.plane().time();
-                    }
-                }
-            }
-        }
+        found.look(simulation, reference, scene.nodes);
         if (simulation.plane().steps() % peak_every == 0) {
             peak = std::max(peak, reference.energies().total());
         }
@@ -80,13 +91,14 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool quiet) {
                                           simulation.plan().steps));
         }
     }
-    if (!(largest > 0)) {
+    if (!(found.largest > 0)) {
         throw Unstable("nothing moved at any time, so there is nothing to compare with");
     }
-    const bool holds = error / largest <= tolerance;
+    const double error = found.error / found.largest;
+    const bool holds = error <= tolerance;
     fmt::print(
         "error        {:.3e} of max |u|, at node ({}, {}), t = {:.4g}; {} the tolerance {:g}\n",
-        error / largest, where[0], where[1], when, holds ? "within" : "above", tolerance);
+        error, found.where[0], found.where[1], found.when, holds ? "within" : "above", tolerance);
     if (peak > 0) {
         const bool is_driven = simulation.is_driven(simulation.plane().time());
         fmt::print("{:<12} {:.3e} of the peak; without artificial sides {:.3e}\n",
