@@ -22,13 +22,13 @@ conditions = strlen(nmbc) - strlen(system("echo '" . nmbc . "' | tr -d ,")) - 1
 name_of(i) = system(sprintf("echo '%s' | cut -d, -f%d", nmbc, i + 1))
 array series[conditions]
 do for [i = 1:conditions] { series[i] = name_of(i) }
-others = "truncated higdon sponge pml extended exact free fixed"
+others = "truncated higdon sponge pml extended exact free fixed passive"
 
 # Okabe and Ito's palette; blues for the orders of NMBC.
 blue(name) = word("#56b4e9 #0072b2 #00497a #332288", int(name[5:5]))
 shape(name) = name[8:8] eq "1" ? 7 : 15
-colours = "#cc79a7 #e69f00 #009e73 #d55e00 #666666 #000000 #bbbbbb #bbbbbb"
-shapes = "6 13 9 5 10 11 8 12"
+colours = "#cc79a7 #e69f00 #009e73 #d55e00 #666666 #000000 #bbbbbb #bbbbbb #117733"
+shapes = "6 13 9 5 10 11 8 12 14"
 highest = 10.0
 lowest = 1e-10
 clip(error) = error > highest || error != error ? highest : error < lowest ? lowest : error
