@@ -84,13 +84,7 @@ nmbc::SurfaceEnd surface_of(const Scene& scene, const Boundary& boundary) {
 }
 
 nmbc::BoundaryCoefficients coefficients_of(const Scene& scene, const Boundary& boundary) {
-    const nmbc::MatchingTable& table = table_of(scene, boundary);
-    if (has_pole_next_to(table, scene.G)) {
-        throw nmbc::CoefficientError(
-            fmt::format("{} does not exist here: {} has a pole of a coefficient at G = {}{}",
-                        heading_of(boundary), table.name, scene.G, choices_at_another_G(scene)));
-    }
-    return nmbc::boundary_coefficients(table, scene.G, nmbc::allow_unstable);
+    return nmbc::boundary_coefficients(table_of(scene, boundary), scene.G, nmbc::allow_unstable);
 }
 
 }  // namespace
@@ -98,6 +92,18 @@ nmbc::BoundaryCoefficients coefficients_of(const Scene& scene, const Boundary& b
 std::size_t most_steps(BoundaryKind kind) {
     return kind == BoundaryKind::exact ? ExactEnd::most_steps
                                        : std::numeric_limits<std::size_t>::max();
+}
+
+void require_no_pole(const Scene& scene, const Boundary& boundary) {
+    if (!takes_table(boundary.kind)) {
+        return;
+    }
+    const nmbc::MatchingTable& table = table_of(scene, boundary);
+    if (has_pole_next_to(table, scene.G)) {
+        throw nmbc::CoefficientError(
+            fmt::format("{} does not exist here: {} has a pole of a coefficient at G = {}{}",
+                        heading_of(boundary), table.name, scene.G, choices_at_another_G(scene)));
+    }
 }
 
 nmbc::ChainEnd chain_end(const Scene& scene, const Boundary& boundary) {

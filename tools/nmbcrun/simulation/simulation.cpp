@@ -60,11 +60,16 @@ Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
     return plan;
 }
 
+nmbc::ChainEnd end_without_pole(const Scene& scene, const Boundary& boundary) {
+    require_no_pole(scene, boundary);
+    return chain_end(scene, boundary);
+}
+
 }  // namespace
 
 Simulation::Simulation(const Scene& scene)
     : Simulation(scene, nmbc::make_lattice(table_of(scene, scene.left), scene.G),
-                 chain_end(scene, scene.left), chain_end(scene, scene.right)) {}
+                 end_without_pole(scene, scene.left), end_without_pole(scene, scene.right)) {}
 
 // The ends come first: what does not exist has no certificate.
 Simulation::Simulation(const Scene& scene, nmbc::Lattice lattice, const nmbc::ChainEnd& left,
