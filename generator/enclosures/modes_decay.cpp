@@ -6,22 +6,13 @@
 #include <numeric>
 
 #include "generator/enclosures/band_grade.hpp"
-#include "generator/stability/polynomial_roots.hpp"
+#include "generator/enclosures/root_discs.hpp"
 
 namespace nmbcgen {
 namespace {
 
 using Complex = std::complex<double>;
-
-struct Disc {
-    Complex centre;
-    double radius;
-    std::size_t component = 0;
-};
-
-ComplexInterval enclose(const Complex& z) {
-    return {Interval(z.real()), Interval(z.imag())};
-}
+using Disc = RootDisc;
 
 /// modes + tau modes_in_steps
 class ModeEquation {
@@ -60,103 +51,6 @@ class ModeEquation {
     EnclosedPolynomial enclosed_{};
 };
 
-void number_components(std::vector<Disc>& discs) {
-    for (const Disc& one : discs) {
-        for (const Disc& other : discs) {
-            // A little more than needed: components may be taken too large.
-            constexpr double outwards = 1 + 1e-9;
-            const std::size_t from = other.component;
-            if (from != one.component &&
-                std::abs(one.centre - other.centre) <= outwards * (one.radius + other.radius)) {
-                for (Disc& disc : discs) {
-                    disc.component = disc.component == from ? one.component : disc.component;
-                }
-            }
-        }
-    }
-}
-
-/// Smith's radii: degree |f(z_i)| / (leading prod_{l != i} |z_i - z_l|).
-void set_radii(std::vector<Disc>& discs, const std::vector<double>& values, double leading) {
-    for (std::size_t i = 0; i < discs.size(); ++i) {
-        Interval denominator = leading;
-        for (std::size_t l = 0; l < discs.size(); ++l) {
-            denominator *=
-                l == i ? Interval(1) : modulus(enclose(discs[i].centre) - enclose(discs[l].centre));
-        }
-        discs[i].radius = denominator.lower() > 0
-                              ? (Interval(values[i]) * double(discs.size()) / denominator).upper()
-                              : HUGE_VAL;
-    }
-}
-
-/// From z to any root that is in one of the discs of this component; 0 where it may be one itself.
-double least_distance(const Complex& z, const std::vector<Disc>& discs, std::size_t component) {
-    double least = HUGE_VAL;
-    for (const Disc& disc : discs) {
-        if (disc.component == component) {
-            const double distance =
-                (modulus(enclose(z) - enclose(disc.centre)) - disc.radius).lower();
-            least = distance > 0 ? std::min(least, distance) : 0;
-        }
-    }
-    return least;
-}
-
-/// Of discs that no other one touches, where that is less: |f(z_i)| / (leading prod_{l != i}
-/// |z_i - x_l|). The roots x_l of a component of several discs are anywhere in these.
-void narrow(std::vector<Disc>& discs, const std::vector<double>& values, double leading) {
-    std::vector<double> radii;
-    for (std::size_t i = 0; i < discs.size(); ++i) {
-        radii.push_back(discs[i].radius);
-        if (std::ranges::count(discs, discs[i].component, &Disc::component) > 1) {
-            continue;
-        }
-        Interval denominator = leading;
-        for (std::size_t l = 0; l < discs.size(); ++l) {
-            if (l != i) {
-                denominator *= least_distance(discs[i].centre, discs, discs[l].component);
-            }
-        }
-        if (denominator.lower() > 0) {
-            radii.back() = std::min(radii.back(), (Interval(values[i]) / denominator).upper());
-        }
-    }
-    for (std::size_t i = 0; i < discs.size(); ++i) {
-        discs[i].radius = radii[i];
-    }
-}
-
-/// Nothing where the leading coefficient may be 0.
-std::vector<Disc> discs_of(const ModeEquation& equation) {
-    const EnclosedPolynomial& f = equation.enclosed();
-    if (zero_in(f.back())) {
-        return {};
-    }
-    std::vector<double> middle;
-    for (const Interval& coefficient : f) {
-        middle.push_back(median(coefficient));
-    }
-    std::vector<Disc> discs;
-    const auto approximations = polynomial_roots(middle);
-    if (approximations.size() != f.size() - 1) {
-        return {};
-    }
-    std::vector<double> corrections;  // times the leading coefficient
-    for (const Complex& z : approximations) {
-        corrections.push_back(modulus(equation.at(enclose(z))).upper());
-        discs.push_back({z, 0, discs.size()});
-    }
-    const double leading = abs(f.back()).lower();
-    set_radii(discs, corrections, leading);
-    number_components(discs);
-    constexpr int narrower = 3;
-    for (int step = 0; step < narrower; ++step) {
-        narrow(discs, corrections, leading);
-    }
-    return discs;
-}
-
 /// Im f(x) / Im x, also where x is real.
 Interval slope_across(const EnclosedPolynomial& f, const ComplexInterval& x) {
     // Im x^k / Im x = 2 Re x times that of k-1, less |x|^2 times that of k-2
@@ -187,7 +81,8 @@ class Chart {
           modes_(polynomials(), tau) {}
 
     bool all_decay() const {
-        const std::vector<Disc> discs = discs_of(modes_);
+        const std::vector<Disc> discs = root_discs(
+            modes_.enclosed(), [this](const ComplexInterval& z) { return modes_.at(z); });
         if (discs.empty()) {
             const EnclosedPolynomial& f = modes_.enclosed();
             return f.size() == 1 && !zero_in(f[0]);

@@ -7,10 +7,7 @@
 namespace nmbcgen {
 
 /// All k of sigma C = B are among the roots of a real polynomial in w or in v (condition.hpp),
-/// which are in discs about approximations (Smith 1970): of a polynomial of degree n with the
-/// leading coefficient a, and any n different z_i, about z_i with radius n |f(z_i)/(a prod_{l != i}
-/// (z_i - z_l))|; as many roots as discs in discs that hang together, anywhere in these. The one
-/// alone about z_i is then f(z_i)/(a prod_{l != i} (z_i - x_l)) away from it, x_l the other roots.
+/// which are in discs (root_discs.hpp).
 /// A root alone in a disc about a real number is real, and travels if w <= 0. For all others Re
 /// sigma < 0 is, without a factor Re y that vanishes towards travelling waves,
 ///     Re O conj(E) - (|w| - Re w) Im(O conj(E))/Im w > 0,

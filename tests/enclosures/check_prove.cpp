@@ -10,6 +10,7 @@
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/modal.hpp"
 #include "tests/stability/spectra.hpp"
+#include "tests/support/generators.hpp"
 
 namespace {
 
@@ -40,10 +41,6 @@ const std::vector<Instance>& instances() {
     return all;
 }
 
-int whole_number(int first, int last) {
-    return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(first, last));
-}
-
 /// The largest factor of a step; like ends, or a fixed one opposite.
 double largest_factor(const HalfSpace& h, double cfl, std::size_t nodes, bool like) {
     const LatticeEnd end{LatticeEnd::Kind::matching, h};
@@ -61,15 +58,17 @@ double largest_factor(const HalfSpace& h, double cfl, std::size_t nodes, bool li
 
 TEST_CASE("no chain grows in a step that is proved") {
     CHECK(rc::check([] {
-        const Instance& each = instances()[std::size_t(whole_number(0, int(instances().size())))];
-        const double G = whole_number(1, 4000) / 1024.0;
-        const double most = whole_number(1, 100) / 100.0;
-        const bool like = whole_number(0, 2) == 0;
+        const Instance& each =
+            instances()[std::size_t(nmbcgen::test::whole_number(0, int(instances().size())))];
+        const double G = nmbcgen::test::whole_number(1, 4000) / 1024.0;
+        const double most = nmbcgen::test::whole_number(1, 100) / 100.0;
+        const bool like = nmbcgen::test::whole_number(0, 2) == 0;
         const Grade grade = like ? Grade::paired : Grade::contractive;
         RC_PRE(each.prover.holds({G, G}, most, grade));
         // all orders of magnitude from 1e-5 on alike
-        const double cfl = 1e-5 * std::pow(most / 1e-5, whole_number(0, 1001) / 1000.0);
-        const auto nodes = std::size_t(whole_number(60, 100));
+        const double cfl =
+            1e-5 * std::pow(most / 1e-5, nmbcgen::test::whole_number(0, 1001) / 1000.0);
+        const auto nodes = std::size_t(nmbcgen::test::whole_number(60, 100));
         RC_LOG() << each.table.specification.horizon << " " << each.table.specification.order << " "
                  << each.table.specification.stride << " G " << G << " cfl " << cfl << " nodes "
                  << nodes << (like ? " like" : " fixed") << '\n';
@@ -83,8 +82,9 @@ TEST_CASE("no chain grows in a step that is proved") {
 
 TEST_CASE("in continuous time the sampled grade is what is proved, away from edges") {
     CHECK(rc::check([] {
-        const Instance& each = instances()[std::size_t(whole_number(0, int(instances().size())))];
-        const double G = whole_number(1, 4000) / 1024.0 + 1.0 / 3000;
+        const Instance& each =
+            instances()[std::size_t(nmbcgen::test::whole_number(0, int(instances().size())))];
+        const double G = nmbcgen::test::whole_number(1, 4000) / 1024.0 + 1.0 / 3000;
         const Grade proved = each.prover.holds({G, G}, 0, Grade::contractive) ? Grade::contractive
                              : each.prover.holds({G, G}, 0, Grade::paired)    ? Grade::paired
                                                                               : Grade::none;

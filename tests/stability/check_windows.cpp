@@ -14,6 +14,7 @@
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/modal.hpp"
 #include "tests/stability/spectra.hpp"
+#include "tests/support/generators.hpp"
 #include "tests/support/read_tables.hpp"
 
 namespace {
@@ -46,22 +47,17 @@ std::vector<const MatchingTable*> tables(bool with_window) {
     return chosen;
 }
 
-/// From first to last - 1, all alike: rapidcheck alone would begin with small ones.
-int whole_number(int first, int last) {
-    return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(first, last));
-}
-
 template <class List>
 auto element_of(const List& list) {
-    return list[std::size_t(whole_number(0, int(std::size(list))))];
+    return list[std::size_t(nmbcgen::test::whole_number(0, int(std::size(list))))];
 }
 
 /// A multiple of 1e-4 in the window; of one without an end, to 20 above its lower edge.
 Rational value_in(const Window& window) {
     constexpr int denominator = 10000;
     const double high = std::min(window.high, window.low + 20);
-    return {whole_number(int(std::ceil(window.low * denominator)),
-                         int(std::floor(high * denominator)) + 1),
+    return {nmbcgen::test::whole_number(int(std::ceil(window.low * denominator)),
+                                        int(std::floor(high * denominator)) + 1),
             denominator};
 }
 
@@ -138,7 +134,8 @@ TEST_CASE("at the largest cfl of the header no chain grows") {
 /// A certified cfl, from 1e-5 on, all orders of magnitude alike.
 double cfl_in(const nmbc::StableStep& steps) {
     const double low = std::max(steps.from, 1e-5);
-    const double cfl = low * std::pow(steps.cfl / low, whole_number(0, 1001) / 1000.0);
+    const double cfl =
+        low * std::pow(steps.cfl / low, nmbcgen::test::whole_number(0, 1001) / 1000.0);
     RC_LOG() << "cfl " << cfl << '\n';
     return cfl;
 }
@@ -156,7 +153,7 @@ TEST_CASE("in no certified step a damped chain of the committed tables grows") {
         const nmbc::StableStep steps = nmbc::certified_steps(table, G.convert_to<double>());
         RC_PRE(steps.cfl > 0);
         const double cfl = table.time_step == "0" ? cfl_in(steps) : steps.cfl;
-        const auto nodes = std::size_t(table.least_nodes + whole_number(0, 20));
+        const auto nodes = std::size_t(table.least_nodes + nmbcgen::test::whole_number(0, 20));
         RC_ASSERT(largest_factor(half_space(table, G), cfl, nodes) < 1 + root_of_roundings);
     }));
 }
@@ -175,10 +172,10 @@ TEST_CASE("nor do chains of tables with a pole near which modes grow in short st
         REQUIRE(std::ranges::any_of(pieces, [](const auto& steps) { return steps.from > 0; }));
         CHECK(rc::check([&] {
             const nmbc::StableStep steps = element_of(pieces);
-            const double part = whole_number(1, 1000) / 1000.0;
+            const double part = nmbcgen::test::whole_number(1, 1000) / 1000.0;
             const double G = steps.window.low + part * (steps.window.high - steps.window.low);
             RC_LOG() << "G " << G << ", from " << steps.from << '\n';
-            const auto nodes = std::size_t(100 + whole_number(0, 20));
+            const auto nodes = std::size_t(100 + nmbcgen::test::whole_number(0, 20));
             const HalfSpace h = make_half_space(table, Rational(G));
             RC_ASSERT(largest_factor(h, cfl_in(steps), nodes) < 1 + root_of_roundings);
         }));

@@ -38,4 +38,9 @@ inline rc::Gen<Polynomial> nonzero_polynomial(std::size_t size) {
     return rc::gen::suchThat(polynomial(size), [](const Polynomial& p) { return !p.is_zero(); });
 }
 
+/// From first to last - 1, all alike: rapidcheck alone would begin with small ones.
+inline int whole_number(int first, int last) {
+    return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(first, last));
+}
+
 }  // namespace nmbcgen::test
