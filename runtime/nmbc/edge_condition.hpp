@@ -210,10 +210,10 @@ inline std::vector<double> between_edges(const EdgeEnergies& edges, const Lattic
     return force;
 }
 
-/// -lambda of the fastest mode of M^-1 K between two edges, by power iteration; of the interior, if
-/// that is more. is_held: u = 0 on the outermost nodes.
-inline double fastest_between(const EdgeEnergies& edges, const Lattice& lattice, bool is_held,
-                              std::size_t nodes) {
+/// -lambda of the fastest mode of a chain of this many nodes, by power iteration; of the interior,
+/// if that is more. accelerate(u) puts the accelerations in the place of the displacements u.
+template <class Accelerate>
+double fastest_mode(const Lattice& lattice, std::size_t nodes, const Accelerate& accelerate) {
     std::vector<double> u(nodes);
     for (std::size_t i = 0; i < nodes; ++i) {
         u[i] = i % 2 == 0 ? 1 : -1;
@@ -221,25 +221,33 @@ inline double fastest_between(const EdgeEnergies& edges, const Lattice& lattice,
     double largest = 0;
     constexpr int enough = 400;  // the error falls by the ratio of eigenvalues every time
     for (int iteration = 0; iteration < enough; ++iteration) {
-        if (is_held) {
-            u.front() = u.back() = 0;
-        }
-        std::vector<double> next = between_edges(edges, lattice, u);
-        if (is_held) {
-            next.front() = next.back() = 0;
-        }
+        accelerate(u);
         largest = 0;
-        for (const double entry : next) {
+        for (const double entry : u) {
             largest = std::max(largest, std::abs(entry));
         }
-        for (std::size_t i = 0; i < nodes; ++i) {
-            u[i] = next[i] / largest;
+        for (double& entry : u) {
+            entry /= largest;
         }
     }
     const double top = maximum_frequency(lattice);
     return std::max(largest, top * top);
 }
 
-}  // namespace detail
+/// Between two edges; is_held: u = 0 on the outermost nodes.
+inline double fastest_between(const EdgeEnergies& edges, const Lattice& lattice, bool is_held,
+                              std::size_t nodes) {
+    const auto hold = [is_held](std::vector<double>& field) {
+        if (is_held) {
+            field.front() = field.back() = 0;
+        }
+    };
+    return fastest_mode(lattice, nodes, [&](std::vector<double>& u) {
+        hold(u);
+        u = between_edges(edges, lattice, u);
+        hold(u);
+    });
+}
 
+}  // namespace detail
 }  // namespace nmbc

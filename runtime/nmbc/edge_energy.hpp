@@ -138,10 +138,6 @@ inline EdgeEnergy edge_of(const Correspondence& lattice, const std::vector<EdgeN
     return edge;
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// The bonds of nodes next to an edge that stay inside of the body. The squares of a chain of bonds
 /// need not be mirror images: node 0 is the outermost one at this end.
 inline EdgeEnergy cut_bonds(const Lattice& lattice, End end) {

@@ -64,53 +64,36 @@ class PlaneForce {
 
     /// v += scale M^-1 times the force, on the nodes of the body.
     void kick(double scale, PlaneField<const Real> u, PlaneField<Real> v) {
-        const std::size_t pieces = this->pieces();
-        make_rings(pieces);
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) if (pieces > 1)
-#endif
-        for (std::size_t piece = 0; piece < pieces; ++piece) {
-            const PlaneRange rows = rows_of_piece(piece, pieces);
+        make_rings();
+        for_each_piece([&](std::size_t piece, const PlaneRange& rows) {
             kick_rows(scale, rows, u, v, rings_[piece], [](std::ptrdiff_t) {});
-        }
+        });
     }
 
     /// Whether drifts and kicks can be one sweep.
-    bool can_drift() const {
-        return nodes_.y().nodes() >= 4 * horizon_;
-    }
+    bool can_drift() const { return nodes_.y().nodes() >= 4 * horizon_; }
 
     /// The drift of the rows that two pieces read, or that the ghosts of a periodic side copy.
     void drift_ends(const PlaneDrift<Real>& drift, PlaneField<Real> u, PlaneField<Real> v) const {
-        const std::size_t pieces = this->pieces();
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) if (pieces > 1)
-#endif
-        for (std::size_t piece = 0; piece < pieces; ++piece) {
-            const PlaneRange rows = rows_of_piece(piece, pieces);
+        for_each_piece([&](std::size_t /*piece*/, const PlaneRange& rows) {
             for (std::ptrdiff_t y = 0; y < 2 * horizon_; ++y) {
                 drift_row(rows.first + y, drift, u, v);
                 drift_row(rows.last - 1 - y, drift, u, v);
             }
-        }
+        });
     }
 
     /// The drift of the other rows, each of them before it is read, and kick().
     void drift_and_kick(const PlaneDrift<Real>& drift, double scale, PlaneField<Real> u,
                         PlaneField<Real> v) {
-        const std::size_t pieces = this->pieces();
-        make_rings(pieces);
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) if (pieces > 1)
-#endif
-        for (std::size_t piece = 0; piece < pieces; ++piece) {
-            const PlaneRange rows = rows_of_piece(piece, pieces);
+        make_rings();
+        for_each_piece([&](std::size_t piece, const PlaneRange& rows) {
             kick_rows(scale, rows, {u[0], u[1]}, v, rings_[piece], [&](std::ptrdiff_t y) {
                 if (y >= rows.first + 2 * horizon_ && y < rows.last - 2 * horizon_) {
                     drift_row(y, drift, u, v);
                 }
             });
-        }
+        });
     }
 
     void drift_row(std::ptrdiff_t y, const PlaneDrift<Real>& drift, PlaneField<Real> u,
@@ -126,6 +109,18 @@ class PlaneForce {
     }
 
   private:
+    /// work(piece, its rows), in threads.
+    template <class Work>
+    void for_each_piece(const Work& work) const {
+        const std::size_t pieces = this->pieces();
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) if (pieces > 1)
+#endif
+        for (std::size_t piece = 0; piece < pieces; ++piece) {
+            work(piece, rows_of_piece(piece, pieces));
+        }
+    }
+
     /// A piece finds the T of `horizon` rows on both sides of its own anew.
     std::size_t pieces() const {
         const auto rows = static_cast<std::size_t>(nodes_.y().nodes());
@@ -137,8 +132,8 @@ class PlaneForce {
         return {static_cast<std::ptrdiff_t>(rows * piece / pieces),
                 static_cast<std::ptrdiff_t>(rows * (piece + 1) / pieces)};
     }
-    void make_rings(std::size_t pieces) {
-        while (rings_.size() < pieces) {
+    void make_rings() {
+        while (rings_.size() < pieces()) {
             rings_.emplace_back(static_cast<std::size_t>(6 * ring_rows() * stress_pitch_), Real(0));
         }
     }

@@ -211,45 +211,28 @@ class SurfaceCondition final : public BoundaryCondition<Real> {
     std::function<double(double)> value_;
 };
 
-/// -lambda of the fastest mode of a chain with like ends, by power iteration; of the interior, if
-/// that is more.
+/// With like ends.
 inline double fastest_eigenvalue(const Lattice& lattice, const GhostRows& ghosts,
                                  std::size_t nodes) {
     const std::size_t n = ghosts.count;
     std::vector<double> u(nodes + 2 * n);
-    for (std::size_t i = 0; i < u.size(); ++i) {
-        u[i] = i % 2 == 0 ? 1 : -1;
-    }
     std::vector<double> next(u.size());
-    double largest = 0;
-    constexpr int enough = 400;  // the error falls by the ratio of eigenvalues every time
-    for (int iteration = 0; iteration < enough; ++iteration) {
+    return fastest_mode(lattice, nodes, [&](std::vector<double>& field) {
+        std::ranges::copy(field, u.begin() + std::ptrdiff_t(n));
         for (std::size_t f = 0; f < n; ++f) {
             double left = 0;
             double right = 0;
             for (std::size_t i = 0; i < n; ++i) {
-                left += ghosts.rows[f * n + i] * u[n + i];
-                right += ghosts.rows[f * n + i] * u[n + nodes - 1 - i];
+                left += ghosts.rows[f * n + i] * field[i];
+                right += ghosts.rows[f * n + i] * field[nodes - 1 - i];
             }
             u[n - 1 - f] = left;
             u[n + nodes + f] = right;
         }
         accelerations(lattice, 1, u, next);
-        largest = 0;
-        for (std::size_t node = n; node < n + nodes; ++node) {
-            largest = std::max(largest, std::abs(next[node]));
-        }
-        for (std::size_t node = n; node < n + nodes; ++node) {
-            u[node] = next[node] / largest;
-        }
-    }
-    const double top = maximum_frequency(lattice);
-    return std::max(largest, top * top);
+        std::copy_n(next.begin() + std::ptrdiff_t(n), nodes, field.begin());
+    });
 }
-
-}  // namespace detail
-
-namespace detail {
 
 inline bool is_mirror(Closure closure) {
     return closure == Closure::mirror || closure == Closure::node_mirror;
