@@ -286,14 +286,18 @@ CLI::App* add_influence(CLI::App& app, Request& request) {
     return influence;
 }
 
+void add_plane_family(CLI::App& command, std::string& family) {
+    add_parsed(command, "--family", family, parse_plane_family,
+               "plane family: " + plane_family_names() + " (default nopd2d)");
+}
+
 CLI::App* add_taylor(CLI::App& app, Request& request, Pending& pending) {
     PlaneSeriesTask& task = request.series;
     auto* const taylor = app.add_subcommand(
         "taylor",
         "Taylor coefficients of waves of a plane lattice in any direction, exact "
         "(docs/how-to/oblique-waves.md)");
-    add_parsed(*taylor, "--family", task.family, parse_plane_family,
-               "plane family: " + plane_family_names() + " (default nopd2d)");
+    add_plane_family(*taylor, task.family);
     add_plane(*taylor, pending.plane)->required();
     add_weights(*taylor, pending.weights);
     add_parsed(*taylor, "--order", task.order, parse_closed_order, "N: a_1 to a_{2N+1}, 1 to 12")
@@ -311,8 +315,7 @@ CLI::App* add_oblique(CLI::App& app, Request& request, Pending& pending) {
         "oblique",
         "coefficients of NMBC1 of a plane's side matched at an angle, or of the product of two "
         "(docs/how-to/oblique-waves.md)");
-    add_parsed(*oblique, "--family", task.family, parse_plane_family,
-               "plane family: " + plane_family_names() + " (default nopd2d)");
+    add_plane_family(*oblique, task.family);
     add_plane_model(*oblique, pending.plane)->required();
     add_weights(*oblique, pending.weights);
     add_parsed(*oblique, "--absorb", task.waves, parse_oblique_waves,
