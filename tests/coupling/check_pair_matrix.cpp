@@ -3,11 +3,6 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-// The rule asserts that none of its nodes rounds to an end of the interval. Some do, where the
-// integrand is bounded.
-#ifndef NDEBUG
-#define NDEBUG
-#endif
 #include <algorithm>
 #include <array>
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -48,7 +43,10 @@ double integral(const Function& f, std::vector<double> breaks, double from, doub
         const double low = std::clamp(breaks[i - 1], from, to);
         const double high = std::clamp(breaks[i], from, to);
         if (high - low > 1e-12) {
-            sum += rule.integrate(f, low, high, 1e-11);
+            // over 0 .. 1, where no node of the rule rounds to an end, which it asserts
+            const double width = high - low;
+            sum += width *
+                   rule.integrate([&](double t) { return f(low + width * t); }, 0.0, 1.0, 1e-11);
         }
     }
     return sum;

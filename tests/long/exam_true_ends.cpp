@@ -11,31 +11,17 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/snm_bonds.hpp"
+
 namespace {
 
 using nmbc::Closure;
 using nmbc::OnSurface;
+using nmbcgen::test::snm_bonds;
 
 nmbc::Lattice correspondence(int horizon, double G) {
     return nmbc::make_lattice(*nmbc::find_table(nmbc::generated::tables, "nopd1d", horizon, 1, 1),
                               G);
-}
-
-/// Bonds of SNM 2023, corrected.
-nmbc::Lattice bonds(std::size_t horizon) {
-    nmbc::Lattice lattice;
-    lattice.symbol.resize(horizon + 1);
-    for (std::size_t k = 1; k <= horizon; ++k) {
-        const double beta = (k == horizon ? 0.5 : 1) + (k == 1 ? 0.5 : 0);
-        const double weight = beta / double(horizon * k * k);
-        lattice.symbol[k] = -weight;
-        lattice.symbol[0] += 2 * weight;
-        std::vector<double> stencil(2 * horizon + 1);
-        stencil[horizon] = -1;
-        stencil[horizon + k] = 1;
-        lattice.energy.push_back({nmbc::EnergyPart::strain, weight, stencil});
-    }
-    return lattice;
 }
 
 /// Of the influence 1, whose cubic spline has radius 2.
@@ -86,15 +72,15 @@ TEST_CASE("a million steps between true ends of either kind") {
     };
     for (const Case& one :
          {Case{"mirror", correspondence(2, 1), Closure::mirror, Closure::mirror},
-          Case{"mirror, bonds", bonds(4), Closure::mirror, Closure::mirror},
+          Case{"mirror, bonds", snm_bonds(4), Closure::mirror, Closure::mirror},
           Case{"node mirror", correspondence(2, 1), Closure::node_mirror, Closure::node_mirror},
-          Case{"surface node", bonds(4), Closure::surface_node, Closure::surface_node},
+          Case{"surface node", snm_bonds(4), Closure::surface_node, Closure::surface_node},
           Case{"sbp", correspondence(2, 1), Closure::sbp, Closure::sbp},
           Case{"sbp, n = 3, G = 0", correspondence(3, 0), Closure::sbp, Closure::sbp},
           Case{"sbp and mirror", correspondence(2, 1), Closure::sbp, Closure::mirror},
           Case{"kernel", spline(), Closure::kernel, Closure::kernel},
           Case{"cut", correspondence(2, 1), Closure::cut, Closure::cut},
-          Case{"cut, bonds", bonds(4), Closure::cut, Closure::cut}}) {
+          Case{"cut, bonds", snm_bonds(4), Closure::cut, Closure::cut}}) {
         for (const auto given : {OnSurface::displacement, OnSurface::traction}) {
             CAPTURE(one.name);
             // As many waves meet again and again: their highest sums in a tenth differ by some

@@ -44,6 +44,16 @@ expect_stderr() { expect "'$1' on stderr" grep -qF -- "$1" "$scratch/stderr"; }
 expect_same() { expect "$1 and $2 are the same" cmp -s "$1" "$2"; }
 expect_file() { expect "the file $1" test -s "$1"; }
 
+# refuses CODE TEXT ARGUMENT..: that exit code, that text, nothing on stdout.
+refuses() {
+    local expected=$1 text=$2
+    shift 2
+    try "$@"
+    expect_exit "$expected"
+    expect_stderr "$text"
+    expect_no_stdout
+}
+
 # expect_stderr_lines N: from 1 to N lines of error.
 expect_stderr_lines() {
     local lines

@@ -47,25 +47,16 @@ for i, row in enumerate(rows):
     for j in range(3):
         assert row[j] + rows[j][i] == (-1 if i == j == 0 else 0)' "$scratch/stdout"
 
-# refuses WHAT ARGUMENT..
-refuses() {
-    local what=$1
-    shift
-    try closure "$@"
-    expect_exit 2
-    expect_stderr "$what"
-    expect "nothing on stdout" test ! -s "$scratch/stdout"
-}
-refuses "METHOD is required"
-refuses "'mirror' is not a closure; allowed: snm, sbp" mirror --horizon 2
-refuses "--corrected is not of closure sbp" sbp --horizon 2 --corrected
-refuses "--weights is not of closure snm" snm --horizon 2 --weights 1,1
-refuses "--weights: 3 weights, where horizon 2 needs 2" sbp --horizon 2 --weights 1,1,1
-refuses "--weights: they must be above 0" sbp --horizon 2 --weights=-1,1
-refuses "a node near the end would have no volume" sbp --horizon 9 --weights 2,172562,2,97,8,2,13,2,34
-refuses "--horizon is required" snm
-refuses "'0' is not a whole number from 1 to 100" snm --horizon 0
-refuses "'101' is not a whole number from 1 to 100" snm --horizon 101
-refuses "allowed: text, json" snm --horizon 2 --format csv
+refuses 2 "METHOD is required" closure
+refuses 2 "'mirror' is not a closure; allowed: snm, sbp" closure mirror --horizon 2
+refuses 2 "--corrected is not of closure sbp" closure sbp --horizon 2 --corrected
+refuses 2 "--weights is not of closure snm" closure snm --horizon 2 --weights 1,1
+refuses 2 "--weights: 3 weights, where horizon 2 needs 2" closure sbp --horizon 2 --weights 1,1,1
+refuses 2 "--weights: they must be above 0" closure sbp --horizon 2 --weights=-1,1
+refuses 2 "a node near the end would have no volume" closure sbp --horizon 9 --weights 2,172562,2,97,8,2,13,2,34
+refuses 2 "--horizon is required" closure snm
+refuses 2 "'0' is not a whole number from 1 to 100" closure snm --horizon 0
+refuses 2 "'101' is not a whole number from 1 to 100" closure snm --horizon 101
+refuses 2 "allowed: text, json" closure snm --horizon 2 --format csv
 
 finish

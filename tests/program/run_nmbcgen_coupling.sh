@@ -58,26 +58,17 @@ assert waves["horizons"] == ["3/4", "0"] and waves["lengths"] == ["1", "4"]
 assert all(abs(sum(w["pairs"].values()) - 1) < 1e-9 for w in waves["waves"])
 assert set(waves["packet"]["rows"]["measured"]) == {"reflected", "transmitted", "from_end"}'
 
-# refuses WHAT ARGUMENT..
-refuses() {
-    local what=$1
-    shift
-    try coupling "$@"
-    expect_exit 2
-    expect_stderr "$what"
-    expect "nothing on stdout" test ! -s "$scratch/stdout"
-}
-refuses "subcommand is required"
-refuses "--horizon is required" stencil
-refuses "--horizon is required" waves
-refuses "--horizon" cases --horizon 2
-refuses "'101' is not a number from 0 to 100" stencil --horizon 101
-refuses "'11' is not a number from 0 to 10" waves --horizon 11
-refuses "denominator up to 1000" stencil --horizon 1.0001
-refuses "-1" stencil --horizon -1
-refuses "nonsense" stencil --horizon nonsense
-refuses "from 1/4 to 4" waves --horizon 2 --other-length 0
-refuses "from 1/4 to 4" waves --horizon 2 --other-length 5
-refuses "allowed: text, json" cases --format csv
+refuses 2 "subcommand is required" coupling
+refuses 2 "--horizon is required" coupling stencil
+refuses 2 "--horizon is required" coupling waves
+refuses 2 "--horizon" coupling cases --horizon 2
+refuses 2 "'101' is not a number from 0 to 100" coupling stencil --horizon 101
+refuses 2 "'11' is not a number from 0 to 10" coupling waves --horizon 11
+refuses 2 "denominator up to 1000" coupling stencil --horizon 1.0001
+refuses 2 "-1" coupling stencil --horizon -1
+refuses 2 "nonsense" coupling stencil --horizon nonsense
+refuses 2 "from 1/4 to 4" coupling waves --horizon 2 --other-length 0
+refuses 2 "from 1/4 to 4" coupling waves --horizon 2 --other-length 5
+refuses 2 "allowed: text, json" coupling cases --format csv
 
 finish

@@ -86,27 +86,18 @@ expect_exit 0
 expect_file made/lps3d_r3_nu3o10_P_n1_order1.hpp
 rm -r made
 
-# refuses WHAT ARGUMENT..
-refuses() {
-    local what=$1
-    shift
-    try influence "$@"
-    expect_exit 2
-    expect_stderr "$what"
-    expect "nothing on stdout" test ! -s "$scratch/stdout"
-}
-refuses "--power is required" --smoothing 1 --horizon 2
-refuses "--smoothing is required" --power 1 --horizon 2
-refuses "the smoothing length must be above 0" --power 1 --smoothing 0 --horizon 2
-refuses "-1" --power 1 --smoothing -1 --horizon 2
-refuses "'-1' is not a whole number from 0 to 1000" --power -1 --smoothing 1 --horizon 2
-refuses "'1001' is not a whole number from 0 to 1000" --power 1001 --smoothing 1 --horizon 2
-refuses "'0' is not a whole number from 1 to 100" --power 1 --smoothing 1 --horizon 0
-refuses "allowed: text, json" --power 1 --smoothing 1 --horizon 2 --format csv
-refuses "--horizon (or --radius2) is required" --power 1 --smoothing 1
-refuses "it is no sum of three squares" --power 1 --smoothing 1 --radius2 7 --dimension 3
-refuses "it is no sum of two squares" --power 1 --smoothing 1 --radius2 3
-refuses "'4' is not a whole number from 2 to 3" --power 1 --smoothing 1 --radius2 3 --dimension 4
+refuses 2 "--power is required" influence --smoothing 1 --horizon 2
+refuses 2 "--smoothing is required" influence --power 1 --horizon 2
+refuses 2 "the smoothing length must be above 0" influence --power 1 --smoothing 0 --horizon 2
+refuses 2 "-1" influence --power 1 --smoothing -1 --horizon 2
+refuses 2 "'-1' is not a whole number from 0 to 1000" influence --power -1 --smoothing 1 --horizon 2
+refuses 2 "'1001' is not a whole number from 0 to 1000" influence --power 1001 --smoothing 1 --horizon 2
+refuses 2 "'0' is not a whole number from 1 to 100" influence --power 1 --smoothing 1 --horizon 0
+refuses 2 "allowed: text, json" influence --power 1 --smoothing 1 --horizon 2 --format csv
+refuses 2 "--horizon (or --radius2) is required" influence --power 1 --smoothing 1
+refuses 2 "it is no sum of three squares" influence --power 1 --smoothing 1 --radius2 7 --dimension 3
+refuses 2 "it is no sum of two squares" influence --power 1 --smoothing 1 --radius2 3
+refuses 2 "'4' is not a whole number from 2 to 3" influence --power 1 --smoothing 1 --radius2 3 --dimension 4
 
 # refused CODE WHAT ARGUMENT..: of tables of these lattices.
 refused() {

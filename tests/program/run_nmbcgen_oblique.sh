@@ -142,15 +142,6 @@ expect_exit 0
 try taylor --family bond2d --radius2 2 --weights 1,1 --polarisation P --order 1 --direction 45
 expect_exit 0
 
-# refuses CODE WHAT ARGUMENT..
-refuses() {
-    local exit_code=$1 what=$2
-    shift 2
-    try "$@"
-    expect_exit "$exit_code"
-    expect_stderr "$what"
-    expect_no_stdout
-}
 refuses 3 "the speed of long waves depends on the angle in this model" \
     taylor --family bond2d --radius2 2 --weights 1,1 --polarisation P --order 1
 refuses 3 "no root of a rational number" oblique --family bond2d --radius2 2 --weights 1,1 --absorb P:3:4

@@ -129,14 +129,6 @@ try passive --horizon 1 --G 1/2 --header
 expect_exit 0
 expect "the name" grep -q "inline const PassiveEnd passive_nopd1d_n1_G1o2{" "$scratch/stdout"
 
-refuses() { # CODE TEXT ARGUMENT..
-    local code=$1 text=$2
-    shift 2
-    try "$@"
-    expect_exit "$code"
-    expect_stderr "$text"
-    expect_no_stdout
-}
 refuses 2 "recommend requires --G" recommend "${smallest[@]}"
 refuses 2 "--order: is of the waves of one polarisation: --polarisation" recommend "${smallest[@]}" --G 1 --order 2
 refuses 2 "it is no sum of two squares" recommend --family nopd2d --radius2 3 --nu 1/4 --G 1

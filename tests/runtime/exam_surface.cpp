@@ -7,28 +7,14 @@
 #include <nmbc/nmbc.hpp>
 #include <vector>
 
+#include "tests/support/snm_bonds.hpp"
+
 namespace {
 
 using nmbc::Closure;
 using nmbc::OnSurface;
 using nmbc::SurfaceEnd;
-
-/// Bonds of SNM 2023, (2): beta_k/(m k^2), beta_1 = 3/2 and the last one half.
-nmbc::Lattice bonds(std::size_t horizon) {
-    nmbc::Lattice lattice;
-    lattice.symbol.resize(horizon + 1);
-    for (std::size_t k = 1; k <= horizon; ++k) {
-        const double beta = (k == horizon ? 0.5 : 1) + (k == 1 ? 0.5 : 0);
-        const double weight = beta / double(horizon * k * k);
-        lattice.symbol[k] = -weight;
-        lattice.symbol[0] += 2 * weight;
-        std::vector<double> stencil(2 * horizon + 1);
-        stencil[horizon] = -1;
-        stencil[horizon + k] = 1;
-        lattice.energy.push_back({nmbc::EnergyPart::strain, weight, stencil});
-    }
-    return lattice;
-}
+using nmbcgen::test::snm_bonds;
 
 /// In units of their own, so that none is taken for 1.
 nmbc::ChainParameters parameters_of(std::size_t nodes, double cfl, const nmbc::Lattice& lattice) {
@@ -47,7 +33,7 @@ constexpr auto closures = {Closure::mirror, Closure::surface_node};
 }  // namespace
 
 TEST_CASE("a mirror makes one half of a longer chain, even for traction and odd for displacement") {
-    const nmbc::Lattice lattice = bonds(3);
+    const nmbc::Lattice lattice = snm_bonds(3);
     constexpr std::size_t nodes = 50;
     for (const auto given : {OnSurface::displacement, OnSurface::traction}) {
         nmbc::Chain half(lattice, SurfaceEnd{.given = given}, nmbc::FreeEnd{},
@@ -82,7 +68,7 @@ TEST_CASE("a mirror makes one half of a longer chain, even for traction and odd 
 }
 
 TEST_CASE("a mirror through a node makes one half of a longer chain, too") {
-    const nmbc::Lattice lattice = bonds(3);
+    const nmbc::Lattice lattice = snm_bonds(3);
     constexpr std::size_t nodes = 50;
     for (const auto given : {OnSurface::displacement, OnSurface::traction}) {
         nmbc::Chain half(lattice, SurfaceEnd{Closure::node_mirror, given, {}}, nmbc::FreeEnd{},
@@ -109,7 +95,7 @@ TEST_CASE("a mirror through a node makes one half of a longer chain, too") {
 }
 
 TEST_CASE("under no traction a mirror is a free end") {
-    const nmbc::Lattice lattice = bonds(2);
+    const nmbc::Lattice lattice = snm_bonds(2);
     const auto p = parameters_of(30, 0.9, lattice);
     nmbc::Chain mirror(lattice, SurfaceEnd{}, p);
     nmbc::Chain free(lattice, nmbc::FreeEnd{}, p);
@@ -125,7 +111,7 @@ TEST_CASE("under no traction a mirror is a free end") {
 TEST_CASE("a bar under a constant strain stays as it is, between a displacement and a traction") {
     constexpr double strain = 0.25;
     for (const std::size_t horizon : {1U, 2U, 3U, 7U}) {
-        const nmbc::Lattice lattice = bonds(horizon);
+        const nmbc::Lattice lattice = snm_bonds(horizon);
         for (const Closure closure : closures) {
             CAPTURE(horizon);
             const auto p = parameters_of(40, 0.5, lattice);
@@ -147,7 +133,7 @@ TEST_CASE("a bar under a constant strain stays as it is, between a displacement 
 }
 
 TEST_CASE("a traction pulls the left end the way it points") {
-    const nmbc::Lattice lattice = bonds(2);
+    const nmbc::Lattice lattice = snm_bonds(2);
     for (const Closure closure : closures) {
         nmbc::Chain chain(lattice,
                           SurfaceEnd{closure, OnSurface::traction, [](double) { return -1.0; }},
@@ -158,7 +144,7 @@ TEST_CASE("a traction pulls the left end the way it points") {
 }
 
 TEST_CASE("fields written between two steps meet the surface as it is then") {
-    const nmbc::Lattice lattice = bonds(2);
+    const nmbc::Lattice lattice = snm_bonds(2);
     const SurfaceEnd moving{Closure::mirror, OnSurface::displacement,
                             [](double time) { return time * time; }};
     const auto p = parameters_of(40, 0.5, lattice);
@@ -180,7 +166,7 @@ namespace {
 /// The largest error of a wave that a surface sends in, u = g(t - X/c), g a Gaussian of so many
 /// dX/c, by a displacement g or a traction rho c g'.
 double error_of_wave(Closure closure, OnSurface given, double width) {
-    const nmbc::Lattice lattice = bonds(3);
+    const nmbc::Lattice lattice = snm_bonds(3);
     const auto p = parameters_of(std::size_t(24 * width), 0.3, lattice);
     const double c = p.wave_speed();
     const double middle = 6 * width * p.spacing / c;
@@ -224,7 +210,7 @@ TEST_CASE("what is given in time goes in as a wave, to second order in dX") {
 
 TEST_CASE("in the longest steps that a surface node allows nothing grows") {
     for (const std::size_t horizon : {1U, 2U, 3U, 5U, 10U}) {
-        const nmbc::Lattice lattice = bonds(horizon);
+        const nmbc::Lattice lattice = snm_bonds(horizon);
         for (const auto given : {OnSurface::displacement, OnSurface::traction}) {
             const std::size_t nodes = 3 * horizon + 5;
             auto p = parameters_of(nodes, 0.5, lattice);
@@ -258,16 +244,16 @@ TEST_CASE("in the longest steps that a surface node allows nothing grows") {
 }
 
 TEST_CASE("lattices that a surface node does not end") {
-    nmbc::Lattice damped = bonds(2);
+    nmbc::Lattice damped = snm_bonds(2);
     damped.damping = {2, -1};
     const SurfaceEnd end{Closure::surface_node, OnSurface::displacement, {}};
     CHECK_THROWS_AS(nmbc::Chain(damped, end, parameters_of(20, 0.3, damped)),
                     std::invalid_argument);
-    nmbc::Lattice slack = bonds(2);
+    nmbc::Lattice slack = snm_bonds(2);
     slack.symbol = {0, 0, 0};
     const nmbc::ChainParameters p{.nodes = 20, .time_step = 0.1};
     const SurfaceEnd loaded{Closure::surface_node, OnSurface::traction, {}};
     CHECK_THROWS_AS(nmbc::Chain(slack, loaded, p), std::invalid_argument);
     const nmbc::ChainParameters few{.nodes = 1, .time_step = 0.1};
-    CHECK_THROWS_AS(nmbc::Chain(bonds(2), SurfaceEnd{}, few), std::invalid_argument);
+    CHECK_THROWS_AS(nmbc::Chain(snm_bonds(2), SurfaceEnd{}, few), std::invalid_argument);
 }

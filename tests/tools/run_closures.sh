@@ -23,20 +23,12 @@ expect "the page's table of Wu" diff \
     <(sed -n 's/^| `\([a-z]*\)` |[^|]*| \([^ |]*\) | \([^ |]*\) | \([^ |]*\) |$/\1,\2,\3,\4/p' "$2/docs/evidence/closures.md") \
     <(tail -n +2 "$scratch/stdout")
 
-refuses() { # TEXT ARGUMENT..
-    local text=$1
-    shift
-    try "$@"
-    expect_exit 2
-    expect_stderr "$text"
-    expect_no_stdout
-}
-refuses "--nodes needs a multiple of 10" --nodes 15
-refuses "--nodes needs a multiple of 10" --nodes 0
-refuses "--nodes needs a multiple of 10" --nodes
-refuses "--plot needs a file that ends in .svg" --plot bar.png
-refuses "there is no program nowhere/nmbcgen" --bin nowhere
-refuses "no such option: 'all'" all
-refuses "with wu there is no '--plot'" wu --plot bar.svg
-refuses "with cost there is no '--nodes'" cost --nodes 20
+refuses 2 "--nodes needs a multiple of 10" --nodes 15
+refuses 2 "--nodes needs a multiple of 10" --nodes 0
+refuses 2 "--nodes needs a multiple of 10" --nodes
+refuses 2 "--plot needs a file that ends in .svg" --plot bar.png
+refuses 2 "there is no program nowhere/nmbcgen" --bin nowhere
+refuses 2 "no such option: 'all'" all
+refuses 2 "with wu there is no '--plot'" wu --plot bar.svg
+refuses 2 "with cost there is no '--nodes'" cost --nodes 20
 finish

@@ -6,20 +6,12 @@
 source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
 program=$1/tools/scripts/disc-impact
 
-refuses() { # TEXT ARGUMENT..
-    local text=$1
-    shift
-    try "$@"
-    expect_exit 2
-    expect_stderr "$text"
-    expect_no_stdout
-}
-refuses "apt-get install lammps" --lammps nowhere/lmp
-refuses "--lammps needs a program" --lammps
-refuses "--diameter needs 10 to 99 mm" --diameter 100
-refuses "--time needs a multiple of 10 us" --time 15
-refuses "--plot needs a file that ends in .png" --plot disc.svg
-refuses "no such option: 'all'" all
+refuses 2 "apt-get install lammps" --lammps nowhere/lmp
+refuses 2 "--lammps needs a program" --lammps
+refuses 2 "--diameter needs 10 to 99 mm" --diameter 100
+refuses 2 "--time needs a multiple of 10 us" --time 15
+refuses 2 "--plot needs a file that ends in .png" --plot disc.svg
+refuses 2 "no such option: 'all'" all
 
 if command -v lmp >/dev/null; then
     try --diameter 12 --time 20 --plot disc.png
