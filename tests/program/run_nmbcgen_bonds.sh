@@ -105,31 +105,22 @@ for polarisation in P S; do
     expect_stderr "with these weights the lattice has waves that grow"
 done
 
-# refuses EXIT WHAT ARGUMENT..
-refuses() {
-    local code=$1 what=$2
-    shift 2
-    try bonds "$@"
-    expect_exit "$code"
-    expect_stderr "$what"
-    expect "nothing on stdout" test ! -s "$scratch/stdout"
-}
-refuses 2 "--dimension is required"
-refuses 2 "--method (or --alpha) is required" --dimension 1 --horizon 3
-refuses 2 "'3' is not a whole number from 1 to 2" --dimension 3 --horizon 3 --method galerkin
-refuses 2 "is not a whole number from 1 to 20" --dimension 1 --horizon 21 --method galerkin
-refuses 2 "in 2 dimensions it is 2 to 5" --dimension 2 --horizon 1 --method bz-ls
-refuses 2 "of a chain point, subdomain, galerkin, least-squares, taylor; of a square lattice point, subdomain, galerkin, least-squares, bz-ls" --dimension 1 --horizon 3 --method best
-refuses 2 "not in 1 dimension; there: point, subdomain, galerkin, least-squares, taylor" --dimension 1 --horizon 3 --method bz-ls
-refuses 2 "not in 2 dimensions; there: point, subdomain, galerkin, least-squares, bz-ls" --dimension 2 --horizon 3 --method taylor
-refuses 2 "is of --method bz-ls" --dimension 1 --horizon 3 --method point --positive 1/2
-refuses 2 "is of --method bz-ls" --dimension 2 --horizon 3 --method galerkin --positive 1/2
-refuses 2 "is not a non-negative exact number" --dimension 2 --horizon 3 --method bz-ls --positive -1
-refuses 2 "3 coefficients, where horizon 3 needs 6" --dimension 2 --horizon 3 --alpha 1,1,1
-refuses 2 "--method excludes --alpha" --dimension 1 --horizon 1 --alpha 1 --method point
-refuses 2 "'x' is not an exact number" --dimension 1 --horizon 1 --alpha x
-refuses 2 "allowed: text, json" --dimension 1 --horizon 1 --alpha 1 --format yaml
-refuses 3 "singular at N = 5" --dimension 2 --horizon 5 --method point
-refuses 3 "no coefficients of 3 or more have the speeds of long waves" --dimension 2 --horizon 3 --method bz-ls --positive 3
+refuses 2 "--dimension is required" bonds
+refuses 2 "--method (or --alpha) is required" bonds --dimension 1 --horizon 3
+refuses 2 "'3' is not a whole number from 1 to 2" bonds --dimension 3 --horizon 3 --method galerkin
+refuses 2 "is not a whole number from 1 to 20" bonds --dimension 1 --horizon 21 --method galerkin
+refuses 2 "in 2 dimensions it is 2 to 5" bonds --dimension 2 --horizon 1 --method bz-ls
+refuses 2 "of a chain point, subdomain, galerkin, least-squares, taylor; of a square lattice point, subdomain, galerkin, least-squares, bz-ls" bonds --dimension 1 --horizon 3 --method best
+refuses 2 "not in 1 dimension; there: point, subdomain, galerkin, least-squares, taylor" bonds --dimension 1 --horizon 3 --method bz-ls
+refuses 2 "not in 2 dimensions; there: point, subdomain, galerkin, least-squares, bz-ls" bonds --dimension 2 --horizon 3 --method taylor
+refuses 2 "is of --method bz-ls" bonds --dimension 1 --horizon 3 --method point --positive 1/2
+refuses 2 "is of --method bz-ls" bonds --dimension 2 --horizon 3 --method galerkin --positive 1/2
+refuses 2 "is not a non-negative exact number" bonds --dimension 2 --horizon 3 --method bz-ls --positive -1
+refuses 2 "3 coefficients, where horizon 3 needs 6" bonds --dimension 2 --horizon 3 --alpha 1,1,1
+refuses 2 "--method excludes --alpha" bonds --dimension 1 --horizon 1 --alpha 1 --method point
+refuses 2 "'x' is not an exact number" bonds --dimension 1 --horizon 1 --alpha x
+refuses 2 "allowed: text, json" bonds --dimension 1 --horizon 1 --alpha 1 --format yaml
+refuses 3 "singular at N = 5" bonds --dimension 2 --horizon 5 --method point
+refuses 3 "no coefficients of 3 or more have the speeds of long waves" bonds --dimension 2 --horizon 3 --method bz-ls --positive 3
 
 finish
