@@ -19,6 +19,14 @@
 #define NMBC_NO_ENTRY_NEEDS_ANOTHER
 #endif
 
+/// Of what is in loops over entries, and of short loops: where a call is left in place, which GCC
+/// decides anew in every program, the loop around it has no vectors.
+#if defined(__GNUC__)
+#define NMBC_INLINED [[gnu::always_inline]] inline
+#else
+#define NMBC_INLINED inline
+#endif
+
 namespace nmbc::detail {
 
 /// Calls work(std::integral_constant<int, i>) for i = First .. Last.
@@ -135,8 +143,8 @@ PlaneLines<Shape, Real> lines_of(const Real* const* rows, std::ptrdiff_t entry) 
 
 /// sum over |j| <= extent of the field, of columns up to `Most`.
 template <class Shape, int Most, class Lines, class Real>
-void find_even(const Lines& lines, std::ptrdiff_t nodes, Real* __restrict longest,
-               Real* __restrict lesser) {
+NMBC_INLINED void find_even(const Lines& lines, std::ptrdiff_t nodes, Real* __restrict longest,
+                            Real* __restrict lesser) {
     if constexpr (Most == 0) {  // single nodes have no sums; GCC warns of sums never written
         longest[0] = 0;
         return;
@@ -158,8 +166,8 @@ void find_even(const Lines& lines, std::ptrdiff_t nodes, Real* __restrict longes
 
 /// sum over |j| <= extent of j times the field.
 template <class Shape, class Real>
-void find_odd(const PlaneLines<Shape, Real>& lines, std::ptrdiff_t nodes, Real* __restrict longest,
-              Real* __restrict lesser) {
+NMBC_INLINED void find_odd(const PlaneLines<Shape, Real>& lines, std::ptrdiff_t nodes,
+                           Real* __restrict longest, Real* __restrict lesser) {
     NMBC_NO_ENTRY_NEEDS_ANOTHER
     for (std::ptrdiff_t x = 0; x < nodes; ++x) {
         Real sum = lines.at(x, 1) - lines.at(x, -1);
@@ -191,7 +199,7 @@ struct FamilyColumns {
     ColumnSums<Shape, Real> odd;
 
     /// u points at the first node.
-    void find(const Real* u, std::ptrdiff_t pitch, std::ptrdiff_t nodes) {
+    NMBC_INLINED void find(const Real* u, std::ptrdiff_t pitch, std::ptrdiff_t nodes) {
         const std::ptrdiff_t wide = nodes + 2 * Shape::reach;
         const auto lines = lines_of<Shape>(u - Shape::reach, pitch);
         find_even<Shape, Shape::reach>(lines, wide, even.longest.data(), even.lesser.data());
@@ -199,7 +207,7 @@ struct FamilyColumns {
     }
 
     /// own: entry 0 of u.
-    FamilySums<Real> of(std::ptrdiff_t x, const Real* own) const {
+    NMBC_INLINED FamilySums<Real> of(std::ptrdiff_t x, const Real* own) const {
         Real along_x = 0;
         Real along_y = odd.template at<0>(own)[x];
         Real all = even.template at<0>(own)[x];
@@ -260,8 +268,9 @@ void stress_row(const PlaneCoefficients<Real>& k, const PlaneRange& nodes,
 /// sum_J (T_J,x R_x + T_J,y R_y) of one component: `even` are columns of T_x from the first one on,
 /// `odd` those of T_y; own: T_x of the first node.
 template <class Shape, class Real>
-Real divergence(const ColumnSums<Shape, Real>& even, const ColumnSums<Shape, Real>& odd,
-                const Real* own, std::ptrdiff_t x) {
+NMBC_INLINED Real divergence(const ColumnSums<Shape, Real>& even,
+                             const ColumnSums<Shape, Real>& odd, const Real* own,
+                             std::ptrdiff_t x) {
     Real sum = odd.template at<0>(own)[x];
     unrolled<1, Shape::reach>([&](auto i) {
         const Real* const column = even.template at<i>(own) + x;
@@ -287,9 +296,10 @@ void kick_block(Real scale, std::ptrdiff_t nodes, const ColumnSums<Shape, Real>&
 /// The column sums of T_x and T_y that a divergence is made of, whose rows from -reach to reach are
 /// these.
 template <class Shape, class Real>
-void find_divergence_columns(const std::array<const Real* const*, 2>& T, std::ptrdiff_t first,
-                             std::ptrdiff_t nodes, ColumnSums<Shape, Real>& even,
-                             ColumnSums<Shape, Real>& odd) {
+NMBC_INLINED void find_divergence_columns(const std::array<const Real* const*, 2>& T,
+                                          std::ptrdiff_t first, std::ptrdiff_t nodes,
+                                          ColumnSums<Shape, Real>& even,
+                                          ColumnSums<Shape, Real>& odd) {
     const std::ptrdiff_t wide = nodes + 2 * Shape::reach;
     find_even<Shape, Shape::extent(1)>(lines_of<Shape>(T[0], first - Shape::reach), wide,
                                        even.longest.data(), even.lesser.data());

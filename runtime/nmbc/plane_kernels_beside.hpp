@@ -89,7 +89,8 @@ struct WeightedLines {
 
 /// The sum over a whole family, the node included. own: u of the first node.
 template <class Shape, class Real>
-Real whole_sum(const ColumnSums<Shape, Real>& even, const Real* own, std::ptrdiff_t x) {
+NMBC_INLINED Real whole_sum(const ColumnSums<Shape, Real>& even, const Real* own,
+                            std::ptrdiff_t x) {
     Real sum = even.template at<0>(own)[x];
     unrolled<1, Shape::reach>([&](auto i) {
         const Real* const column = even.template at<i>(own) + x;
@@ -101,8 +102,9 @@ Real whole_sum(const ColumnSums<Shape, Real>& even, const Real* own, std::ptrdif
 /// Adds sums of w u, in which w = across along x: they are summed over the family as the odd ones
 /// are, but for the columns of a single node, which are `alone`.
 template <class Shape, class Real>
-void add_weighted(const WeightedLines<Shape, Real>& lines, const Real* across, std::ptrdiff_t wide,
-                  ColumnSums<Shape, Real>& odd, ColumnSum<Shape, Real>& alone) {
+NMBC_INLINED void add_weighted(const WeightedLines<Shape, Real>& lines, const Real* across,
+                               std::ptrdiff_t wide, ColumnSums<Shape, Real>& odd,
+                               ColumnSum<Shape, Real>& alone) {
     ColumnSums<Shape, Real> sums;
     find_even<Shape, Shape::reach>(lines, wide, sums.longest.data(), sums.lesser.data());
     NMBC_NO_ENTRY_NEEDS_ANOTHER
@@ -174,4 +176,5 @@ inline constexpr std::ptrdiff_t kick_strip = (3 * Shape::reach + 3) / 4 * 4;
 
 }  // namespace nmbc::detail
 
+#undef NMBC_INLINED
 #undef NMBC_NO_ENTRY_NEEDS_ANOTHER
