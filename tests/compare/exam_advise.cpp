@@ -3,11 +3,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <nmbc/certificate.hpp>
 #include <nmbc/tables/tables.hpp>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "tests/compare/advised_scenes.hpp"
@@ -59,6 +62,16 @@ double measured_error(const Scene& scene, const Candidate& candidate) {
     return deviation.relative();
 }
 
+nmbcrun::Deviation deviation(nmbcrun::Simulation& simulation, nmbcrun::Simulation& reference) {
+    nmbcrun::Deviation deviation;
+    while (!simulation.is_done()) {
+        simulation.step();
+        reference.step();
+        deviation.look(simulation.chain(), reference.chain());
+    }
+    return deviation;
+}
+
 TEST_CASE("what is sent back in a domain of 6000 nodes, after 3000 dX/c") {
     const Scene scene = with_pulse(scene_of(1, 0.5, 6000, 4000), nmbcrun::Shape::gaussian, 20);
     const auto found = nmbcrun::find_candidates(scene, 0.02, [] {});
@@ -74,14 +87,55 @@ TEST_CASE("what is sent back in a domain of 6000 nodes, after 3000 dX/c") {
         stepped.step = best.time_step;
         nmbcrun::Simulation simulation(stepped);
         nmbcrun::Simulation reference(nmbcrun::endless(scene, best.time_step));
-        nmbcrun::Deviation deviation;
-        while (!simulation.is_done()) {
-            simulation.step();
-            reference.step();
-            deviation.look(simulation.chain(), reference.chain());
-        }
         // In continuous time and in steps the pulse has become a little different on its way.
-        CHECK(deviation.relative() == doctest::Approx(best.boundary_error).scale(0).epsilon(0.1));
+        CHECK(deviation(simulation, reference).relative() ==
+              doctest::Approx(best.boundary_error).scale(0).epsilon(0.1));
+    }
+}
+
+TEST_CASE("predictions do not grow with the run, and are what runs of every length measure") {
+    // The force sends out a wave five times as long as its chain, so that several trips are under
+    // way at a time; of the other two each trip is by itself.
+    Scene forced = scene_of(2, 1, 30, 0);
+    forced.force = nmbcrun::Force{
+        {.history = nmbcrun::History::ricker, .time = 120, .duration = 30, .file = {}}, 15, 2};
+    for (const auto& [what, scene, lengths] :
+         {std::tuple<const char*, Scene, std::array<double, 3>>{
+              "pulse",
+              with_pulse(scene_of(2, 1, 100, 0), nmbcrun::Shape::gaussian, 5),
+              {200.0, 2000.0, 180000.0}},
+          {"packet",
+           with_pulse(scene_of(1, 0.5, 100, 0), nmbcrun::Shape::packet, 10, 1.2),
+           {250.0, 2000.0, 180000.0}},
+          {"force", forced, {400.0, 2000.0, 180000.0}}}) {
+        CAPTURE(what);
+        std::map<std::string, double> before;
+        for (const double length : lengths) {
+            CAPTURE(length);
+            Scene run = scene;
+            run.end = length;
+            run.step = 0.5;
+            int compared = 0;
+            for (const Candidate& one : nmbcrun::find_candidates(run, 1, [] {}).meet) {
+                CAPTURE(one.name);
+                if (one.boundary.kind != nmbcrun::BoundaryKind::nmbc &&
+                    one.boundary.kind != nmbcrun::BoundaryKind::passive) {
+                    continue;
+                }
+                ++compared;
+                const auto [known, is_new] = before.try_emplace(one.name, one.boundary_error);
+                CHECK(one.boundary_error <= 1.1 * known->second);
+                if (length > 2000) {  // a reference without ends would be as wide
+                    continue;
+                }
+                nmbcrun::Simulation simulation(nmbcrun::with_ends(run, one.boundary));
+                nmbcrun::Simulation reference(nmbcrun::endless(run, *run.step));
+                const double error = deviation(simulation, reference).relative();
+                CHECK(error <= 1.1 * one.boundary_error);
+                CHECK(error >= 0.5 * one.boundary_error);  // both ends' crests met
+            }
+            CHECK(compared >= 3);
+        }
     }
 }
 

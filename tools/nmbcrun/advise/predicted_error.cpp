@@ -15,6 +15,17 @@ namespace {
 
 using Complex = std::complex<double>;
 
+/// By way of a physical end, where there is one. [dX]
+double way_between_ends(const Scene& scene) {
+    return double(scene.nodes) * (1 + Mirrors(scene).count());
+}
+
+/// How long before the sources have ended their waves may have begun to come to an end: where the
+/// nodes in front of it, `at_rest` of them, do not rest then, from the beginning on.
+double before_sources_end(std::size_t at_rest, const Outgoing& outgoing) {
+    return at_rest == 0 ? outgoing.duration : 0;
+}
+
 /// The waves on their way to an end that may get there in time. The weakest, which add up to less
 /// than `negligible`, are left out. mirrored: those that go the other way first, to a physical end.
 Arrivals arrivals(const Scene& scene, const Outgoing& outgoing, nmbc::End end, bool mirrored,
@@ -25,19 +36,25 @@ Arrivals arrivals(const Scene& scene, const Outgoing& outgoing, nmbc::End end, b
     const double way =
         double(to_left ? outgoing.from_left : outgoing.from_right) + (mirrored ? nodes : 0);
     const double fastest = fastest_speed(outgoing);
-    const double round = nodes * (1 + Mirrors(scene).count());
-    const auto more_trips = int(std::max(0.0, (fastest * outgoing.remaining - way) / round));
-    Arrivals arrivals{.waves = {},
-                      .first = fastest > 0 ? std::min(way / fastest, outgoing.followed) : 0,
-                      .last = outgoing.followed};
+    const double before =
+        before_sources_end(to_left ? outgoing.from_left : outgoing.from_right, outgoing);
+    const double time = before + outgoing.remaining;
+    const double round = way_between_ends(scene);
+    const double extent = nodes - double(outgoing.from_left + outgoing.from_right);
+    const double more_trips = std::max(0.0, (fastest * time - way) / round);
+    Arrivals arrivals{
+        .waves = {},
+        .first = fastest > 0 ? std::min(way / fastest - before, outgoing.followed) : 0,
+        .last = outgoing.followed};
     std::vector<Arrival>& result = arrivals.waves;
     for (const WaveBand& band : outgoing.bands) {
         const bool forwards = to_left == band.is_backward;  // the phase goes right
         const Complex amplitude = forwards ? band.forwards : band.backwards;
-        if (band.omega > 1e-6 && band.speed * outgoing.remaining >= way) {
+        if (band.omega > 1e-6 && band.speed * time >= way) {
             const double x = (to_left ? 0 : nodes - 1) + (!mirrored ? 0 : to_left ? -nodes : nodes);
-            result.push_back(
-                {&band, amplitude * std::polar(1.0, (forwards ? x : -x) * band.xi), more_trips});
+            const double at_a_time = std::ceil((extent + band.speed * outgoing.duration) / round);
+            result.push_back({&band, amplitude * std::polar(1.0, (forwards ? x : -x) * band.xi),
+                              int(std::min(more_trips, at_a_time))});
         }
     }
     const auto size = [](const Arrival& wave) { return std::abs(wave.amplitude); };
@@ -69,36 +86,42 @@ std::vector<Arrivals> all_arrivals(const Scene& scene, const Outgoing& outgoing,
 constexpr std::array<int, 11> depths{0, 1, 2, 3, 5, 8, 13, 21, 34, 55, 89};
 using AtDepths = std::array<Complex, depths.size()>;
 
-/// What a wave is sent back as.
+/// What a wave is sent back as, over the wave's own amplitude at the outermost interior node.
 struct SentBack {
-    AtDepths amplitudes;  ///< of all of it, over the wave's own at the outermost interior node
-    double most =
-        0;  ///< a bound of what any wave that arrives becomes on the other side of the chain
+    AtDepths amplitudes;  ///< of all of it
+    double later = 0;     ///< largest of these, of what comes back again, added up over the trips
 };
 
-/// Nodes are counted inwards from the innermost ghost, and time goes as exp(+i omega t).
-SentBack sent_back(const WavesSentBack& waves, std::size_t nodes) {
-    const auto k_of = [&](Eigen::Index mode) { return waves.k[std::size_t(mode)]; };
-    const auto fading = [&](Eigen::Index mode) {
-        return std::pow(std::abs(k_of(mode)), double(nodes));
-    };
-    double most = 0;
-    for (Eigen::Index column = 0; column < waves.amplitudes.cols(); ++column) {
-        double sum = 0;
-        for (Eigen::Index o = 0; o < waves.amplitudes.rows(); ++o) {
-            sum += std::abs(waves.amplitudes(o, column)) * fading(o);
-        }
-        constexpr double arrives = 1e-12;
-        most = fading(column) > arrives ? std::max(most, sum) : most;
-    }
-    AtDepths amplitudes{};
-    for (Eigen::Index o = 0; o < waves.amplitudes.rows(); ++o) {
+/// Nodes are counted inwards from the innermost ghost, and time goes as exp(+i omega t). A trip
+/// takes all waves of one frequency to an equal end opposite, `way` nodes, and back from it
+/// reflected: their phases and what has faded on the way included, so that of ends which pass on
+/// no more energy than arrives, no trip does.
+SentBack sent_back(const WavesSentBack& waves, double way, int later_trips) {
+    using Vector = Eigen::VectorXcd;
+    const auto k = Eigen::Map<const Vector>(waves.k.data(), waves.amplitudes.rows());
+    const auto at_depths = [&](const Vector& sent) {
+        AtDepths amplitudes{};
         for (std::size_t i = 0; i < depths.size(); ++i) {
-            amplitudes[i] += waves.amplitudes(o, waves.column) * k_of(waves.column) *
-                             std::pow(k_of(o), depths[i] + 1);
+            for (Eigen::Index o = 0; o < sent.size(); ++o) {
+                amplitudes[i] += sent(o) * std::pow(k(o), depths[i] + 1);
+            }
         }
+        return amplitudes;
+    };
+    const Vector crossed = k.head(waves.amplitudes.cols()).unaryExpr([way](const Complex& one) {
+        return std::pow(one, way + 1);
+    });
+    Vector sent = waves.amplitudes.col(waves.column) * k(waves.column);
+    SentBack result{.amplitudes = at_depths(sent)};
+    for (int trip = 0; trip < later_trips; ++trip) {
+        sent = waves.amplitudes * (crossed.cwiseProduct(sent.head(crossed.size()))).eval();
+        double largest = 0;
+        for (const Complex& at_depth : at_depths(sent)) {
+            largest = std::max(largest, std::abs(at_depth));
+        }
+        result.later += largest;
     }
-    return {amplitudes, most};
+    return result;
 }
 
 WavesSentBack waves_of(const nmbcgen::Reflection& reflection, double xi) {
@@ -116,19 +139,9 @@ WavesSentBack waves_of(const nmbcgen::Reflection& reflection, double xi) {
     return waves;
 }
 
-/// most^2 + .. + most^(1 + trips): the second round trip, and those that follow.
-double later_trips(double most, int trips) {
-    double sum = 0;
-    double power = most;
-    for (int trip = 0; trip < trips && power > 0; ++trip) {
-        power *= most;
-        sum += power;
-    }
-    return sum;
-}
-
-/// max over these times of |Re sum amplitude exp(-i omega' t)|, omega' in time steps: of the first
-/// 4000 times, ten in the shortest period, between two of which a crest rises by 5 %.
+/// max over these times of |Re sum amplitude exp(-i omega' t)|, omega' in time steps: of 4000 times
+/// after the sources, ten in the shortest period, between two of which a crest rises by 5 %, and
+/// as many before they have ended. Where that is too long for ten, its moduli: no crest is higher.
 double largest_sum(Arrivals arrivals, double time_step, const Pause& pause) {
     std::vector<Arrival>& waves = arrivals.waves;
     double highest = 0;
@@ -139,7 +152,11 @@ double largest_sum(Arrivals arrivals, double time_step, const Pause& pause) {
         return 0;
     }
     constexpr double most_times = 4000;
-    const double between = 2 * std::numbers::pi / highest / 10;
+    const double short_enough = 2 * std::numbers::pi / highest / 10;
+    const double between = std::max(short_enough, -arrivals.first / most_times);
+    const auto size = [&](Complex sum) {
+        return between > short_enough ? std::abs(sum) : std::abs(sum.real());
+    };
     std::vector<Complex> turns;
     turns.reserve(waves.size());
     for (Arrival& wave : waves) {
@@ -148,15 +165,16 @@ double largest_sum(Arrivals arrivals, double time_step, const Pause& pause) {
         wave.amplitude *= std::polar(1.0, -omega * arrivals.first);
     }
     double largest = 0;
-    const double last = std::min(arrivals.last, arrivals.first + most_times * between);
+    const double last =
+        std::min(arrivals.last, std::max(arrivals.first, 0.0) + most_times * between);
     for (double time = arrivals.first; time <= last; time += between) {
         pause();
-        double sum = 0;
+        Complex sum = 0;
         for (std::size_t i = 0; i < waves.size(); ++i) {
-            sum += waves[i].amplitude.real();
+            sum += waves[i].amplitude;
             waves[i].amplitude *= turns[i];
         }
-        largest = std::max(largest, std::abs(sum));
+        largest = std::max(largest, size(sum));
     }
     return largest;
 }
@@ -193,7 +211,10 @@ double ReflectionError::of_all(ErrorOf error_of) const {
     const double left = sum(left_);
     const double right = sum(right_);
     const auto way = double(outgoing_.from_left + outgoing_.from_right + scene_.nodes);
-    const bool meet = fastest_speed(outgoing_) * outgoing_.remaining >= way / 2;
+    const double time =
+        outgoing_.remaining +
+        before_sources_end(std::min(outgoing_.from_left, outgoing_.from_right), outgoing_);
+    const bool meet = fastest_speed(outgoing_) * time >= way / 2;
     const double at_mirror = mirrors_.count() == 1 && meet ? 2 : 1;
     return at_mirror * (meet ? left + right : std::max(left, right)) / outgoing_.largest;
 }
@@ -224,8 +245,9 @@ double ReflectionError::of(const Boundary& boundary, double time_step) {
         sent_back_at.reserve(waves.size());
         for (const Arrival& wave : waves) {
             pause_();
-            const SentBack sent = sent_back(end(*wave.band), scene_.nodes);
-            later += std::abs(wave.amplitude) * later_trips(sent.most, wave.more_trips);
+            const SentBack sent =
+                sent_back(end(*wave.band), way_between_ends(scene_), wave.later_trips);
+            later += std::abs(wave.amplitude) * sent.later;
             sent_back_at.push_back(sent.amplitudes);
         }
         double largest = 0;
@@ -247,7 +269,7 @@ double ReflectionError::of_fixed_ends(double time_step) const {
     return of_all([&](const Arrivals& arrivals) {
         double later = 0;
         for (const Arrival& wave : arrivals.waves) {
-            later += std::abs(wave.amplitude) * wave.more_trips;
+            later += std::abs(wave.amplitude) * wave.later_trips;
         }
         return later + largest_sum(arrivals, time_step, pause_);
     });

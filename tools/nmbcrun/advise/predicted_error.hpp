@@ -20,10 +20,13 @@ namespace nmbcrun {
 struct Arrival {
     const WaveBand* band;
     std::complex<double> amplitude;
-    int more_trips;  ///< to the other end and so on, that there is time for
+    /// To the other end and so on, that there is time for and that are under way at one time: of
+    /// a packet no wider than the chain, one beside the trip before. Ends that pass on no more
+    /// energy than arrives make the first of them the largest.
+    int later_trips;
 };
 
-/// Waves that get to an end by one way, and when [dX/c] they are there.
+/// Waves that get to an end by one way, and when [dX/c after the sources] they are there.
 struct Arrivals {
     std::vector<Arrival> waves;
     double first = 0;
@@ -31,11 +34,13 @@ struct Arrivals {
 };
 
 /// max |u - u_ref| / max |u_ref| by what the ends send back: the outgoing waves, each times what
-/// the end makes of it, added up in phase at some nodes near the end, at times up to the end of the
-/// run. The larger of the two ends, or their sum where there is time for the two to meet; and a
-/// bound of what comes back again, the sum of |amplitude| times a product of reflections. A
-/// physical end sends everything back: to the artificial one opposite, where it counts like what
-/// comes directly, and what that makes an error of, which is twice as large there.
+/// the end makes of it, added up in phase at some nodes near the end, at times from the first
+/// arrival to the end of the run, before the sources have ended or after. The larger of the two
+/// ends, or their sum where there is time for the two to meet; and a bound of what comes back
+/// again, the sum over all waves of |amplitude| times what is left of each after some trips: as
+/// many as are under way at one time, so that it stays what it is however long the run. A physical
+/// end sends everything back: to the artificial one opposite, where it counts like what comes
+/// directly, and what that makes an error of, which is twice as large there.
 class ReflectionError {
   public:
     /// All three live as long as this. What adds up to less than `negligible` of max |u| is left
