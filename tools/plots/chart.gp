@@ -49,13 +49,13 @@ set key noenhanced samplen 1 Left reverse
 add(x, y, text) = (xs = xs . sprintf(" %.4f", log10(x)), ys = ys . sprintf(" %.4f", log10(y)), captions = captions . text . ";", 1)
 do for [kind in "svg png"] {
     if (kind eq "svg") {
-        set terminal svg size 1300,600 font "sans,15" background "white"
+        set terminal svg size 1400,620 font "sans,15" background "white"
         small = ",11"
         set pointsize 0.6
     } else {
-        set terminal pngcairo size 2600,1200 fontscale 2 linewidth 2 font "sans,10"
+        set terminal pngcairo size 2800,1240 fontscale 2 linewidth 2 font "sans,10"
         small = ",7"
-        set pointsize 0.9
+        set pointsize 1.6
     }
     set output sprintf("%s.%s", ARG2, kind)
     set multiplot
@@ -69,9 +69,9 @@ do for [kind in "svg png"] {
         if (panel == 1) {
             set title sprintf("cost and error of the ends, cfl %g", steps)
             set xlabel "added to a step by both ends [%]"
-            set ylabel "error of the ends / max |u|"
-            set lmargin at screen 0.075
-            set rmargin at screen 0.44
+            error_name = "error of the ends / max |u|"
+            set lmargin at screen 0.09
+            set rmargin at screen 0.42
             set key off
             stats ARG1 using (is_shown(column("cfl")) ? column("total_cost") / column("steps") : NaN) nooutput
             from = least_cost / 1.5
@@ -95,10 +95,10 @@ do for [kind in "svg png"] {
         } else {
             set title "whole runs: ends and time steps"
             set xlabel "cost of the run [steps of the bare interior]"
-            set ylabel "error / max |u|"
-            set lmargin at screen 0.545
-            set rmargin at screen 0.835
-            set key at screen 0.99, screen 0.93 right top
+            error_name = "error / max |u|"
+            set lmargin at screen 0.515
+            set rmargin at screen 0.815
+            set key at screen 0.83, screen 0.93 left top
             set ytics autofreq
             set xtics autofreq
             set format x "10^{%T}"
@@ -116,6 +116,8 @@ do for [kind in "svg png"] {
             apart_x = 9
             apart_y = 0.2
         }
+        # The width that gnuplot takes of tic labels in SVG is too large, and its ylabel off the picture.
+        set label error_name at graph -0.17, graph 0.5 center rotate
         placed_x = ""
         placed_y = ""
         do for [i = 1:words(xs)] {

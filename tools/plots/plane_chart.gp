@@ -17,7 +17,7 @@ highest = 10.0
 lowest = 1e-6
 clip(error) = error > highest || error != error ? highest : error < lowest ? lowest : error
 kinds = "passive nmbc higdon sponge pml extended free fixed"
-titles = "passive NMBC Higdon sponge PML plain-lattice free fixed"
+array titles[8] = ["passive", "NMBC", "Higdon", "sponge", "PML", "plain lattice", "free", "fixed"]
 colours = "#000000 #0072b2 #cc79a7 #009e73 #d55e00 #666666 #bbbbbb #bbbbbb"
 shapes = "7 5 13 9 11 15 8 12"
 has_width(kind) = kind eq "sponge" || kind eq "pml" || kind eq "extended"
@@ -51,7 +51,7 @@ do for [kind in "svg png"] {
             linecolor rgb word(colours, i) notitle, \
         for [i = 1:words(kinds)] ARG1 using (strcol("kind") eq word(kinds, i) && strcol("long_run") ne "grows" ? \
             cost(column("run_cost")) : NaN):(clip(column("error"))) with points pointtype int(word(shapes, i)) \
-            linecolor rgb word(colours, i) title word(titles, i), \
+            linecolor rgb word(colours, i) title titles[i], \
         ARG1 using (strcol("long_run") eq "grows" ? cost(column("run_cost")) : NaN):(clip(column("error"))) \
             with points pointtype 2 pointsize 1.3 linecolor "#aa0000" title "grows", \
         ARG1 using (cost(column("run_cost"))):(clip(column("error"))):(label_of(strcol("kind"), strcol("boundary"))) \

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <iterator>
 #include <map>
 #include <nmbc/chain.hpp>
@@ -28,6 +27,7 @@
 #include "tools/nmbcrun/chart/tuning.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/csv.hpp"
+#include "tools/nmbcrun/output/duration.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/work.hpp"
 #include "tools/nmbcrun/scene/step_plan.hpp"
@@ -163,13 +163,12 @@ double Measurement::total_work() const {
 }
 
 double Measurement::seconds_per_node_step() const {
-    using Clock = std::chrono::steady_clock;
     nmbc::Chain bare = chain_between(in_steps(shown_), nmbc::IdleEnd{}, nmbc::IdleEnd{});
-    const auto start = Clock::now();
     const std::size_t steps = 1 + 2'000'000 / scene_.nodes;
+    bare.advance(steps);  // to warm up
+    const double start = seconds_of_this_thread();
     bare.advance(steps);
-    return std::chrono::duration<double>(Clock::now() - start).count() /
-           (double(steps) * double(scene_.nodes));
+    return (seconds_of_this_thread() - start) / (double(steps) * double(scene_.nodes));
 }
 
 void Measurement::run_references(Work& work) {
@@ -286,8 +285,8 @@ void chart(const Scene& scene, const ChartOptions& options) {
     const std::size_t long_run = options.long_run.value_or(default_long_run(scene));
     Measurement measurement(scene, std::move(steps), long_run);
     if (!options.quiet) {
-        fmt::print("takes        about {:.2g} s on {:.0f} cores that do nothing else\n\n",
-                   measurement.seconds(), cores());
+        fmt::print("takes        about {} on {:.0f} cores that do nothing else\n\n",
+                   duration(measurement.seconds()), cores());
         std::fflush(stdout);
     }
     const std::vector<Point> points = measurement.run(options.quiet);

@@ -29,13 +29,6 @@ void fill(nmbc::Chain& chain) {
     chain.start(u, std::vector<double>(u.size()));
 }
 
-/// What other programs take of the machine does not count.
-double seconds_of_this_thread() {
-    std::timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-}
-
 /// For each step of a run that begins here.
 double seconds_per_step(nmbc::Chain& chain, std::size_t steps, const std::function<void()>& pause) {
     fill(chain);
@@ -78,6 +71,12 @@ std::pair<nmbc::Chain, double> made(const Scene& scene, nmbc::Chain& bare, std::
 }
 
 }  // namespace
+
+double seconds_of_this_thread() {
+    std::timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
 
 std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
                                          const std::function<void()>& after_round,
