@@ -6,15 +6,23 @@ source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
 scene=$2/tools/scenes/bar1d.toml
 
 small=(--set model.horizon=1 --set model.G=0.5 --set domain.nodes=100 --set drive.centre=50)
+csv=results/bar1d_chart.csv
+header="boundary,kind,cfl,steps,certified,long_run,rate,step_cost,construction,$(:
+    )total_cost,boundary_error,total_error,energy_left,on_step_front,on_front,layer_share,profile,target"
+mkdir results
+echo "$header" >$csv.new-1 # of a chart that was killed
+echo 7 >$csv.new-2         # of somebody else
 try chart "$scene" "${small[@]}" --set time.end=40 --long-run 4000
 expect_exit 0
 expect_no_stderr
-csv=results/bar1d_chart.csv
+expect "what killed charts leave goes" test ! -e $csv.new-1
+expect_file $csv.new-2
+rm $csv.new-2
+expect "how long, in words" grep -qE '^takes        about [0-9.]+ (s|min) on ' "$scratch/stdout"
 error_of() { # BOUNDARY CFL: its boundary error
     awk -F, -v boundary="$1" -v cfl="$2" '$1 == boundary && $3 == cfl { print $11 }' $csv
 }
-expect "a header line" grep -qx "boundary,kind,cfl,steps,certified,long_run,rate,step_cost,construction,$(:
-    )total_cost,boundary_error,total_error,energy_left,on_step_front,on_front,layer_share,profile,target" $csv
+expect "a header line" grep -qx "$header" $csv
 for kind in nmbc truncated higdon sponge pml extended exact fixed free; do
     for cfl in 0.1 0.2 0.4 0.8; do
         expect "$kind at cfl $cfl" grep -q ",$kind,$cfl," $csv

@@ -276,6 +276,16 @@ for option in --help --version "run --help"; do
     expect_exit 5
 done
 
+# Progress is as wide as its terminal.
+for columns in 80 40 12; do
+    tried="run in $columns columns"
+    script -qec "stty cols $columns; '$program' run '$scene' --set time.end=4000 --out narrow" /dev/null |
+        tr '\r' '\n' | grep -a '%' >"$scratch/lines"
+    expect "progress" test -s "$scratch/lines"
+    expect "no line is cut" awk -v most="$columns" '/%/ { sub(/ .\[K$/, "") } length > most { exit 1 }' \
+        "$scratch/lines"
+done
+
 # Energy that comes in is no negative way out.
 try run "$2/tools/scenes/incoming.toml" --quiet
 expect "said in words" grep -qE '^went out     -[0-9.e+-]+ \(energy came in\) at the left end, [0-9.e+-]+ at the right one$' "$scratch/stdout"

@@ -14,6 +14,7 @@
 #include "tools/nmbcrun/advise/watch.hpp"
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/duration.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 
 namespace nmbcrun {
@@ -283,12 +284,15 @@ void advise(const Scene& scene, double tolerance, bool quiet, const Pause& pause
         print_left_out(scene, advice);
     }
     const double run = seconds_of_run(advised(scene, best));
-    if (constexpr double patience = 10; !quiet && watch.seconds() > patience * run) {
+    constexpr double patience = 2;  // [s]
+    constexpr double many_runs = 10;
+    if (!quiet && (watch.seconds() > patience || watch.seconds() > many_runs * run)) {
         fmt::print(
-            "took       {:.2g} s, as {:.0f} runs of what is advised: {} boundaries were predicted "
-            "in "
-            "time steps from the longest down, and those that meet the tolerance timed\n",
-            watch.seconds(), watch.seconds() / run, advice.ranked.size() + advice.left_out.size());
+            "took       {}, as {:.{}f} runs of what is advised: boundaries are predicted in time "
+            "steps from the longest down{}, and those that meet the tolerance timed\n",
+            duration(watch.seconds()), watch.seconds() / run,
+            watch.seconds() < many_runs * run ? 1 : 0,
+            has_open_lattice(scene) ? ", on lattices of each horizon and many G" : "");
     }
     fmt::print("advice     {}, cfl = {:.3g}\nsettings   {}\n", with_lattice_named(scene, best),
                best.cfl, settings_of(scene, best));

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
+
+#include "tools/nmbcrun/output/duration.hpp"
 
 namespace nmbcrun {
 
@@ -24,7 +27,7 @@ void Watch::look() {
     if (!shown_ || seconds() < next_) {
         return;
     }
-    fmt::print(stderr, "\rlooking for set-ups, {:.0f} s \033[K", seconds());
+    fmt::print(stderr, "\rlooking for set-ups, {} \033[K", duration(std::floor(seconds())));
     std::fflush(stderr);
     next_ = seconds() + 1;
 }

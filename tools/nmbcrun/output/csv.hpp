@@ -12,7 +12,8 @@ namespace nmbcrun {
 
 class CsvFile {
   public:
-    /// Opens a temporary neighbour of `path` and writes the header line (without line end).
+    /// Opens a temporary neighbour of `path` and writes the header line (without line end); those
+    /// that killed processes have left go.
     /// Throws FileError, here as in every member, where the disk does not take it.
     CsvFile(const std::filesystem::path& path, const std::string& header);
 

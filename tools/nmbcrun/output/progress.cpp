@@ -11,10 +11,13 @@
 #include <string>
 #include <string_view>
 
+#include "tools/nmbcrun/output/duration.hpp"
+
 namespace nmbcrun {
 namespace {
 
-constexpr int longest_line = 70;
+constexpr int widest_bar = 40;
+constexpr int beside_bar = 30;  // "[", "] 100 %, 110 s left ", and a margin
 
 /// Columns of the terminal on stderr; 0 where it is none, or one that cannot clear a line.
 int terminal_width() {
@@ -29,17 +32,17 @@ int terminal_width() {
 }  // namespace
 
 Progress::Progress(std::size_t total, bool quiet, std::size_t first)
-    : total_(total), first_(first), shown_(!quiet && terminal_width() >= longest_line) {}
+    : total_(total), first_(first), columns_(quiet ? 0 : terminal_width()) {}
 
 Progress::~Progress() {
-    if (shown_) {
+    if (columns_ > 0) {
         fmt::print(stderr, "\r\033[K");
     }
 }
 
 void Progress::update(std::size_t done) {
     using namespace std::chrono_literals;
-    if (!shown_ || Clock::now() - drawn_ < 100ms) {
+    if (columns_ == 0 || Clock::now() - drawn_ < 100ms) {
         return;
     }
     drawn_ = Clock::now();
@@ -47,12 +50,16 @@ void Progress::update(std::size_t done) {
     const double fraction = double(done) / double(std::max<std::size_t>(total_, 1));
     const auto done_here = double(done - first_);
     const auto left =
-        done_here > 0 ? fmt::format("{:.0f} s left", elapsed * double(total_ - done) / done_here)
-                      : std::string();
-    constexpr int width = 40;
+        done_here > 0
+            ? fmt::format("{} left", duration(elapsed * double(total_ - done) / done_here))
+            : std::string();
+    const int width = std::clamp(columns_ - beside_bar, 0, widest_bar);
     const int filled = int(fraction * width);
-    fmt::print(stderr, "\r[{}{}] {:3.0f} %, {} \033[K", std::string(std::size_t(filled), '#'),
-               std::string(std::size_t(width - filled), '.'), 100 * fraction, left);
+    const std::string bar =
+        width == 0 ? std::string()
+                   : fmt::format("[{:.<{}}] ", std::string(std::size_t(filled), '#'), width);
+    const std::string line = fmt::format("{}{:3.0f} %, {}", bar, 100 * fraction, left);
+    fmt::print(stderr, "\r{:.{}} \033[K", line, std::max(columns_ - 2, 1));
     std::fflush(stderr);
 }
 

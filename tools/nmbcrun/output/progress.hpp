@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// A progress bar on stderr; nothing where stderr is no terminal, or too narrow for it.
+/// A progress bar on stderr; as wide as the terminal lets it be, and nothing where
+/// stderr is none.
 #pragma once
 
 #include <chrono>
@@ -23,7 +24,7 @@ class Progress {
     using Clock = std::chrono::steady_clock;
     std::size_t total_;
     std::size_t first_;
-    bool shown_;
+    int columns_;  // 0: nothing is shown
     Clock::time_point start_ = Clock::now();
     Clock::time_point drawn_ = start_;
 };

@@ -4,24 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/energies_file.hpp"
+#include "tools/nmbcrun/output/leftovers.hpp"
 
 namespace nmbcrun {
 namespace {
 
 /// The energies of a run that goes on.
 constexpr std::string_view growing = ".csv.part";
-
-bool begins_with(const std::filesystem::path& path, std::string_view beginning) {
-    std::string found(beginning.size(), '\0');
-    std::ifstream stream(path, std::ios::binary);
-    return stream.read(found.data(), std::streamsize(found.size())) && found == beginning;
-}
 
 }  // namespace
 
@@ -135,15 +129,8 @@ void RunFiles::remove_leftovers() const {
     const auto is_own = [&](const std::string& name) {
         return std::ranges::find(own, name, &Journal::Mark::name) != own.end();
     };
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(set_.folder, error)) {
-        const std::string name = entry.path().filename().string();
-        for (const auto& [ending, beginning] : kinds) {
-            if (name.starts_with(fmt::format("{}{}.new-", set_.name, ending)) && !is_own(name) &&
-                (beginning.empty() || ending == ".h5" || begins_with(entry.path(), beginning))) {
-                nmbcgen::remove_unless_open(entry.path());
-            }
-        }
+    for (const auto& [ending, beginning] : kinds) {
+        nmbcrun::remove_leftovers(path(ending), ending == ".h5" ? "" : beginning, is_own);
     }
 }
 

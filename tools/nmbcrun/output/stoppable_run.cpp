@@ -170,24 +170,38 @@ void StoppableRun::go_on() {
     add_last_row();
 }
 
-/// Where the disk does not take the files, it may take a checkpoint.
+/// Where the disk does not take the files, it may take a checkpoint. Why not is what the user is
+/// told, not what came of the checkpoint.
 void StoppableRun::publish_end() {
     try {
         publish(true);
     } catch (const FileError&) {
-        store();
+        try {
+            store();
+        } catch (const FileError&) {  // is_stored_ tells
+        }
         throw;
     }
+}
+
+/// Publishes the energies up to there.
+void StoppableRun::end_unstable(const Unstable& unstable) {
+    std::string unwritten;
+    try {
+        publish(false);
+    } catch (const FileError& error) {
+        unwritten = fmt::format(". The energies up to there are lost: {}", error.what());
+    }
+    clean_up();
+    throw Unstable(unstable.what() + unwritten);
 }
 
 void StoppableRun::go_on_and_publish() {
     try {
         go_on();
         publish_end();
-    } catch (const Unstable&) {
-        publish(false);  // the energies up to there
-        clean_up();
-        throw;
+    } catch (const Unstable& unstable) {
+        end_unstable(unstable);
     }
     if (options_.keep_checkpoint) {
         store();

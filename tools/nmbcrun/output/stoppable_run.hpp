@@ -98,6 +98,7 @@ class StoppableRun {
     void stop();
     void store();
     void publish_end();
+    [[noreturn]] void end_unstable(const Unstable& unstable);
     void go_on_and_publish();
     void clean_up();
 
