@@ -256,6 +256,15 @@ CLI::App* add_closed_forms(CLI::App& app, Request& request) {
     return closed_forms;
 }
 
+/// What CLI11 says, but of what is no part of coupling: that, and not that one is required.
+std::string problem_of(const CLI::ParseError& error, const CLI::App& coupling) {
+    const auto unknown = coupling.remaining();
+    return coupling.parsed() && coupling.get_subcommands().empty() && !unknown.empty()
+               ? "coupling: '" + unknown.front().substr(0, 60) +
+                     "' is no part of it; allowed: stencil, cases, waves"
+               : error.what();
+}
+
 }  // namespace
 
 std::variant<Request, int> parse_command_line(int argc, char** argv) {
@@ -367,7 +376,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         print(text.str());
         return exit_code;
     } catch (const CLI::ParseError& error) {
-        std::cerr << "nmbcgen: " << error.what() << "\nSee nmbcgen --help.\n";
+        std::cerr << "nmbcgen: " << problem_of(error, *coupling) << "\nSee nmbcgen --help.\n";
         return 2;
     }
     return request;

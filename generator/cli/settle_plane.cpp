@@ -64,6 +64,12 @@ void require_fit(const VectorFamily& family, const PlaneOptions& plane,
     if (!plane.radius_squared) {
         throw CLI::RequiredError("--radius2");
     }
+    if (const unsigned largest = family.largest_radius_squared;
+        largest > 0 && *plane.radius_squared > largest) {
+        throw CLI::ValidationError(
+            "--radius2", fmt::format("{} takes family radii up to {} (squared), not {}", name,
+                                     largest, *plane.radius_squared));
+    }
     if (family.has_poisson && !plane.poisson) {
         throw CLI::RequiredError("--nu");
     }

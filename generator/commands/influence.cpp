@@ -94,7 +94,7 @@ std::string power_influence_json(const PowerInfluence& influence) {
 
 namespace {
 
-/// Both families and their options, of which Poisson's ratio of the solid stays open.
+/// Both families and their weights.
 struct ClassOptions {
     std::vector<Offset> classes;
     std::vector<std::string> influence;
@@ -118,19 +118,26 @@ ClassOptions options_of(const ClassInfluence& influence) {
 
 std::string class_influence_text(const ClassInfluence& influence) {
     const ClassOptions options = options_of(influence);
-    const std::size_t d = influence.dimensions;
+    const bool in_plane = influence.dimensions == 2;
     const auto lattice = [&](const char* family, const char* poisson,
                              const std::vector<std::string>& weights) {
-        return fmt::format("--family {}{}d --radius2 {}{} --weights {}\n", family, d,
-                           influence.radius_squared, poisson, fmt::join(weights, ","));
+        return fmt::format("--family {}{}d --radius2 {}{} --weights {}\n", family,
+                           influence.dimensions, influence.radius_squared, poisson,
+                           fmt::join(weights, ","));
     };
+    const unsigned largest =
+        find_vector_family(in_plane ? "lps2d" : "lps3d").largest_radius_squared;
+    const std::string solid =
+        largest > 0 && influence.radius_squared > largest
+            ? fmt::format("(lps3d takes family radii up to {}, squared)\n", largest)
+            // Poisson's ratio of the bonds, in plane stress
+            : lattice("lps", in_plane ? " --nu 1/3" : " --nu 1/4", options.influence);
     return fmt::format(
         "influence   (|xi| + eps)^-p, p = {}, eps = {} dX, delta^2 = {} dX^2: Seleson 2011, GPMB\n"
         "classes     {}, rounded to 1e-12\n"
         "options     {}            {}",
         influence.power, to_string(influence.smoothing), influence.radius_squared,
-        options.classes.size(), lattice("lps", " --nu 1/4", options.influence),
-        lattice("bond", "", options.springs));
+        options.classes.size(), solid, lattice("bond", "", options.springs));
 }
 
 std::string class_influence_json(const ClassInfluence& influence) {

@@ -20,7 +20,8 @@ struct ClassInfluence {
     std::size_t dimensions = 2;   ///< or 3
 };
 
-/// Its weights as options of lattice families. Throws NoSuchModel for a radius that there is not.
+/// Its weights as options of lattice families. Throws NoSuchModel for a radius that there is not,
+/// and as class_weights().
 std::string class_influence_text(const ClassInfluence& influence);
 std::string class_influence_json(const ClassInfluence& influence);
 

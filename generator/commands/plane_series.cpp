@@ -31,8 +31,10 @@ PlaneTaylorClosed series_of(const PlaneSeriesTask& task, const VectorModel& mode
     return series;
 }
 
-constexpr const char* series_units =
-    "dX = 1 and the speed of these long waves = 1; c^2 in E/density; g = G/pi";
+std::string series_units(const PlaneSeriesTask& task) {
+    return fmt::format("dX = 1 and the speed of these long waves = 1; c^2 in E/density{}",
+                       find_vector_family(task.family).has_stabilisation ? "; g = G/pi" : "");
+}
 
 /// (-15g + 8)/12
 std::string text_of(const Polynomial& coefficient) {
@@ -67,7 +69,7 @@ std::string plane_series_text(const PlaneSeriesTask& task) {
     std::string text = fmt::format(
         "model       {}\nwaves       {}, s = i omega = sum a_k (i xi)^k, even a_k = 0\nunits       "
         "{}\nangle       {}\nc^2         {}\n",
-        model.description, task.polarisation == Polarisation::P ? 'P' : 'S', series_units,
+        model.description, task.polarisation == Polarisation::P ? 'P' : 'S', series_units(task),
         task.direction ? fmt::format("{}: cos^2 = {}", task.direction->text,
                                      to_string(task.direction->cosine_squared))
                        : "any; q = sin^2(2 angle)",
@@ -99,7 +101,7 @@ std::string plane_series_json(const PlaneSeriesTask& task) {
         {"taylor_of", task.family},
         {"model", model.description},
         {"polarisation", task.polarisation == Polarisation::P ? "P" : "S"},
-        {"units", series_units},
+        {"units", series_units(task)},
         {"direction", task.direction ? Json(task.direction->text) : Json(nullptr)},
         {"cosine_squared",
          task.direction ? Json(to_string(task.direction->cosine_squared)) : Json(nullptr)},

@@ -27,11 +27,6 @@ struct Solid {
 };
 
 Solid solid(const VectorChoice& choice, std::size_t dimensions, const Moduli& moduli) {
-    constexpr unsigned largest_in_space = 12;  // larger ones take many seconds
-    if (dimensions == 3 && choice.radius_squared > largest_in_space) {
-        throw NoSuchModel(fmt::format("lps3d takes family radii up to {} (squared), not {}",
-                                      largest_in_space, choice.radius_squared));
-    }
     Solid solid{.dimensions = dimensions,
                 .moduli = moduli,
                 .classes = bond_classes(choice.radius_squared, dimensions),

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "generator/families/power_influence.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cmath>
 #include <cstddef>
 
 #include "generator/exact/rational.hpp"
+#include "generator/families/family.hpp"
 #include "generator/families/vector_family.hpp"
 
 namespace nmbcgen {
@@ -88,12 +91,19 @@ std::vector<Rational> power_weights(const PowerInfluence& influence) {
 ClassWeights class_weights(unsigned power, const Rational& smoothing,
                            std::span<const Offset> classes) {
     const double eps = nearest_double(smoothing);
-    const auto rounded = [](double value) {
-        constexpr double digits = 1e12;
-        return Rational(Integer(std::max(1.0, std::round(value * digits))), Integer(digits));
-    };
     ClassWeights weights;
     for (const Offset& bond : classes) {
+        const auto rounded = [&](double value) {
+            constexpr double digits = 1e12;
+            if (!(value * digits >= 1)) {
+                throw NoSuchModel(fmt::format(
+                    "at p = {}, eps = {} the bond ({}) is weaker than 1e-12 of the nearest, which "
+                    "weights are rounded to: take a smaller p, a larger eps or a smaller radius",
+                    power, to_string(smoothing),
+                    fmt::join(std::span(bond).first(bond[2] == 0 ? 2 : 3), ", ")));
+            }
+            return Rational(Integer(std::round(value * digits)), Integer(digits));
+        };
         const double length = std::sqrt(double(length_squared(bond)));
         const double omega = std::pow((1 + eps) / (length + eps), power);
         weights.influence.push_back(rounded(omega / length));

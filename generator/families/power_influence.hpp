@@ -41,7 +41,7 @@ std::vector<Rational> power_weights(const PowerInfluence& influence);
 
 /// Of bond classes of a square or cubic lattice, over those of the nearest bonds: the influence
 /// omega(|R|)/|R| of lps2d and lps3d, and the weights omega(|R|)/|R|^3 of bond2d and bond3d.
-/// Rounded to 10^-12, at least which they are.
+/// Rounded to 10^-12. Throws NoSuchModel (family.hpp) where one is less than that.
 struct ClassWeights {
     std::vector<Rational> influence;
     std::vector<Rational> springs;

@@ -45,6 +45,7 @@ std::span<const VectorFamily> vector_families() {
                      .has_poisson = true,
                      .has_weights = true,
                      .has_stabilisation = false,
+                     .largest_radius_squared = 12,
                      .describe = lps3d},
     };
     return list;

@@ -22,6 +22,7 @@ struct VectorFamily {
     /// 1 where none are given.
     bool has_weights;
     bool has_stabilisation;
+    unsigned largest_radius_squared = 0;  ///< larger ones take many seconds; 0: any will do
     /// Throws NoSuchModel (families/family.hpp) where there is none.
     VectorModel (*describe)(const VectorChoice& choice);
     /// The energy of a node so many layers from an edge at x = 0, neighbours beyond which are

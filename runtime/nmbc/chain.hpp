@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <nmbc/boundary_condition.hpp>
+#include <nmbc/certificate.hpp>
 #include <nmbc/folded_energy.hpp>
 #include <nmbc/kernels.hpp>
 #include <nmbc/lattice.hpp>
@@ -36,8 +37,9 @@ template <class Real>
 class BasicChain {
   public:
     /// At rest, at t = 0. Throws std::invalid_argument where a parameter is not positive and
-    /// finite or the chain is too short for its ends, NotCertified where an end is certified with
-    /// its like only and the other one is not, and as the ends do when they are made.
+    /// finite or the chain is too short for its ends, NotCertified where steps are beyond the
+    /// interior's limit, or an end is certified with its like only and the other one is not, and as
+    /// the ends do when they are made.
     BasicChain(Lattice lattice, const BasicChainEnd<Real>& left, const BasicChainEnd<Real>& right,
                const ChainParameters& parameters)
         : lattice_(std::move(lattice)),
@@ -47,6 +49,7 @@ class BasicChain {
           folded_energy_(detail::folded(lattice_.energy)),
           force_(force_during(parameters_.time_step)),
           damping_(damping_during(parameters_.time_step)) {
+        require_stable_interior();
         require_certified_pair();
         const std::size_t least =
             std::max(left_->least_interior_nodes(), right_->least_interior_nodes());
@@ -211,6 +214,18 @@ class BasicChain {
             }
         }
         return p;
+    }
+
+    /// Whatever the ends are.
+    void require_stable_interior() const {
+        const double longest = 2 * interior_cfl(lattice_) / maximum_frequency(lattice_);
+        const double step = parameters_.time_step * parameters_.wave_speed() / parameters_.spacing;
+        constexpr double roundings = 1e-9;
+        if (step > longest * (1 + roundings)) {
+            throw NotCertified("the interior of the chain is stable in steps up to " +
+                               detail::to_text(longest) + " dX/c, and the step is " +
+                               detail::to_text(step) + " dX/c");
+        }
     }
 
     void require_certified_pair() const {

@@ -210,13 +210,15 @@ inline std::vector<double> between_edges(const EdgeEnergies& edges, const Lattic
     return force;
 }
 
-/// -lambda of the fastest mode of a chain of this many nodes, by power iteration; of the interior,
-/// if that is more. accelerate(u) puts the accelerations in the place of the displacements u.
+/// Estimates -lambda of the fastest mode of a chain of this many nodes, by power iteration; of the
+/// interior, if that is more. accelerate(u) puts the accelerations in the place of the
+/// displacements u.
 template <class Accelerate>
 double fastest_mode(const Lattice& lattice, std::size_t nodes, const Accelerate& accelerate) {
     std::vector<double> u(nodes);
-    for (std::size_t i = 0; i < nodes; ++i) {
-        u[i] = i % 2 == 0 ? 1 : -1;
+    for (std::size_t i = 0; i < nodes; ++i) {  // neither even nor odd about the middle
+        const double size = 1 + static_cast<double>(i) / static_cast<double>(nodes);
+        u[i] = i % 2 == 0 ? size : -size;
     }
     double largest = 0;
     constexpr int enough = 400;  // the error falls by the ratio of eigenvalues every time
@@ -234,19 +236,78 @@ double fastest_mode(const Lattice& lattice, std::size_t nodes, const Accelerate&
     return std::max(largest, top * top);
 }
 
-/// Between two edges; is_held: u = 0 on the outermost nodes.
-inline double fastest_between(const EdgeEnergies& edges, const Lattice& lattice, bool is_held,
-                              std::size_t nodes) {
-    const auto hold = [is_held](std::vector<double>& field) {
-        if (is_held) {
-            field.front() = field.back() = 0;
-        }
+/// A chain between two edges.
+struct EdgedChain {
+    const EdgeEnergies& edges;
+    const Lattice& lattice;
+    bool is_held = false;  ///< u = 0 on the outermost nodes
+    std::size_t nodes = 0;
+
+    /// Estimates the largest eigenvalue of M^-1 K.
+    double fastest() const {
+        const auto hold = [this](std::vector<double>& field) {
+            if (is_held) {
+                field.front() = field.back() = 0;
+            }
+        };
+        return fastest_mode(lattice, nodes, [&](std::vector<double>& u) {
+            hold(u);
+            u = between_edges(edges, lattice, u);
+            hold(u);
+        });
+    }
+
+    /// Whether all eigenvalues of M^-1 K are below `bound`, up to roundings: Cholesky's
+    /// decomposition of bound M - K exists.
+    bool is_below(double bound) const;
+};
+
+inline bool EdgedChain::is_below(double bound) const {
+    const EdgeStiffness left = stiffness_of(edges.left, lattice);
+    const EdgeStiffness right = stiffness_of(edges.right, lattice);
+    const auto of_lattice = [this](std::size_t distance) {
+        return distance <= lattice.reach() ? lattice.symbol[distance] : 0;
     };
-    return fastest_mode(lattice, nodes, [&](std::vector<double>& u) {
-        hold(u);
-        u = between_edges(edges, lattice, u);
-        hold(u);
-    });
+    // What an edge puts in the place of the endless lattice.
+    const auto change = [&](const EdgeStiffness& K, std::size_t row, std::size_t column) {
+        const std::size_t distance = row > column ? row - column : column - row;
+        return row < K.rows && column < K.columns
+                   ? K.entries[row * K.columns + column] - of_lattice(distance)
+                   : 0;
+    };
+    const auto mass = [&](std::size_t node) {
+        const std::vector<double>& of_left = edges.left.mass;
+        const std::vector<double>& of_right = edges.right.mass;
+        const std::size_t from_right = nodes - 1 - node;
+        return node < of_left.size()          ? of_left[node]
+               : from_right < of_right.size() ? of_right[from_right]
+                                              : 1;
+    };
+    const std::size_t width = std::max(left.columns, right.columns);
+    const std::size_t first = is_held ? 1 : 0;
+    std::vector<double> L(nodes * width);  // entry (i, i - k) at i * width + k
+    for (std::size_t i = first; i + first < nodes; ++i) {
+        double* const row = &L[i * width];
+        const std::size_t band = std::min(i - first, width - 1);
+        for (std::size_t k = band + 1; k-- > 0;) {
+            const std::size_t j = i - k;
+            double entry =
+                -of_lattice(k) - change(left, i, j) - change(right, nodes - 1 - i, nodes - 1 - j);
+            for (std::size_t m = k + 1; m <= band; ++m) {
+                entry -= row[m] * L[j * width + m - k];
+            }
+            if (k > 0) {
+                row[k] = entry / L[j * width];
+                continue;
+            }
+            entry += bound * mass(i);
+            if (!(entry > 0)) {
+                return false;
+            }
+            row[0] = std::sqrt(entry);
+        }
+    }
+    return true;
 }
 
 }  // namespace detail

@@ -55,7 +55,7 @@ run certification 'scene|sides|sources|tables' 'generator/(table|exact|stability
 run simulation 'scene|sides|sources|tables|certification' 'unistd.h'
 run output 'scene|simulation' 'generator/(names/checksum|support/posix_file).hpp|hdf5.h|spawn.h|unistd.h|sys/(ioctl|wait).h'
 below='scene|sides|sources|tables|certification|simulation'
-run compare "$below" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT'
+run compare "$below" 'generator/(table|exact|closures|stability)/|boost/math/|unsupported/Eigen/FFT'
 run chart "$below|compare|output" 'generator/support/|boost/math/'
 run advise "$below|compare|chart|output" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT|boost/math/|unistd.h'
 run plane 'scene|stepping|sides|sources|output' 'generator/(table|exact|names|passive)/|generator/support/files.hpp|boost/math/'

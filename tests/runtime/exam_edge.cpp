@@ -228,13 +228,43 @@ TEST_CASE("what is given in time goes in as a wave, to second order in dX") {
     }
 }
 
+TEST_CASE("the largest eigenvalue between true ends is a bound, 1 % above it") {
+    constexpr std::size_t nodes = 31;  // an odd number: modes even and odd about the middle
+    for (const Closure closure : {Closure::sbp, Closure::cut}) {
+        for (int horizon = 1; horizon <= 5; ++horizon) {
+            for (const auto given : {OnSurface::displacement, OnSurface::traction}) {
+                for (const double G : {0.0, 1.0, 4.0}) {
+                    CAPTURE(int(closure));
+                    CAPTURE(horizon);
+                    CAPTURE(G);
+                    const nmbc::Lattice lattice = constant_influence(horizon, G);
+                    const auto edges = nmbc::detail::edges_of(closure, lattice);
+                    const nmbc::detail::EdgedChain chain{edges, lattice,
+                                                         given == OnSurface::displacement, nodes};
+                    const double bound = nmbc::largest_eigenvalue(lattice, closure, given, nodes);
+                    CHECK(chain.is_below(bound));
+                    // Of the interior the bound is for chains of any length.
+                    const double top = std::pow(nmbc::maximum_frequency(lattice), 2);
+                    CHECK((bound < 1.0101 * top || !chain.is_below(bound / 1.0101)));
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("steps and lattices that are refused") {
     const nmbc::Lattice lattice = constant_influence(2, 1);
     const SurfaceEnd end{.closure = Closure::sbp};
     auto p = parameters_of(40, Closure::sbp, lattice);
     p.time_step *= 1.2;
     CHECK_THROWS_AS(nmbc::Chain(lattice, end, p), nmbc::NotCertified);
-    p.time_step /= 2;
+    p.time_step = 2.01 / nmbc::maximum_frequency(lattice) * p.spacing / p.wave_speed();
+    for (const nmbc::ChainEnd& whatever :
+         {nmbc::ChainEnd(nmbc::FreeEnd{}), nmbc::ChainEnd(nmbc::FixedEnd{}),
+          nmbc::ChainEnd(SurfaceEnd{})}) {
+        CHECK_THROWS_AS(nmbc::Chain(lattice, whatever, p), nmbc::NotCertified);
+    }
+    p.time_step /= 4;
     CHECK_NOTHROW(nmbc::Chain(lattice, end, p));
     CHECK_THROWS_AS(nmbc::Chain(lattice, SurfaceEnd{.closure = Closure::kernel}, p),
                     std::invalid_argument);

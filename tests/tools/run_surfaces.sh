@@ -107,13 +107,85 @@ try verify body.toml --tolerance 1e-3 --set time.cfl=0.5 --set boundary.left.kin
 expect_exit 1
 try verify body.toml --tolerance 1e-3 --set boundary.left.kind=mirror --set boundary.right.kind=mirror
 expect_exit 2
-expect_stderr "or closures beside mirrors: there is none"
+expect_stderr "the series (7) of SNM 2023 covers: there is none"
+
+# Bars of the bonds of SNM 2023 are verified beside its series (7): figures of docs/evidence/closures.md.
+snm_bar() { # CORRECTED MODULUS: snm.toml
+    local weights
+    weights=$("$nmbcgen" closure snm --horizon 10 $1 | sed -n 's/^options .*--weights //p')
+    "$nmbcgen" --family bond1d --horizon 10 --weights "$weights" --order 1 --uncertified --format json --stdout >snm.json
+    cat >snm.toml <<TOML
+[model]
+family = "bond1d"
+horizon = 10
+influence = ["${weights//,/\", \"}"]
+tables = ["snm.json"]
+[material]
+youngs_modulus = $2
+[domain]
+nodes = 100
+spacing = 0.01
+[boundary]
+kind = "snm"
+[boundary.left]
+given = "displacement"
+[initial]
+shape = "gaussian"
+amplitude = 0.02
+centre = 0.505
+width = 0.1
+[time]
+step = 2e-7
+end = 1e-4
+TOML
+}
+series() { # ERROR, of which what verify prints differs by half of its last digit at most
+    expect "$1 from the series" awk -v e="$1" '/^series \(7\)/ { found = ($3 / e - 1) ^ 2 < 3e-3 ^ 2 } END { exit !found }' "$scratch/stdout"
+}
+snm_bar "" 23.75e6
+try verify snm.toml --tolerance 1
+expect_exit 0
+series 0.0936
+snm_bar --corrected 25e6
+try verify snm.toml --tolerance 1
+expect_exit 0
+expect_no_stderr
+series 0.00179
+# Between mirrors the series is what the tolerance is about.
+mirrors=(--set boundary.kind=mirror)
+try verify snm.toml "${mirrors[@]}" --tolerance 9.3e-4
+expect_exit 0
+series 0.000926
+try verify snm.toml "${mirrors[@]}" --tolerance 9.2e-4
+expect_exit 1
+for ends in "traction traction" "displacement displacement" "traction displacement"; do
+    try verify snm.toml "${mirrors[@]}" --set boundary.left.given="${ends% *}" --set boundary.right.given="${ends#* }" \
+        --set time.end=4e-4 --tolerance 5e-3
+    expect_exit 0
+done
+try verify snm.toml "${mirrors[@]}" --set boundary.kind=node_mirror --set initial.centre=0.5 --tolerance 1.1e-3
+expect_exit 0
+
+# A chart of true ends compares closures, each beside a mirror about its surface.
+try chart snm.toml --quiet
+expect_exit 0
+expect_no_stderr
+expect "closures of bonds" awk -F, 'NR > 1 { kinds[$2]++; if ($3 == 0.4) error[$2] = $11 }
+    END { exit !(kinds["mirror"] == 4 && kinds["node_mirror"] == 4 && kinds["snm"] >= 3 && kinds["cut"] == 4 && length(kinds) == 4 &&
+          error["mirror"] == 0 && error["node_mirror"] == 0 && error["snm"] < 0.02 && error["cut"] > 0.1) }' results/snm_chart.csv
+expect_file results/snm_chart.svg
+try chart body.toml --quiet --set boundary.kind=fixed --set boundary.left.kind=fixed --set boundary.right.kind=free
+expect_exit 2
+expect_stderr "both ends are fixed or free: a chart compares"
+rm snm.toml snm.json
+
 refuses 2 "convex kernels continue the influence of a cubic spline" body.toml --set boundary.left.kind=kernel
 refuses 2 "this end is one of correspondence lattices without damping" bonds.toml --set boundary.left.kind=sbp
 refuses 2 'preload is not known beside an end of kind "sbp"' body.toml --set preload.strain=0.01
 refuses 2 "needs at least 8 interior nodes" body.toml --set domain.nodes=7 --set initial.centre=4
 
-refuses 2 "stable in steps up to" bonds.toml --set time.cfl=0.999
+refuses 4 "between these ends steps up to" bonds.toml --set time.cfl=0.999
+refuses 4 "(cfl = 1.5) are too long: between these ends steps up to" "$pull" --set time.cfl=1.5
 refuses 4 "no certificate for a surface node where several waves have one frequency" bonds.toml \
     --set model.horizon=2 --set model.influence='[1, 1]' --set model.tables='["alike.json"]'
 refuses 2 'a surface node ends chains of bonds, such as bond1d, and model.family is nopd1d: take "mirror"' "$pull" \

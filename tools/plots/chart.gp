@@ -14,21 +14,36 @@ set datafile columnheaders
 
 # The conditions there are, in the order of the file, and the cfl of the left panel.
 nmbc = ""
+kinds = ""
 steps = 0
 with(list, name) = strstrt(list, "," . name . ",") ? list : (list eq "" ? "," : list) . name . ","
 stats ARG1 using (nmbc = strcol("kind") eq "nmbc" ? with(nmbc, strcol("boundary")) : nmbc, \
+                  kinds = with(kinds, strcol("kind")), \
                   steps = column("cfl") > steps && column("cfl") < 0.401 ? column("cfl") : steps, 1) nooutput
-conditions = strlen(nmbc) - strlen(system("echo '" . nmbc . "' | tr -d ,")) - 1
+conditions = nmbc eq "" ? 0 : strlen(nmbc) - strlen(system("echo '" . nmbc . "' | tr -d ,")) - 1
 name_of(i) = system(sprintf("echo '%s' | cut -d, -f%d", nmbc, i + 1))
-array series[conditions]
+array series[conditions + 1] # the last one is for loops over none, which look at it
+series[conditions + 1] = "NMBC1 s1"
 do for [i = 1:conditions] { series[i] = name_of(i) }
-others = "truncated higdon sponge pml extended exact free fixed passive"
+all_others = "truncated higdon sponge pml extended exact free fixed passive mirror node_mirror snm sbp kernel cut"
 
 # Okabe and Ito's palette; blues for the orders of NMBC.
 blue(name) = word("#56b4e9 #0072b2 #00497a #332288", int(name[5:5]))
 shape(name) = name[8:8] eq "1" ? 7 : 15
-colours = "#cc79a7 #e69f00 #009e73 #d55e00 #666666 #000000 #bbbbbb #bbbbbb #117733"
-shapes = "6 13 9 5 10 11 8 12 14"
+all_colours = "#cc79a7 #e69f00 #009e73 #d55e00 #666666 #000000 #bbbbbb #bbbbbb #117733 " . \
+              "#0072b2 #56b4e9 #e69f00 #009e73 #d55e00 #666666"
+all_shapes = "6 13 9 5 10 11 8 12 14 7 15 13 9 5 11"
+colour_of(kind) = (n = 0, sum [i = 1:words(all_others)] (word(all_others, i) eq kind ? (n = i) : 0), word(all_colours, n))
+others = ""
+colours = ""
+shapes = ""
+do for [i = 1:words(all_others)] {
+    if (strstrt(kinds, "," . word(all_others, i) . ",")) {
+        others = others . " " . word(all_others, i)
+        colours = colours . " " . word(all_colours, i)
+        shapes = shapes . " " . word(all_shapes, i)
+    }
+}
 highest = 10.0
 lowest = 1e-10
 clip(error) = error > highest || error != error ? highest : error < lowest ? lowest : error
@@ -155,7 +170,7 @@ do for [kind in "svg png"] {
                  using (panel == 1 && strcol("kind") eq name && words(strcol("boundary")) == 2 ? x(column("total_cost")) : NaN): \
                        (clip(column(error))) \
                  with lines linewidth 0.7 \
-                 linecolor rgb word(colours, name eq "sponge" ? 3 : name eq "pml" ? 4 : 5) notitle, \
+                 linecolor rgb colour_of(name) notitle, \
              for [i = 1:conditions] ARG1 using (here(series[i]) ? x(column("total_cost")) : NaN):(clip(column(error))) \
                  with points pointtype shape(series[i]) linecolor rgb blue(series[i]) title series[i], \
              for [i = 1:words(others)] ARG1 \
@@ -164,7 +179,8 @@ do for [kind in "svg png"] {
                  title word(others, i), \
              ARG1 using (panel == 1 && is_shown(column("cfl")) && strcol("kind") eq "pml" ? \
                          100 * column("layer_share") : NaN):(clip(column(error))) \
-                 with points pointtype 4 linecolor rgb word(colours, 4) title "nodes of a pml alone", \
+                 with points pointtype 4 linecolor rgb colour_of("pml") \
+                 title strstrt(kinds, ",pml,") ? "nodes of a pml alone" : "", \
              for [i = 1:conditions] ARG1 \
                  using (strcol("boundary") eq series[i] && !here(series[i]) ? x(column("total_cost")) : NaN): \
                        (clip(column(error))) \

@@ -36,6 +36,11 @@ void shorten(AutomaticStep& step, double cfl, std::string limit) {
     }
 }
 
+/// Whether modes beside such an end can be faster than the interior's.
+bool may_shorten_steps(BoundaryKind kind) {
+    return is_surface(kind) && kind != BoundaryKind::mirror && kind != BoundaryKind::node_mirror;
+}
+
 /// Of the fastest mode beside a true end, or of the interior: omega_max over its frequency.
 double surface_cfl(const Scene& scene, const Boundary& boundary, const nmbc::Lattice& lattice) {
     constexpr double rounding = 1e-9;  // of the largest eigenvalue
@@ -69,8 +74,7 @@ AutomaticStep with_their_like(const Scene& scene, const nmbc::Lattice& lattice) 
         if (boundary->kind == BoundaryKind::passive) {
             shorten(step, DesignedEnd::largest_cfl, "what passive ends are designed for");
         }
-        if (is_surface(boundary->kind) && boundary->kind != BoundaryKind::mirror &&
-            boundary->kind != BoundaryKind::node_mirror) {
+        if (may_shorten_steps(boundary->kind)) {
             shorten(step, surface_cfl(scene, *boundary, lattice),
                     boundary->kind == BoundaryKind::snm
                         ? "what a surface node allows"
@@ -176,6 +180,23 @@ void require_matched(const Scene& scene, double time_step) {
                             time_step, heading_of(*boundary), matched));
         }
         require_midpoint_ghosts(*boundary);
+    }
+}
+
+void require_stable_steps(const Scene& scene, const nmbc::Lattice& lattice, double time_step) {
+    const double omega_max = highest_frequency(scene, lattice);
+    const double cfl = time_step * omega_max / 2;
+    double stable = nmbc::interior_cfl(lattice);
+    for (const Boundary* boundary : {&scene.left, &scene.right}) {
+        if (may_shorten_steps(boundary->kind)) {
+            stable = std::min(stable, surface_cfl(scene, *boundary, lattice));
+        }
+    }
+    if (cfl > stable) {
+        throw Unstable(
+            fmt::format("steps of {:.6g} (cfl = {:.3g}) are too long: between these ends steps up "
+                        "to {:.6g} (cfl = {:.3g}) are stable",
+                        time_step, cfl, 2 * stable / omega_max, stable));
     }
 }
 

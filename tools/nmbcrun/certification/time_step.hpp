@@ -41,6 +41,10 @@ std::string choices_at_another_G(const Scene& scene);
 /// none, another G or kind of end.
 std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice);
 
+/// Throws Unstable where the interior, or a mode beside a true end, is not stable in such steps
+/// [time], whatever is allowed.
+void require_stable_steps(const Scene& scene, const nmbc::Lattice& lattice, double time_step);
+
 /// Throws SceneError where an end is matched in another time step [time], or without midpoint
 /// ghosts.
 void require_matched(const Scene& scene, double time_step);

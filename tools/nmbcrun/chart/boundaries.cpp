@@ -7,7 +7,36 @@
 
 namespace nmbcrun {
 
+namespace {
+
+std::vector<NamedBoundary> closures_of(const Scene& scene) {
+    std::vector<BoundaryKind> kinds{BoundaryKind::mirror, BoundaryKind::node_mirror};
+    if (!is_damped(scene)) {
+        const bool has_strains = scene.family.starts_with("nopd");
+        kinds.push_back(BoundaryKind::cut);
+        kinds.push_back(has_strains ? BoundaryKind::sbp : BoundaryKind::snm);
+        if (has_strains) {
+            kinds.push_back(BoundaryKind::kernel);
+        }
+    }
+    std::vector<NamedBoundary> all;
+    for (const BoundaryKind kind : kinds) {
+        all.push_back({std::string(name_of(kind)), {.kind = kind}});
+    }
+    return all;
+}
+
+}  // namespace
+
+bool is_closed(const Scene& scene) {
+    return is_physical(scene.left.kind) && is_physical(scene.right.kind) &&
+           (is_surface(scene.left.kind) || is_surface(scene.right.kind));
+}
+
 std::vector<NamedBoundary> boundaries_of(const Scene& scene) {
+    if (is_closed(scene)) {
+        return closures_of(scene);
+    }
     std::vector<NamedBoundary> all{{"fixed", {.kind = BoundaryKind::fixed}},
                                    {"free", {.kind = BoundaryKind::free}}};
     for (const nmbc::MatchingTable* table : tables_of(scene)) {
@@ -39,6 +68,12 @@ std::vector<NamedBoundary> boundaries_of(const Scene& scene) {
 }
 
 Scene with_ends(Scene scene, const Boundary& boundary) {
+    if (is_closed(scene)) {
+        for (Boundary* const end : {&scene.left, &scene.right}) {
+            end->kind = is_surface(end->kind) ? boundary.kind : end->kind;
+        }
+        return scene;
+    }
     scene.allow_unstable = true;
     return with_artificial_ends(std::move(scene), boundary);
 }

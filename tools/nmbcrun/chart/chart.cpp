@@ -10,6 +10,7 @@
 #include <nmbc/chain.hpp>
 #include <nmbc/ends.hpp>
 #include <nmbc/lattice.hpp>
+#include <nmbc/surface.hpp>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -77,8 +78,19 @@ class Measurement {
     Scene ended(const Point& point) const {
         return with_ends(in_steps(point.cfl), point.what.boundary);
     }
-    Scene endless(double cfl) const {
-        return with_ends(in_steps(cfl), {.kind = BoundaryKind::extended});
+    /// Without artificial ends: of closures, between mirrors about the same surfaces.
+    Scene reference(double cfl, bool is_on_node) const {
+        const BoundaryKind kind = !is_closed(scene_) ? BoundaryKind::extended
+                                  : is_on_node       ? BoundaryKind::node_mirror
+                                                     : BoundaryKind::mirror;
+        return with_ends(in_steps(cfl), {.kind = kind});
+    }
+    static bool is_on_node(const Point& point) {
+        const BoundaryKind kind = point.what.boundary.kind;
+        return is_surface(kind) && nmbc::ends_on_node(closure_of(kind));
+    }
+    std::vector<bool> surfaces() const {
+        return is_closed(scene_) ? std::vector{false, true} : std::vector{false};
     }
     static bool is_tuned(const Boundary& boundary) {
         return has_profile(boundary.kind) ||
@@ -112,7 +124,7 @@ class Measurement {
         constexpr double enough = 2.5e8;
         return std::min(double(cost_rounds), 1 + enough / own) * (2 * burst + own);
     }
-    double reference_work(double cfl) const { return node_steps(endless(cfl)) / cores(); }
+    double reference_work(double cfl) const { return node_steps(reference(cfl, false)) / cores(); }
 
     double total_work() const;
     double seconds_per_node_step() const;
@@ -133,6 +145,8 @@ class Measurement {
             point.refused = error.what();
         } catch (const nmbc::CoefficientError& error) {
             point.refused = error.what();
+        } catch (const Unstable& error) {
+            point.refused = error.what();
         }
     }
 
@@ -140,8 +154,8 @@ class Measurement {
     std::size_t long_run_;
     std::vector<double> steps_;
     double shown_ = 0;
-    Samples fine_;
-    std::map<double, Samples> same_steps_;
+    std::map<bool, Samples> fine_;  // by is_on_node()
+    std::map<std::pair<double, bool>, Samples> same_steps_;
     std::vector<Point> points_;
 };
 
@@ -150,6 +164,7 @@ double Measurement::total_work() const {
     for (const double cfl : steps_) {
         total += reference_work(cfl);
     }
+    total *= double(surfaces().size());
     for (const Point& point : points_) {
         total += trial_work(point) + long_work(point);
         if (point.cfl == shown_) {
@@ -172,13 +187,19 @@ double Measurement::seconds_per_node_step() const {
 }
 
 void Measurement::run_references(Work& work) {
-    for (const double cfl : steps_) {
-        same_steps_[cfl];
+    std::vector<std::pair<double, bool>> runs;
+    for (const bool on_node : surfaces()) {
+        fine_[on_node];
+        runs.emplace_back(fine_cfl, on_node);
+        for (const double cfl : steps_) {
+            same_steps_[{cfl, on_node}];
+            runs.emplace_back(cfl, on_node);
+        }
     }
-    nmbcgen::on_all_cores(steps_.size() + 1, [&](std::size_t i) {
-        const double cfl = i == 0 ? fine_cfl : steps_[i - 1];
-        (i == 0 ? fine_ : same_steps_.at(cfl)) =
-            samples_without_ends(in_steps(cfl), work.of(reference_work(cfl)));
+    nmbcgen::on_all_cores(runs.size(), [&](std::size_t i) {
+        const auto& [cfl, on_node] = runs[i];
+        (cfl == fine_cfl ? fine_.at(on_node) : same_steps_.at(runs[i])) =
+            samples_without_ends(reference(cfl, on_node), work.of(reference_work(cfl)));
     });
 }
 
@@ -195,9 +216,10 @@ void Measurement::tune_layers(Work& work) {
         Boundary& boundary = point.what.boundary;
         const Advance advance = work.of(tuning_work(point));
         try_boundary(point, [&] {
-            boundary = boundary.kind == BoundaryKind::extended
-                           ? narrowest_silent(in_steps(shown_), same_steps_.at(shown_), advance)
-                           : tuned(in_steps(shown_), boundary, same_steps_.at(shown_), advance);
+            boundary =
+                boundary.kind == BoundaryKind::extended
+                    ? narrowest_silent(in_steps(shown_), same_steps_.at({shown_, false}), advance)
+                    : tuned(in_steps(shown_), boundary, same_steps_.at({shown_, false}), advance);
         });
     });
     for (const Point* layer : layers) {
@@ -217,8 +239,8 @@ void Measurement::run_trials(Work& work) {
             return;
         }
         try_boundary(point, [&] {
-            point.trial = run_trial(ended(point), same_steps_.at(point.cfl), fine_,
-                                    work.of(trial_work(point)));
+            point.trial = run_trial(ended(point), same_steps_.at({point.cfl, is_on_node(point)}),
+                                    fine_.at(is_on_node(point)), work.of(trial_work(point)));
             if (!adds_no_energy(point.what.boundary.kind)) {
                 point.long_run =
                     long_time_stability(ended(point), long_run_, work.of(long_work(point)));
@@ -229,14 +251,19 @@ void Measurement::run_trials(Work& work) {
 
 void Measurement::leave_out_refused() {
     std::set<std::string> told;
+    std::set<std::string> without_cost;
     for (const Point& point : points_) {
         if (!point.refused.empty() && told.insert(point.what.name).second) {
             fmt::print(stderr, "nmbcrun: left out: {}: {}\n", point.what.name, point.refused);
         }
+        if (!point.refused.empty() && point.cfl == shown_) {
+            without_cost.insert(point.what.name);
+        }
     }
-    // One that is refused in some steps has no cost in others, unless it is timed in each.
+    // Unless it is timed in each, one that is refused in the steps of the others' timing.
     std::erase_if(points_, [&](const Point& point) {
-        return !point.refused.empty() || (!is_timed(point) && told.contains(point.what.name));
+        return !point.refused.empty() ||
+               (!is_timed(point) && without_cost.contains(point.what.name));
     });
 }
 
@@ -273,6 +300,11 @@ std::size_t default_long_run(const Scene& scene) {
 }  // namespace
 
 void chart(const Scene& scene, const ChartOptions& options) {
+    if (is_physical(scene.left.kind) && is_physical(scene.right.kind) && !is_closed(scene)) {
+        throw SceneError(
+            "both ends are fixed or free: a chart compares artificial ends, or ways to close a "
+            "surface, such as \"mirror\"");
+    }
     const double limit = nmbc::interior_cfl(lattice_of(scene));
     std::vector<double> steps;
     std::ranges::copy_if(cfls, std::back_inserter(steps),

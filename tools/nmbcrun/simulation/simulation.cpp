@@ -37,12 +37,7 @@ Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
         scene.step ? *scene.step : 2 * scene.cfl.value_or(automatic.cfl) / omega_max;
     require_matched(scene, time_step);
     const double cfl = time_step * omega_max / 2;
-    const double limit = nmbc::interior_cfl(lattice);
-    if (cfl > limit) {
-        throw SceneError(fmt::format(
-            "{}: cfl = {:.4g} is above the interior's limit of {:.4g}, a step of {:.6g}",
-            scene.step ? "time.step" : "time.cfl", cfl, limit, 2 * limit / omega_max));
-    }
+    require_stable_steps(scene, lattice, time_step);
     Plan plan{{.time_step = time_step,
                .steps = steps_until(scene.end, time_step),
                .cfl = cfl,
