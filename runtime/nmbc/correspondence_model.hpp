@@ -28,6 +28,8 @@ struct CorrespondenceModel {
     double stabilisation = 0;     ///< s = G C_BB/m of (9) to (11), m the bonds of a whole family
     /// beta: no force of the interior depends on it, only what acts at sides that are cut off.
     double null_lagrangian = 0;
+    /// The s of forces on velocities, as those of the stabilisation on displacements; 0: none.
+    double damping = 0;
 
     std::size_t horizon() const { return horizon_of(radius_squared); }
     std::size_t reach() const { return 2 * horizon(); }         ///< of forces [dX]
@@ -35,10 +37,12 @@ struct CorrespondenceModel {
     double speed_S() const { return std::sqrt(shear); }         ///< c_S
 };
 
-/// poisson is nu. Throws std::invalid_argument where there is no such material, and of a radius
-/// squared that is no sum of two squares.
+/// poisson is nu; tau [dX sqrt(density/E)]: there are forces on velocities, too, tau times those of
+/// the stabilisation at G = pi, as `nmbcgen recommend` finds it for sides of a plane. Throws
+/// std::invalid_argument where there is no such material, and of a radius squared that is no sum of
+/// two squares.
 inline CorrespondenceModel nopd2d(unsigned radius_squared, double poisson, double G,
-                                  StressState state = StressState::plane_stress) {
+                                  StressState state = StressState::plane_stress, double tau = 0) {
     detail::require_radius(radius_squared);
     const double highest = state == StressState::plane_stress ? 1 : 0.5;
     if (!(poisson > -1 && poisson < highest)) {
@@ -49,16 +53,23 @@ inline CorrespondenceModel nopd2d(unsigned radius_squared, double poisson, doubl
     if (!(G >= 0 && std::isfinite(G))) {
         throw std::invalid_argument("G must be a number not below 0");
     }
+    if (!(tau >= 0 && std::isfinite(tau))) {
+        throw std::invalid_argument("tau must be a number not below 0");
+    }
     const double bulk = state == StressState::plane_stress
                             ? 1 / (2 * (1 - poisson))
                             : 1 / (2 * (1 + poisson) * (1 - 2 * poisson));
     const double radius4 = static_cast<double>(radius_squared) * radius_squared;
+    const auto stabilisation = [&](double at) {
+        return at * 12 * bulk /
+               (std::numbers::pi * radius4 *
+                static_cast<double>(plane_family(radius_squared).size()));
+    };
     return {.radius_squared = radius_squared,
             .bulk = bulk,
             .shear = 1 / (2 * (1 + poisson)),
-            .stabilisation = G * 12 * bulk /
-                             (std::numbers::pi * radius4 *
-                              static_cast<double>(plane_family(radius_squared).size()))};
+            .stabilisation = stabilisation(G),
+            .damping = tau * stabilisation(std::numbers::pi)};
 }
 
 /// Of P or S waves. With t the phase of a bond, A the sum of x^2 over the family and s = sum R sin

@@ -18,6 +18,7 @@
 #include <nmbc/plane_potential.hpp>
 #include <nmbc/plane_sides.hpp>
 #include <nmbc/plane_state.hpp>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -43,7 +44,8 @@ class BasicPlane {
                   layers_of(sides.top)},
           nx_(parameters.nx + layers_[0] + layers_[1]),
           ny_(parameters.ny + layers_[2] + layers_[3]),
-          force_(force_of(model_.law())) {
+          force_(force_of(model_.law())),
+          damping_(damping_of(model_.law())) {
         if (nx_ < least_nodes(0) || ny_ < least_nodes(1)) {
             throw std::invalid_argument(
                 "beside a halo, and of bonds between periodic sides, a body needs " +
@@ -52,6 +54,7 @@ class BasicPlane {
         for (std::size_t a = 0; a < 2; ++a) {
             u_[a].resize(grid().nx * grid().ny, 0);
             v_[a].resize(grid().nx * grid().ny, 0);
+            damping_change_[a].resize(damping_ ? v_[a].size() : 0, 0);
         }
         add_dashpots();
         add_ghost_lines();
@@ -91,12 +94,18 @@ class BasicPlane {
         return energy;
     }
 
+    /// Energy [per thickness] that the forces on velocities of a damped lattice have taken.
+    double damped() const {
+        return parameters_.density * parameters_.spacing * parameters_.spacing * damped_;
+    }
+
     /// Takes the fields for u and v at t = 0 and moves v to -dt/2 by the accelerations there.
     void start() {
         steps_ = 0;
         gone_ = {};
         broken_ = 0;
         released_ = 0;
+        damped_ = 0;
         const double rate = parameters_.rate();
         clear_ghosts();
         close_ghosts(u_);
@@ -110,6 +119,10 @@ class BasicPlane {
         }
         friction_.drag(back / parameters_.time_step, field(dragged));
         kick_by_forces(back, dragged);
+        if (damping_) {
+            find_damping(back);
+            add_damping(dragged);
+        }
         v_ = std::move(dragged);
         for (auto& lines : ghost_lines_) {
             lines.start(u_, v_);
@@ -117,7 +130,7 @@ class BasicPlane {
     }
 
     PlaneState<Real> state() const {
-        PlaneState<Real> state{steps_, u_, v_, {}, gone_, {}, broken_, released_};
+        PlaneState<Real> state{steps_, u_, v_, {}, gone_, {}, broken_, released_, damped_};
         if (const auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_)) {
             state.bonds = bonds->states().state();
         }
@@ -153,6 +166,7 @@ class BasicPlane {
         }
         broken_ = state.broken;
         released_ = state.released;
+        damped_ = state.damped;
         steps_ = state.steps;
         u_ = state.displacement;
         v_ = state.velocity;
@@ -270,6 +284,18 @@ class BasicPlane {
         return with;
     }
 
+    /// Its forces on velocities, where there are any.
+    std::optional<detail::PlaneForce<Real>> damping_of(
+        const std::variant<CorrespondenceModel, BondModel>& law) const {
+        const auto* const correspondence = std::get_if<CorrespondenceModel>(&law);
+        if (correspondence == nullptr || correspondence->damping == 0) {
+            return std::nullopt;
+        }
+        return std::get<detail::PlaneForce<Real>>(
+            force_of(CorrespondenceModel{.radius_squared = correspondence->radius_squared,
+                                         .stabilisation = correspondence->damping}));
+    }
+
     using Force = std::variant<detail::PlaneForce<Real>, detail::BondForce<Real>>;
     Force force_of(const std::variant<CorrespondenceModel, BondModel>& law) const {
         const auto pitch = static_cast<std::ptrdiff_t>(grid().nx);
@@ -376,6 +402,10 @@ class BasicPlane {
     }
     void break_and_kick(detail::BondForce<Real>& bonds);
 
+    void find_damping(double duration);
+    void add_damping(Fields& v) const;
+    void count_damped();
+
     void clear_ghosts();
     void close_ghosts(Fields& fields) const;
     /// The node of a side's layer, along its axis.
@@ -401,6 +431,8 @@ class BasicPlane {
     std::size_t nx_;  // of the body, layers included
     std::size_t ny_;
     Force force_;
+    std::optional<detail::PlaneForce<Real>> damping_;
+    Fields damping_change_;  // what the damping changes v by in this step
     std::vector<detail::DashpotGroups<Real>> dashpots_;
     std::vector<detail::GhostLines<Real>> ghost_lines_;  // in the order in which they close
     detail::PlaneFriction<Real> friction_;
@@ -410,6 +442,7 @@ class BasicPlane {
     std::array<double, 4> gone_{};  // sums of vbar.C vbar
     double broken_ = 0;
     double released_ = 0;  // over E
+    double damped_ = 0;    // over density dX^2
     std::size_t steps_ = 0;
 };
 
@@ -419,10 +452,17 @@ template <class Real>
 void BasicPlane<Real>::kick() {
     close_ghosts(u_);
     keep_velocities();
+    if (damping_) {
+        find_damping(parameters_.time_step);
+        count_damped();
+    }
     if (auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_)) {
         break_and_kick(*bonds);
     } else {
         kick_by_forces(parameters_.time_step, v_);
+    }
+    if (damping_) {
+        add_damping(v_);
     }
 }
 
@@ -438,7 +478,7 @@ void BasicPlane<Real>::keep_velocities() {
 template <class Real>
 void BasicPlane<Real>::drift_and_kick() {
     auto* const force = std::get_if<detail::PlaneForce<Real>>(&force_);
-    if (force == nullptr || !force->can_drift()) {
+    if (force == nullptr || !force->can_drift() || damping_) {
         drift();
         kick();
         return;
@@ -469,6 +509,9 @@ void BasicPlane<Real>::close_sides(Prescribe& prescribe) {
     friction_.close(field(v_), parameters_.time_step * parameters_.rate(), gone_);
     for (auto& lines : ghost_lines_) {
         lines.close(u_, v_, steps_);
+    }
+    if (damping_) {
+        count_damped();
     }
 }
 
@@ -541,5 +584,6 @@ void BasicPlane<Real>::close_ghosts(Fields& fields) const {
 }  // namespace nmbc
 
 #include <nmbc/plane_assembly.hpp>
+#include <nmbc/plane_damping.hpp>
 #include <nmbc/plane_energies.hpp>
 #include <nmbc/plane_fracture.hpp>

@@ -66,9 +66,9 @@ struct SpongeSide {
 /// More of the same lattice beyond the side, which the program keeps elsewhere: another block of a
 /// larger body. Before start(), after it and after each step the program copies ghosts() layers of
 /// displacements from there, along the whole side with its layers and ghosts; of velocities, too,
-/// where bonds break or energies() are asked for. All blocks take the steps of the whole, and a
-/// block without passive sides has the null Lagrangian of its model, which is to be that of the
-/// whole's passive sides.
+/// where bonds break, where the lattice is damped, or energies() are asked for. All blocks take the
+/// steps of the whole, and a block without passive sides has the null Lagrangian of its model,
+/// which is to be that of the whole's passive sides.
 struct HaloSide {};
 
 using PlaneSide = std::variant<FixedSide, FreeSide, PeriodicSide, PassiveSide, MatchingSide,

@@ -57,4 +57,28 @@ inline double highest_eigenvalue(const PlaneModel& model, const PlaneSides& side
     return not_found * std::max(highest_eigenvalue(model), estimate);
 }
 
+/// Steps below this one [where E = density = dX = 1] are stable between these sides: dt^2 l + 2 dt
+/// d
+/// <= 4, with l the highest eigenvalue of M^-1 K and d that of M^-1 D of a damped lattice. Throws
+/// as highest_eigenvalue().
+inline double longest_step(const PlaneModel& model, const PlaneSides& sides, std::size_t nx,
+                           std::size_t ny) {
+    const double highest = highest_eigenvalue(model, sides, nx, ny);
+    double damping = 0;
+    if (const auto* const law = std::get_if<CorrespondenceModel>(&model.law());
+        law != nullptr && law->damping > 0) {
+        // Beside so much stabilisation the strain adds little, and nothing below 0.
+        CorrespondenceModel stiff = *law;
+        stiff.stabilisation = 1e3 * (law->bulk + law->shear);
+        PlaneSides of_any = sides;
+        for (PlaneSide* const side : {&of_any.left, &of_any.right, &of_any.bottom, &of_any.top}) {
+            if (auto* const passive = std::get_if<PassiveSide>(side)) {
+                passive->made_for.reset();
+            }
+        }
+        damping = law->damping / stiff.stabilisation * highest_eigenvalue(stiff, of_any, nx, ny);
+    }
+    return 4 / (damping + std::sqrt(damping * damping + 4 * highest));
+}
+
 }  // namespace nmbc

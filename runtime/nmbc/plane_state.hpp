@@ -49,6 +49,7 @@ struct PlaneState {
     std::vector<std::uint32_t> bonds{};  ///< which hold, of a bond-based plane
     double broken = 0;
     double released = 0;  ///< over E
+    double damped = 0;    ///< sums of what damped() counts
 };
 
 }  // namespace nmbc

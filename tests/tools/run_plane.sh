@@ -252,6 +252,10 @@ setting() {
 }
 setting 2 "Poisson's ratio must be between -1 and 1, not 1" model.nu=1
 setting 2 "between -1 and 1/2" model.nu=0.5 'model.state="plane strain"'
+setting 2 "tau must be a number not below 0" model.damping=-1
+setting 2 "model.damping must be an exact number" model.damping=abc
+setting 2 "boundary.order must be 1 beside model.damping" model.damping=1/10 boundary.kind=nmbc boundary.order=2
+setting 2 "model.damping must be 0 beside perfectly matched layers" model.damping=0.1 boundary.kind=pml boundary.layer=10 boundary.allow_unstable=true
 setting 2 "model.nu must be an exact number, such as 0.25" 'model.nu="1/0"'
 setting 2 "must be a sum of two squares" model.radius2=3
 setting 2 "model.radius2 must be a whole number from 1 to 100" model.radius2=0

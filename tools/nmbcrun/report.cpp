@@ -4,17 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "tools/nmbcrun/output/share_gone.hpp"
+
 namespace nmbcrun {
-
-namespace {
-
-/// Of the energy that went out through an end, over the peak.
-std::string share(double out) {
-    constexpr double roundings = 1e-9;
-    return fmt::format("{:.3e}{}", out, out < -roundings ? " (energy came in)" : "");
-}
-
-}  // namespace
 
 std::string heading_of(const Simulation& simulation) {
     const Scene& scene = simulation.scene();
@@ -47,7 +39,7 @@ void print_balance(const Sample& last, const Highlights& highlights, bool damped
     const double peak = highlights.peak;
     fmt::print("energy left  {:.3e} of the peak\n", e.total() / peak);
     fmt::print("went out     {} at the left end, {} at the right one{}\n",
-               share(balance.left / peak), share(balance.right / peak),
+               share_gone(balance.left / peak), share_gone(balance.right / peak),
                damped ? fmt::format(", {:.3e} by damping", e.damped / peak) : "");
     fmt::print("ledger drift {:.1e} of the peak\n", highlights.drift / peak);
 }

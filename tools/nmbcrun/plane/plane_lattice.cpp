@@ -12,12 +12,16 @@ nmbc::BondModel bonds_of(const PlaneScene& scene) {
     return nmbc::bond2d(scene.radius_squared, scene.weights);
 }
 
+nmbc::CorrespondenceModel nopd2d_of(const PlaneScene& scene) {
+    return nmbc::nopd2d(scene.radius_squared, nmbcgen::nearest_double(scene.nu), scene.G,
+                        scene.state, nmbcgen::nearest_double(scene.tau));
+}
+
 nmbc::PlaneModel model_of(const PlaneScene& scene) {
     if (scene.is_bond_based()) {
         return bonds_of(scene);
     }
-    return nmbc::nopd2d(scene.radius_squared, nmbcgen::nearest_double(scene.nu), scene.G,
-                        scene.state);
+    return nopd2d_of(scene);
 }
 
 std::optional<double> critical_stretch(const PlaneScene& scene) {

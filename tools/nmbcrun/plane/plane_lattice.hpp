@@ -12,6 +12,9 @@ namespace nmbcrun {
 /// The scene's lattice, without what belongs to its sides.
 nmbc::PlaneModel model_of(const PlaneScene& scene);
 
+/// That of another scene than one of bonds.
+nmbc::CorrespondenceModel nopd2d_of(const PlaneScene& scene);
+
 /// That of a scene of bonds: is_bond_based().
 nmbc::BondModel bonds_of(const PlaneScene& scene);
 

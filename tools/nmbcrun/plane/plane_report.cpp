@@ -52,10 +52,11 @@ std::string heading_of(const PlaneSimulation& simulation) {
     text += scene.is_bond_based()
                 ? fmt::format("lattice   bond2d, radius {} (squared), weights {:.6g}\n",
                               scene.radius_squared, fmt::join(scene.weights, ", "))
-                : fmt::format("lattice   nopd2d, radius {} (squared), nu = {}, plane {}, G = {}\n",
-                              scene.radius_squared, nmbcgen::to_string(scene.nu),
-                              scene.state == nmbc::StressState::plane_stress ? "stress" : "strain",
-                              scene.G);
+                : fmt::format(
+                      "lattice   nopd2d, radius {} (squared), nu = {}, plane {}, G = {}{}\n",
+                      scene.radius_squared, nmbcgen::to_string(scene.nu),
+                      scene.state == nmbc::StressState::plane_stress ? "stress" : "strain", scene.G,
+                      scene.tau == 0 ? "" : ", tau = " + nmbcgen::to_string(scene.tau));
     const bool alike = std::ranges::all_of(
         scene.sides, [&](const PlaneSideChoice& side) { return side == scene.sides[0]; });
     if (alike && scene.sides[0].kind != SideKind::extended) {

@@ -2,6 +2,7 @@
 #include "tools/nmbcrun/plane/plane_run.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/energies_file.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
+#include "tools/nmbcrun/output/share_gone.hpp"
 #include "tools/nmbcrun/output/stoppable_run.hpp"
 #include "tools/nmbcrun/output/warnings.hpp"
 #include "tools/nmbcrun/plane/crack_report.hpp"
@@ -137,9 +139,15 @@ void PlaneRun::print() {
     const PlaneBalance balance = simulation_.balance();
     fmt::print("energy left  {:.3e} of the peak\n", rows.back()[4] / peak);
     if (std::isfinite(balance.drift)) {
-        fmt::print("went out     {:.3e} left, {:.3e} right, {:.3e} bottom, {:.3e} top\n",
-                   balance.left[0] / peak, balance.left[1] / peak, balance.left[2] / peak,
-                   balance.left[3] / peak);
+        std::vector<std::string> parts;
+        for (std::size_t i = 0; i < balance.left.size(); ++i) {
+            parts.push_back(
+                fmt::format("{} {}", share_gone(balance.left[i] / peak), plane_side_names[i]));
+        }
+        if (balance.damped != 0) {
+            parts.push_back(fmt::format("{:.3e} by damping", balance.damped / peak));
+        }
+        fmt::print("went out     {}\n", fmt::join(parts, ", "));
         fmt::print("ledger drift {:.1e} of the peak\n", highlights().drift / peak);
     }
     if (simulation_.scene().fracture) {

@@ -34,7 +34,7 @@ std::optional<nmbcgen::Rational> read_signed(SceneReader& reader, const std::str
 
 /// The bonds' weights or, of radius N, the factors alpha of the micromodulus 48/(5 pi N^3).
 void read_bonds(SceneReader& reader, PlaneScene& scene) {
-    for (const char* const key : {"model.nu", "model.state", "model.G"}) {
+    for (const char* const key : {"model.nu", "model.state", "model.G", "model.damping"}) {
         if (reader.has(key)) {
             reader.fail(key, "does not count for \"bond2d\": bonds have nu = 1/4 in plane strain");
         }
@@ -100,8 +100,9 @@ void read_model(SceneReader& reader, PlaneScene& scene) {
     const auto G = reader.is_text("model.G") ? read_signed(reader, "model.G") : std::nullopt;
     scene.G = G ? nmbcgen::nearest_double(*G)
                 : reader.required("model.G", reader.number("model.G", not_negative));
+    scene.tau = read_signed(reader, "model.damping").value_or(0);
     try {
-        nmbc::nopd2d(scene.radius_squared, nmbcgen::nearest_double(scene.nu), scene.G, scene.state);
+        nopd2d_of(scene);
     } catch (const std::invalid_argument& error) {
         reader.fail("model", "is no material: " + std::string(error.what()));
     }

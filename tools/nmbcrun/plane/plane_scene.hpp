@@ -87,6 +87,7 @@ struct PlaneScene : AnyScene {
     nmbcgen::Rational nu;
     nmbc::StressState state = nmbc::StressState::plane_stress;
     double G = 0;
+    nmbcgen::Rational tau{0};  ///< damping [dX sqrt(rho/E)]
     std::array<std::size_t, 2> nodes{};
     std::optional<PlaneInitial> initial{};
     std::optional<PlaneForcing> force{};

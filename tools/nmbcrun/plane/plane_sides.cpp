@@ -165,6 +165,10 @@ void require_matched_layers(const PlaneScene& scene) {
             "a perfectly matched layer stretches the derivatives along its axis, and a bond of "
             "bond2d that leads along both has none: take passive sides or a sponge");
     }
+    if (scene.tau != 0) {
+        throw SceneError(
+            "model.damping must be 0 beside perfectly matched layers, which were not made for it");
+    }
     for (const SideKind kind :
          {SideKind::passive, SideKind::free, SideKind::sbp, SideKind::nmbc, SideKind::higdon}) {
         if (scene.has(kind)) {
@@ -187,7 +191,8 @@ nmbc::PlaneSides sides_of(const PlaneScene& scene) {
                       "with "
                       "profiles far from 2, at Poisson's ratios near 1/2"
                     : "such sides amplify oblique waves of most lattices, and none is certified "
-                      "with corners (nmbcgen recommend says what is known of this one)";
+                      "with corners (nmbcgen recommend says what is known of this one, and which "
+                      "model.damping ends it)";
             throw Unstable(
                 fmt::format("{}: {}. Passive sides are stable by construction. To run it all the "
                             "same: boundary.allow_unstable = true",

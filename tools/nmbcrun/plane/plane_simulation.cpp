@@ -110,10 +110,10 @@ PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
     const nmbc::PlaneModel model = model_of(scene);
     const double rate = rate_of(scene);
     const double interior = 2 / std::sqrt(nmbc::highest_eigenvalue(model)) / rate;
-    const double highest =
-        nmbc::highest_eigenvalue(model, sides, scene.nodes[0] + extension[0] + extension[1],
-                                 scene.nodes[1] + extension[2] + extension[3]);
-    const double stable = 2 / std::sqrt(highest) / rate;
+    const double stable =
+        nmbc::longest_step(model, sides, scene.nodes[0] + extension[0] + extension[1],
+                           scene.nodes[1] + extension[2] + extension[3]) /
+        rate;
     PlanePlan plan;
     if (scene.step || scene.cfl) {
         plan.time_step = scene.step ? *scene.step : *scene.cfl * interior;
@@ -309,7 +309,9 @@ PlaneBalance PlaneSimulation::balance() const {
         left += balance.left[i];
     }
     balance.fracture = scene_.is_bond_based() ? plane_.released() : 0;
-    balance.drift = balance.energy - (at_start_ + balance.work - left - balance.fracture);
+    balance.damped = plane_.damped();
+    balance.drift =
+        balance.energy - (at_start_ + balance.work - left - balance.fracture - balance.damped);
     return balance;
 }
 
@@ -323,14 +325,14 @@ std::vector<std::vector<double>> PlaneSimulation::state() const {
             {plane.gone.begin(), plane.gone.end()},
             {sources_.work(), at_start_},
             {plane.bonds.begin(), plane.bonds.end()},
-            {plane.broken, plane.released},
+            {plane.broken, plane.released, plane.damped},
             pml_ ? std::vector<double>{pml_->memory().begin(), pml_->memory().end()}
                  : std::vector<double>{}};
 }
 
 void PlaneSimulation::resume(std::size_t steps, const std::vector<std::vector<double>>& state) {
     if (state.size() != 10 || state[5].size() != 4 || state[6].size() != 2 ||
-        state[8].size() != 2) {
+        state[8].size() != 3) {
         throw FileError("the checkpoint is none of a plane");
     }
     try {
@@ -341,7 +343,8 @@ void PlaneSimulation::resume(std::size_t steps, const std::vector<std::vector<do
                        .gone = {state[5][0], state[5][1], state[5][2], state[5][3]},
                        .bonds = {state[7].begin(), state[7].end()},
                        .broken = state[8][0],
-                       .released = state[8][1]});
+                       .released = state[8][1],
+                       .damped = state[8][2]});
     } catch (const std::invalid_argument& error) {
         throw FileError(fmt::format("the checkpoint is {}", error.what()));
     }

@@ -28,7 +28,8 @@ struct PlaneBalance {
     double work = 0;               ///< done by the sources
     std::array<double, 4> left{};  ///< gone out through each side, in the order of plane_sides
     double fracture = 0;           ///< what the bonds had that have broken
-    /// energy of the whole body - (at the start + work - left - fracture): roundings
+    double damped = 0;             ///< what the damping has taken
+    /// energy of the whole body - (at the start + work - left - fracture - damped): roundings
     double drift = 0;
 };
 

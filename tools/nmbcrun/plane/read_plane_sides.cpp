@@ -145,6 +145,11 @@ void read_plane_sides(SceneReader& reader, PlaneScene& scene) {
             reader.fail("boundary", fmt::format("has a {}, which needs boundary.layer, its nodes",
                                                 name_of(side.kind)));
         }
+        if (side.kind == SideKind::nmbc && side.order > 1 && scene.tau != 0) {
+            reader.fail("boundary.order",
+                        "must be 1 beside model.damping: higher ones are matched to lattices "
+                        "without it, and are none of such order here");
+        }
         if (side.as_printed && (side.order != 1 || side.stride != 1)) {
             reader.fail("boundary",
                         "has as_printed, which is (81), beside another order or stride than 1");
