@@ -35,8 +35,11 @@ Prover prover_of(const Table& table) {
     }
 }
 
-std::string at_one_G(const Specification& what, const Prover& prover, const Progress& progress) {
+std::string at_one_G(const Specification& what, const Table& table, const Prover& prover,
+                     const Progress& progress) {
     const Rational& G = *what.stabilisation;
+    const std::string place =
+        has_stabilisation(table.model) ? fmt::format("G = {}", to_string(G)) : "at every G";
     const double nearest = nearest_double(G);
     const bool exact = Rational(nearest) == G;
     const nmbc::Window about{exact ? nearest : std::nextafter(nearest, 0),
@@ -49,11 +52,11 @@ std::string at_one_G(const Specification& what, const Prover& prover, const Prog
         progress(done++, 2);
         const double proved = prover.largest_cfl(about, grade);
         const double sampled = stable_range(half_space, grade).largest;
-        text += fmt::format("{:<12} G = {}: {}; sampled: cfl {:.2f}\n", name, to_string(G),
+        text += fmt::format("{:<12} {}: {}; sampled: {}\n", name, place,
                             proved < 0   ? "nothing proved"
                             : proved > 0 ? fmt::format("proved {}", in_steps(proved))
                                          : "proved in continuous time alone",
-                            sampled);
+                            sampled > 0 ? fmt::format("cfl {:.2f}", sampled) : "none");
     }
     return text;
 }
@@ -89,7 +92,7 @@ std::string proof_text(const Specification& what, const ProofTask& task, const P
     const Table table = derive(open);
     const Prover prover = prover_of(table);
     if (what.stabilisation) {
-        return at_one_G(what, prover, progress);
+        return at_one_G(what, table, prover, progress);
     }
     if (!has_stabilisation(table.model)) {
         throw NotProvable("no G in this model: prove it at --G 0");

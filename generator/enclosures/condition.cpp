@@ -27,14 +27,11 @@ InX without_long_waves(InX polynomial) {
     return polynomial;
 }
 
-/// coefficient/scale, which is affine in 1/G or in G.
+/// coefficient/scale, which is affine in 1/G or in G, since the coefficient is in G.
 Interval ratio(const Polynomial& coefficient, const Polynomial& scale, const Interval& G) {
     const auto part = [&](std::size_t power) {
         return enclose(power < coefficient.size() ? coefficient[power] : Rational(0));
     };
-    if (coefficient.size() > 2) {
-        throw std::invalid_argument("exact_condition: omega^2 is not affine in G");
-    }
     return scale.size() > 1 ? part(1) + part(0) / G : part(0) + part(1) * G;
 }
 
@@ -43,6 +40,10 @@ Interval ratio(const Polynomial& coefficient, const Polynomial& scale, const Int
 ExactCondition exact_condition(const Table& table, const Polynomial& scale) {
     if (!table.model.damping.empty()) {
         throw std::invalid_argument("exact_condition: the lattice is damped");
+    }
+    if (std::ranges::any_of(table.model.symbol,
+                            [](const Polynomial& part) { return part.size() > 2; })) {
+        throw std::invalid_argument("exact_condition: omega^2 is not affine in G");
     }
     const EvenAndOddParts parts = even_and_odd_parts(table);
     const std::size_t shift = std::size_t(table.specification.order) * table.specification.stride;

@@ -10,10 +10,15 @@
 
 #include "generator/table/exact.hpp"
 
+#ifdef __FAST_MATH__
+#error "intervals need the arithmetic as it is written: compile without -ffast-math"
+#endif
+
 namespace nmbcgen {
 
 /// Rounds to nearest and then steps outwards by one unit in the last place or two, so that no
-/// rounding mode of the processor, and no flag of the compiler, matters. What is exactly 0 stays 0.
+/// rounding mode of the processor, and no contraction to fused operations, matters. What is exactly
+/// 0 stays 0.
 struct OutwardArithmetic : boost::numeric::interval_lib::rounded_arith_exact<double> {
     static double below(double x) { return x - step(x); }
     static double above(double x) { return x + step(x); }

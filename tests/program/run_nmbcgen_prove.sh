@@ -10,7 +10,7 @@ expect_no_stderr
 expect "both grades to the sampled step" test "$(grep -c \
     'G = 1/2: proved in every step up to cfl 0.7; sampled: cfl 0.70' "$scratch/stdout")" -eq 2
 try prove --order 1 --horizon 2 --G 1
-expect "NMBC1 is not contractive" grep -q 'contractive  G = 1: nothing proved' "$scratch/stdout"
+expect "NMBC1 is not contractive" grep -qx 'contractive  G = 1: nothing proved; sampled: none' "$scratch/stdout"
 # 1/3 is no double: proved at both its neighbours
 try prove --order 2 --horizon 1 --G 1/3
 expect "a proof" grep -q 'paired       G = 1/3: proved in every step' "$scratch/stdout"
@@ -20,6 +20,7 @@ expect "a window" grep -Eq '^paired +0.250000 .. 1.000000$' "$scratch/stdout"
 expect "a part of it" grep -Eq '^  proved +0.25[0-9]* .. ' "$scratch/stdout"
 try prove --family chain1d --horizon 1 --order 2
 expect_exit 0
+expect "without a G" grep -q '^paired       at every G: proved in every step' "$scratch/stdout"
 
 for wrong in '--horizon 1' '--order 2' '--order 2 --horizon 1 --up-to 1' \
     '--order 2 --horizon 1 --up-to 0' '--order 2 --horizon 1 --finest x' \
