@@ -45,6 +45,9 @@ class Search {
         descend(chebyshev_nodes(count, 0, band_.low), false);
         descend(chebyshev_nodes(count, band_.high, above), false);
         if (fewer.size() + 1 == count) {
+            GridPoints next_to_pi = fewer;
+            next_to_pi.push_back(highest_);
+            descend(std::move(next_to_pi), false);
             fewer.insert(fewer.begin(), 1);
             descend(std::move(fewer), false);
         }

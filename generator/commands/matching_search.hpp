@@ -10,7 +10,7 @@
 ///   - those of the wave numbers below it: next to the standard condition, so certified where that
 ///     is,
 ///   - those of as many above it,
-///   - the best ones of one point less, with another next to xi = 0,
+///   - the best ones of one point less, with another next to xi = 0, or next to pi,
 /// and once more, to certified ones only, from the best certified ones met on the way. Certified,
 /// in this search, is stable in continuous time and in the steps asked for, or in steps of cfl
 /// 0.05.

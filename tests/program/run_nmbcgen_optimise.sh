@@ -65,6 +65,12 @@ expect_stdout_line \
     "mean, largest: reflected energy at 64 wave numbers between xi = 0.3 and 0.8/dX, in steps of 1131/1000 dX/c"
 recommended nopd1d_n2_order1_dt1131o1000_at143o250x1_G1o1.hpp
 
+# With a point next to pi, without which nothing is certified there.
+try optimise --order 2 --horizon 2 --G 1/2 --band 0.3..0.8 --stride 1
+expect_exit 0
+expect_stdout_line "NMBC2, stride 1, matched at 0:1,629/1000:1,781/250:1, at horizon 2, G = 1/2"
+row "1 0:1,629/1000:1,781/250:1 3\.1e-03 1\.2e-02 0\.57 the best"
+
 # A standard condition does not exist there, others do.
 try optimise --order 2 --horizon 1 --G 0 --band 0.05..3.1 --stride 1
 expect_exit 0
@@ -72,11 +78,11 @@ row "1 - - - - no such condition"
 expect_stdout_line "  standard   none is certified"
 
 # Nothing is certified.
-try optimise --order 2 --horizon 1 --G 2 --band 0.3..0.8 --stride 1
+try optimise --order 2 --horizon 2 --G 1/2 --band 0.3..0.8 --stride 3
 expect_exit 4
 expect_no_stdout
-expect_stderr "nothing of order 2 is certified at horizon 1, G = 2"
-expect_stderr "it sends out a wave of its own"
+expect_stderr "nothing of order 2 is certified at horizon 2, G = 1/2"
+expect_stderr "a boundary mode grows"
 expect "no command" test "$(grep -c "command" "$scratch/stderr")" -eq 0
 
 # No such steps.
