@@ -5,6 +5,7 @@
 
 #include <atomic>
 
+#include "generator/enclosures/prove.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/families/family.hpp"
 #include "generator/lattice/symbol.hpp"
@@ -119,6 +120,7 @@ void certify_all(std::vector<Table>& tables,
         Table& table = tables[tables.size() - 1 - i];
         if (!table.certificate) {
             table.certificate = certify(table);
+            prove_certificate(table, *table.certificate);
         }
         if (progress) {
             progress(++done, tables.size());

@@ -15,6 +15,7 @@
 ///                      matching points to 1e-30
 ///   table
 ///     | certify        windows of G in which it is stable, time steps stability/certify.hpp
+///     | prove_certificate  at one G, which of that is more than sampled enclosures/prove.hpp
 ///   certified table
 ///     | emit_header, emit_json                                              emit/
 ///   text               written by main.cpp, nothing before all is proved

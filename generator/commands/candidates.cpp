@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -20,12 +21,19 @@
 namespace nmbcgen {
 namespace {
 
-constexpr unsigned highest_order = 4;
-constexpr double smallest_cfl = 0.25;  // below, more damping is the better bargain
+constexpr unsigned highest_order = 6;
+constexpr unsigned highest_damped_order = 4;  // above, certified damping is rare and takes long
+constexpr double smallest_cfl = 0.25;         // below, more damping is the better bargain
+
+/// What is tried of the ladder.
+std::span<const Rational> dampings_of(const Specification& what) {
+    const std::span<const Rational> all = damping_ladder(what.family);
+    return what.order > highest_damped_order ? all.first(1) : all;
+}
 
 /// Certified with a time step worth having.
 Certified least_damped(Specification what) {
-    for (const Rational& damping : damping_ladder(what.family)) {
+    for (const Rational& damping : dampings_of(what)) {
         what.damping = damping;
         Certified found = certified(what);
         if (found.steps.largest >= smallest_cfl) {
@@ -48,7 +56,7 @@ std::vector<Certified> matched_in_steps(Specification what, double top,
         return what.time_step > 0 ? certified(what) : Certified{};
     };
     std::vector<Certified> found;
-    const auto& dampings = damping_ladder(what.family);
+    const std::span<const Rational> dampings = dampings_of(what);
     const auto least = std::ranges::find_if(dampings, [&](const Rational& damping) {
         what.damping = damping;
         return matched(ladder.back()).steps.largest > 0;
@@ -196,7 +204,10 @@ std::vector<Certified> all_certified(const Question& question, const Progress& p
     std::size_t examined = 0;
     for (const Specification& what : all) {
         progress(examined++, all.size());
-        found.push_back(least_damped(what));
+        if (Certified one = least_damped(what);
+            one.half_space || what.order <= highest_damped_order) {
+            found.push_back(std::move(one));
+        }
         if (what.order > 1) {
             std::ranges::move(matched_in_steps(what, top, question.cfl), std::back_inserter(found));
         }

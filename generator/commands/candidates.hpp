@@ -33,7 +33,8 @@ std::string in_words(const StepRange& steps);
 /// The certified steps of a condition; time_step [dX/c] is to be one of them, unless that is 0.
 StepRange certified_steps(const HalfSpace& half_space, double time_step);
 
-/// Orders 1 to 4, or the one asked for, with strides 1 to n + 2; those above order 1 also matched
+/// Orders 1 to 6, or the one asked for, with strides 1 to n + 2; above 4 those alone that are
+/// certified without damping; those above order 1 also matched
 /// in time steps, of the two largest cfl of a ladder in which they are certified, or of the
 /// question's.
 std::vector<Certified> all_certified(const Question& question, const Progress& progress);

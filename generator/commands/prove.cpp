@@ -40,10 +40,7 @@ std::string at_one_G(const Specification& what, const Table& table, const Prover
     const Rational& G = *what.stabilisation;
     const std::string place =
         has_stabilisation(table.model) ? fmt::format("G = {}", to_string(G)) : "at every G";
-    const double nearest = nearest_double(G);
-    const bool exact = Rational(nearest) == G;
-    const nmbc::Window about{exact ? nearest : std::nextafter(nearest, 0),
-                             exact ? nearest : std::nextafter(nearest, HUGE_VAL)};
+    const nmbc::Window about = window_about(G);
     const HalfSpace half_space = make_half_space(derive(what), G);  // or there is none
     std::string text = heading(what);
     std::size_t done = 0;

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "generator/commands/candidates.hpp"
+#include "generator/enclosures/prove.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/names/names.hpp"
 #include "generator/names/projected_family.hpp"
 #include "generator/pipeline.hpp"
+#include "generator/stability/certify.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -77,20 +79,22 @@ std::string recommendation(const Question& question, const Progress& progress) {
             question.horizon, to_string(question.G), tolerance,
             table_of(all, question, tolerance)));
     }
-    const bool damped = best.what.damping != 0;
+    const Table table = derive(best.what);
+    Certificate certificate = certify(table);
+    prove_certificate(table, certificate);
     const bool matched = best.what.time_step != 0;
     return fmt::format(
         "NMBC{}, stride {}, tau = {}, {}steps of cfl {:.2f}, at horizon {}, G = {}\n"
         "  command    {}\n"
-        "  certified  stable with both ends alike, {}, in {}{}\n"
+        "  certified  stable with both ends alike, in chains of {} interior nodes and more, in {}; "
+        "{}{}\n"
         "  reflected  {:.1e} of the energy in steps of cfl {:.2f}, dt = {:.4g} dX/c\n"
         "  loss       {:.1e} of the energy\n\n{}",
         best.what.order, best.what.stride, to_string(best.what.damping),
         matched ? "matched in " : "", best.cfl, best.what.horizon, to_string(question.G),
-        regenerating_command(best.what),
-        damped ? fmt::format("in chains of {} interior nodes and more", least_damped_nodes)
-               : std::string("in chains of any length (docs/explanation/stability.md: short ones)"),
+        regenerating_command(best.what), certificate.least_nodes,
         matched ? "these steps, of which it takes no others" : in_words(best.certified),
+        name_of(certificate.paired),
         projected_family(question.family)
             ? "\n             for waves at normal incidence; in the plane oblique waves may grow"
             : "",

@@ -29,7 +29,7 @@ struct Question {
 /// What `progress` hears of: so many of so many conditions examined.
 using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// The recommended one and the others, as a text for people. Examined are orders 1 to 4 (or the one
+/// The recommended one and the others, as a text for people. Examined are orders 1 to 6 (or the one
 /// asked for) with strides 1 to n + 2, those above order 1 also matched in time steps. Of those
 /// within the tolerance less damping comes first, since it changes the model, then larger steps,
 /// then less reflection. Throws NoSuchBoundary, with the same table, where none is within it.

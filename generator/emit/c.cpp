@@ -86,7 +86,7 @@ std::string emit_c(const Table& table) {
         "enum {{\n    {0}_horizon = {1},\n    {0}_order = {2},\n    {0}_stride = {3},\n"
         "    {0}_ghost_layers = {4},\n    {0}_least_nodes = {5}\n}};\n\n",
         name, what.horizon, what.order, what.stride, table.model.symbol.size() - 1,
-        what.damping > 0 ? least_damped_nodes : 0);
+        certificate.least_nodes);
     text += fmt::format(
         "// dt [dX/c] it is matched in; 0: continuous time.\n"
         "static const double {}_time_step = {};\n\n",

@@ -158,6 +158,16 @@ Json steps_array(const std::vector<StableStep>& steps) {
     return array;
 }
 
+Json evidence_object(const Certificate& certificate) {
+    const std::string_view paired = name_of(certificate.paired);
+    const std::string_view with_any = name_of(certificate.with_any);
+    return {{"modal", paired},
+            {"contractive", with_any},
+            {"max_cfl", paired},
+            {"max_cfl_contractive", with_any},
+            {"least_nodes", name_of(Evidence::sampled)}};
+}
+
 Certificate read_certificate(const Json& object) {
     const Json& windows = object.at("windows");
     Certificate certificate{.reflection = read_windows<ExactWindow>(windows.at("reflection")),
@@ -165,7 +175,14 @@ Certificate read_certificate(const Json& object) {
                             .modal = read_windows<StabilityWindow>(windows.at("modal")),
                             .contractive = read_windows<StabilityWindow>(windows.at("contractive")),
                             .max_cfl = read_steps(object.at("max_cfl")),
-                            .max_cfl_contractive = read_steps(object.at("max_cfl_contractive"))};
+                            .max_cfl_contractive = read_steps(object.at("max_cfl_contractive")),
+                            .least_nodes = object.at("least_nodes").get<unsigned>()};
+    const auto read_evidence = [&object](const char* of) {
+        return object.at("evidence").at(of) == name_of(Evidence::proved) ? Evidence::proved
+                                                                         : Evidence::sampled;
+    };
+    certificate.paired = read_evidence("max_cfl");
+    certificate.with_any = read_evidence("max_cfl_contractive");
     for (const Json& pole : object.at("poles")) {
         certificate.poles.push_back(read_number(pole));
     }

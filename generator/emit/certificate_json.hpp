@@ -15,9 +15,11 @@ nlohmann::ordered_json number_object(const AlgebraicNumber& number);
 nlohmann::ordered_json windows_object(const Certificate& certificate, bool damped);
 nlohmann::ordered_json poles_array(const Certificate& certificate);
 nlohmann::ordered_json steps_array(const std::vector<StableStep>& steps);
+/// By key of the table, the word that it rests on.
+nlohmann::ordered_json evidence_object(const Certificate& certificate);
 
-/// The certificate of an object with the keys windows, poles, max_cfl and max_cfl_contractive,
-/// as written by the functions above. Throws nlohmann::json::exception or
+/// The certificate of an object with the keys windows, poles, max_cfl, max_cfl_contractive,
+/// least_nodes and evidence, as written by the functions above. Throws nlohmann::json::exception or
 /// std::invalid_argument where it is not.
 Certificate read_certificate(const nlohmann::ordered_json& object);
 

@@ -95,8 +95,9 @@ namespace {
 
 std::string undamped_statement() {
     return "reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and "
-           "sup over phases of rho(R D) <= 1 on the band, both ends alike, chains too long for "
-           "decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in "
+           "sup over phases of rho(R D) <= 1 on the band, both ends alike, chains of "
+           "least_nodes and more, too long for decaying waves to reach the other end; contractive: "
+           "sigma_max(R) <= 1 as well, in "
            "continuous time, so that the other end may be any that adds no energy; max_cfl: as "
            "modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, "
            "of the leapfrog scheme; "
@@ -115,6 +116,30 @@ std::string damped_statement() {
         highest_damped_G, least_damped_nodes);
 }
 
+/// What is proved and what is sampled, and how finely; by the names of the table's members.
+std::string evidence_statement(const Table& table, const Certificate& certificate) {
+    const bool at_one_G = table.specification.stabilisation || !has_stabilisation(table.model);
+    const bool damped = table.specification.damping > 0;
+    std::string proved = damped ? "poles" : "reflection, poles";
+    std::string sampled;
+    const auto add = [&](Evidence evidence, const std::string& names) {
+        std::string& list = evidence == Evidence::proved ? proved : sampled;
+        list += (list.empty() ? "" : ", ") + names;
+    };
+    add(certificate.paired, "modal, max_cfl");
+    if (!damped) {
+        add(certificate.with_any, "contractive, max_cfl_contractive");
+        add(Evidence::sampled, "least_nodes");
+    }
+    const bool all_proved =
+        certificate.paired == Evidence::proved && certificate.with_any == Evidence::proved;
+    const char* spacing = at_one_G ? ""
+                          : damped ? ", every 1/16 of G or closer"
+                                   : ", 8 to 24 G between critical values";
+    return fmt::format("; proved: {}; sampled: {}{}{}", proved, sampled, spacing,
+                       all_proved ? "" : ", steps every 0.05 of cfl");
+}
+
 }  // namespace
 
 std::string certificate_statement(const Table& table) {
@@ -125,6 +150,7 @@ std::string certificate_statement(const Table& table) {
     return (projected_family(what.family) ? "for waves at normal incidence, oblique ones may grow. "
                                           : "") +
            (what.damping > 0 ? damped_statement() : undamped_statement()) +
+           evidence_statement(table, *table.certificate) +
            (what.time_step > 0
                 ? "; matched in time steps: modal, contractive and steps are for the G at which "
                   "its own step is certified"

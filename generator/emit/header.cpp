@@ -66,7 +66,7 @@ std::string condition_source(const Table& table) {
         name, lattice_name(what), what.order, what.stride, G, to_string(what.time_step),
         table.source, table.proved);
     text += window_members(name, certificate, damped);
-    text += fmt::format("    .least_nodes = {},\n", damped ? least_damped_nodes : 0);
+    text += fmt::format("    .least_nodes = {},\n", certificate.least_nodes);
     return text + "};\n\n}  // namespace nmbc::generated\n";
 }
 

@@ -111,10 +111,11 @@ Json table_object(const Table& table, Json lattice) {
         {"source", table.source},
         {"proved", table.proved},
         {"windows", windows_object(certificate, damped)},
-        {"least_nodes", damped ? least_damped_nodes : 0},
+        {"least_nodes", certificate.least_nodes},
         {"poles", poles_array(certificate)},
         {"max_cfl", steps_array(certificate.max_cfl)},
         {"max_cfl_contractive", steps_array(certificate.max_cfl_contractive)},
+        {"evidence", table.certificate ? evidence_object(certificate) : Json(nullptr)},
         {"certificate", table.certificate ? Json(certificate_statement(table)) : Json(nullptr)}};
     add_points(object, table);
     return object;

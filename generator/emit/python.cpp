@@ -106,7 +106,7 @@ std::string emit_python(const Table& table) {
         what.family, what.horizon, what.order, what.stride, to_string(what.damping),
         to_string(what.time_step),
         what.stabilisation ? "Fraction(\"" + to_string(*what.stabilisation) + "\")" : "None",
-        what.damping > 0 ? least_damped_nodes : 0);
+        certificate.least_nodes);
     text +=
         "# Functions of G: numerator and denominator, integer coefficients by ascending powers.\n";
     for (const CoefficientList& list : coefficient_lists(table)) {

@@ -20,7 +20,7 @@ InX without_long_waves(InX polynomial) {
             quotient[i] = carried;
         }
         if (!(carried + polynomial.back()).is_zero()) {
-            throw std::logic_error("the condition does not match long waves");
+            throw std::invalid_argument("exact_condition: it does not match long waves");
         }
         polynomial = quotient;
     }

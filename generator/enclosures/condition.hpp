@@ -50,8 +50,9 @@ struct Condition {
 /// The band is omega^2 itself here.
 using ExactCondition = Condition<InX, InX, Polynomial>;
 
-/// Throws std::invalid_argument where the lattice is damped, omega^2 is not affine in G, or the
-/// degrees of E and O are others than those of a condition in general. scale: G, or 1.
+/// Throws std::invalid_argument where the lattice is damped, omega^2 is not affine in G, long waves
+/// are not matched, or the degrees of E and O are others than those of a condition in general.
+/// scale: G, or 1.
 ExactCondition exact_condition(const Table& table, const Polynomial& scale);
 
 /// At all G between low and high, where scale > 0.

@@ -2,9 +2,11 @@
 #include "generator/enclosures/prove.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "generator/enclosures/band_grade.hpp"
 #include "generator/enclosures/modes_decay.hpp"
+#include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 
 namespace nmbcgen {
@@ -13,14 +15,25 @@ Prover::Prover(const Table& table)
     : per_G_(exact_condition(table, Polynomial(std::vector<Rational>{0, 1}))),
       plain_(exact_condition(table, constant(1))) {}
 
+EnclosedCondition Prover::enclosed(const nmbc::Window& window) const {
+    return enclose(window.low > 0 ? per_G_ : plain_, window.low, window.high);
+}
+
 bool Prover::holds(const nmbc::Window& window, double cfl, Grade least) const {
-    const EnclosedCondition enclosed =
-        enclose(window.low > 0 ? per_G_ : plain_, window.low, window.high);
+    const EnclosedCondition enclosed = this->enclosed(window);
     const double top = highest_square(enclosed.band).lower();
     if (!(top > 0 && std::isfinite(top))) {
         return false;
     }
     const Interval tau = hull(Interval(0), square(Interval(cfl)) / top);
+    return no_mode_grows(enclosed, tau) && waves_have_grade(enclosed, tau, least);
+}
+
+bool Prover::holds_in_step(const nmbc::Window& window, double time_step, Grade least) const {
+    const EnclosedCondition enclosed = this->enclosed(window);
+    constexpr double roundings = 1e-12;
+    const Interval step = time_step * Interval(1 - roundings, 1 + roundings);
+    const Interval tau = enclosed.scale * square(step) / 4.0;
     return no_mode_grows(enclosed, tau) && waves_have_grade(enclosed, tau, least);
 }
 
@@ -58,6 +71,37 @@ double Prover::largest_cfl(const nmbc::Window& window, Grade least) const {
         (holds(window, middle / 100.0, least) ? proved : open) = middle;
     }
     return proved / 100.0;
+}
+
+nmbc::Window window_about(const Rational& G) {
+    const double nearest = nearest_double(G);
+    return Rational(nearest) == G
+               ? nmbc::Window{nearest, nearest}
+               : nmbc::Window{std::nextafter(nearest, 0), std::nextafter(nearest, HUGE_VAL)};
+}
+
+void prove_certificate(const Table& table, Certificate& certificate) {
+    const Specification& what = table.specification;
+    constexpr unsigned highest_horizon = 3;
+    const bool at_one_G = what.stabilisation || !has_stabilisation(table.model);
+    const double own_step = nearest_double(what.time_step);
+    if (!at_one_G || what.damping > 0 || (own_step == 0 && what.horizon > highest_horizon)) {
+        return;
+    }
+    try {
+        const Prover prover(table);
+        const nmbc::Window window = window_about(what.stabilisation.value_or(0));
+        const auto evidence = [&](const std::vector<StableStep>& steps, Grade grade) {
+            const bool proved =
+                !steps.empty() && (own_step > 0 ? prover.holds_in_step(window, own_step, grade)
+                                                : prover.holds(window, steps.front().cfl, grade));
+            return proved ? Evidence::proved : Evidence::sampled;
+        };
+        certificate.paired = evidence(certificate.max_cfl, Grade::paired);
+        certificate.with_any = evidence(certificate.max_cfl_contractive, Grade::contractive);
+    } catch (const std::invalid_argument&) {
+        // of another kind than there are proofs for
+    }
 }
 
 }  // namespace nmbcgen

@@ -21,6 +21,9 @@ class Prover {
     /// leapfrog steps with midpoint ghosts up to this cfl; false where that is undecided.
     bool holds(const nmbc::Window& window, double cfl, Grade least) const;
 
+    /// The same in one leapfrog step [dX/c] alone, to its roundings.
+    bool holds_in_step(const nmbc::Window& window, double time_step, Grade least) const;
+
     /// The parts of a window, ascending, in which it holds: by halves, to no less than `finest`.
     /// told: the G that is reached.
     std::vector<nmbc::Window> parts(const nmbc::Window& window, double cfl, Grade least,
@@ -31,8 +34,18 @@ class Prover {
     double largest_cfl(const nmbc::Window& window, Grade least) const;
 
   private:
+    EnclosedCondition enclosed(const nmbc::Window& window) const;
+
     ExactCondition per_G_;
     ExactCondition plain_;  ///< for G = 0
 };
+
+/// One double, or its neighbours about a number that is none.
+nmbc::Window window_about(const Rational& G);
+
+/// Puts into the certificate of a table at one G what is proved of its grades and steps: of one
+/// that is matched in a step that step, of others all smaller ones, which at horizons above 3 would
+/// take minutes and are sampled. So are damped lattices.
+void prove_certificate(const Table& table, Certificate& certificate);
 
 }  // namespace nmbcgen

@@ -7,6 +7,7 @@
 #include "generator/exact/algebraic_number.hpp"
 #include "generator/stability/critical_values.hpp"
 #include "generator/stability/discrete.hpp"
+#include "generator/stability/least_nodes.hpp"
 #include "generator/stability/modal.hpp"
 #include "generator/stability/modal_windows.hpp"
 #include "generator/stability/own_step.hpp"
@@ -87,6 +88,8 @@ Certificate certify(const Table& table) {
     if (!what.stabilisation && same_at_every_G) {
         widen(certificate);
     }
+    certificate.least_nodes =
+        what.damping > 0 ? least_damped_nodes : least_nodes(table, certificate);
     return certificate;
 }
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "generator/dense/decompositions.hpp"
+
 namespace nmbcgen {
 namespace {
 
@@ -126,6 +127,38 @@ Eigen::MatrixXd one_step_map(const LatticeEnd& left, const LatticeEnd& right, st
     take_ghosts_from_end(map, left, {true, all});
     take_ghosts_from_end(map, right, {false, all});
     return map;
+}
+
+Eigen::VectorXcd eigenvalues_by_parity(const Eigen::MatrixXd& matrix, Eigen::Index all) {
+    const auto mirror = [&](Eigen::Index i) {
+        return i < all ? all - 1 - i : matrix.rows() + all - 1 - i;
+    };
+    Eigen::VectorXcd found(matrix.rows());
+    Eigen::Index known = 0;
+    for (const double sign : {1.0, -1.0}) {
+        std::vector<Eigen::Index> kept;
+        for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+            if (i < mirror(i) || (i == mirror(i) && sign > 0)) {
+                kept.push_back(i);
+            }
+        }
+        Eigen::MatrixXd half = matrix(kept, kept);
+        for (std::size_t j = 0; j < kept.size(); ++j) {
+            if (mirror(kept[j]) != kept[j]) {
+                half.col(Eigen::Index(j)) += sign * matrix(kept, mirror(kept[j]));
+            }
+        }
+        found.segment(known, half.rows()) = eigenvalues(half);
+        known += half.rows();
+    }
+    return found;
+}
+
+double spectral_radius(const LatticeEnd& both, std::size_t nodes, double time_step) {
+    const auto all = Eigen::Index(nodes + 2 * both.half_space.reach());
+    return eigenvalues_by_parity(one_step_map(both, both, nodes, time_step), all)
+        .cwiseAbs()
+        .maxCoeff();
 }
 
 double spectral_radius(const LatticeEnd& left, const LatticeEnd& right, std::size_t nodes,

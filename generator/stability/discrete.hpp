@@ -17,6 +17,15 @@ namespace nmbcgen {
 Eigen::MatrixXd one_step_map(const LatticeEnd& left, const LatticeEnd& right, std::size_t nodes,
                              double time_step);
 
+/// All eigenvalues of such a map or of another matrix that mirrors the chain onto itself: on u on
+/// `all` nodes, then v on as many or on the interior ones, each in the order of the nodes. Even
+/// states and odd ones apart: that takes a quarter of the time, and where modes come in even and
+/// odd pairs it keeps roundings from splitting them.
+Eigen::VectorXcd eigenvalues_by_parity(const Eigen::MatrixXd& matrix, Eigen::Index all);
+
+/// The spectral radius of the one-step map between two such ends.
+double spectral_radius(const LatticeEnd& both, std::size_t nodes, double time_step);
+
 /// The spectral radius of the one-step map.
 double spectral_radius(const LatticeEnd& left, const LatticeEnd& right, std::size_t nodes,
                        double time_step);

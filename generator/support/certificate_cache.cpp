@@ -49,7 +49,9 @@ void CertificateCache::keep(const std::vector<Table>& tables) const {
             {"windows", windows_object(*table.certificate, table.specification.damping > 0)},
             {"poles", poles_array(*table.certificate)},
             {"max_cfl", steps_array(table.certificate->max_cfl)},
-            {"max_cfl_contractive", steps_array(table.certificate->max_cfl_contractive)}};
+            {"max_cfl_contractive", steps_array(table.certificate->max_cfl_contractive)},
+            {"least_nodes", table.certificate->least_nodes},
+            {"evidence", evidence_object(*table.certificate)}};
         files.push_back({file_of(folder_, table), kept.dump(1) + "\n"});
     }
     write_files(files);

@@ -21,6 +21,17 @@ struct ExactWindow {
     std::optional<AlgebraicNumber> high;
 };
 
+/// What a statement rests on. All else that is said to be stable is so by construction.
+enum class Evidence {
+    sampled,  ///< found at points
+    proved,   ///< exact, or enclosed for every number of an interval
+};
+
+/// Its name in every format.
+constexpr std::string_view name_of(Evidence evidence) {
+    return evidence == Evidence::proved ? "proved" : "sampled";
+}
+
 /// Why there is no stability beyond an edge.
 enum class Failure {
     none,
@@ -98,6 +109,9 @@ struct Certificate {
     std::vector<StabilityWindow> contractive;  ///< and with any other contractive end
     std::vector<StableStep> max_cfl;           ///< with both ends alike; most of the modal windows
     std::vector<StableStep> max_cfl_contractive;  ///< contractive in steps
+    unsigned least_nodes = 0;  ///< interior nodes of a chain for `modal` and the steps to hold
+    Evidence paired = Evidence::sampled;    ///< of `modal` and all steps of `max_cfl`
+    Evidence with_any = Evidence::sampled;  ///< of `contractive` and all of `max_cfl_contractive`
 };
 
 }  // namespace nmbcgen

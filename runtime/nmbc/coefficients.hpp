@@ -24,9 +24,8 @@ struct BoundaryCertificate {
     double G;
     StableStep steps;   ///< as cfl = dt omega_max / 2, midpoint ghosts; cfl 0: none
     Opposite opposite;  ///< the end at the other side of the chain
-    /// Interior nodes a chain needs: of a damped table its own number, otherwise ten horizons. The
-    /// longest chains that were seen to grow are of 4, 16, 29 and 30 nodes for n = 1 to 4. Chain
-    /// refuses shorter ones; loops of your own have to see to it.
+    /// Interior nodes a chain needs, of its table. Chain refuses shorter ones; loops of your own
+    /// have to see to it.
     std::size_t least_nodes;
 };
 
@@ -275,10 +274,8 @@ inline BoundaryCoefficients boundary_coefficients(
     std::span<const MatchingTable* const> others = {}) {
     BoundaryCoefficients result = boundary_coefficients(table, G, allow_unstable);
     require_certified(table, G, opposite, others);
-    const int least_nodes =
-        table.lattice->tau == "0" ? 10 * table.lattice->horizon : table.least_nodes;
     result.certificate = {table.lattice, G, certified_steps(table, G, opposite), opposite,
-                          static_cast<std::size_t>(least_nodes)};
+                          static_cast<std::size_t>(table.least_nodes)};
     return result;
 }
 

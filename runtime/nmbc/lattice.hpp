@@ -150,10 +150,10 @@ inline double interior_cfl(const Lattice& lattice) {
 
 /// The largest time step [spacing/wave_speed] with which a chain between an end of this table and
 /// the opposite one is certified to be stable, midpoint ghosts (shorter ones are, too, unless
-/// certified_steps() has a `from`); of a damped table, from
-/// table.least_nodes nodes on. Of a table that is matched in time steps it is that step.
-/// Throws NotCertified where there is none, as at the very edge of some windows, and
-/// std::invalid_argument for a bad G, and where wave_speed or spacing is not positive and finite.
+/// certified_steps() has a `from`), from table.least_nodes nodes on. Of a table that is matched in
+/// time steps it is that step. Throws NotCertified where there is none, as at the very edge of some
+/// windows, and std::invalid_argument for a bad G, and where wave_speed or spacing is not positive
+/// and finite.
 inline double stable_time_step(const MatchingTable& table, double G, double wave_speed,
                                double spacing, Opposite opposite = Opposite::like) {
     detail::require_possible(G);

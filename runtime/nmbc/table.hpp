@@ -14,7 +14,7 @@
 namespace nmbc {
 
 /// Raised by any change that an old reader would misread; every emitted header asserts it.
-inline constexpr int table_schema = 5;
+inline constexpr int table_schema = 6;
 
 /// An exact rational function of the stabilisation G. Each string is a polynomial: its integer
 /// coefficients in ascending powers of G, in decimal, one space between. "576 -170" over
@@ -58,8 +58,7 @@ inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 enum class Grade {
     none,  ///< not certified
-    /// Stable with the same condition at the other end, but for short chains: see
-    /// MatchingTable::modal, and of a damped table least_nodes.
+    /// Stable with the same condition at the other end, in chains of MatchingTable::least_nodes.
     paired,
     /// And, in continuous time, with any other end that adds no energy. In time steps that holds up
     /// to certified_cfl(.., Opposite::any), which may be less than for like ends, or 0.
@@ -133,11 +132,7 @@ struct MatchingTable {
     /// Where the paper's scalar |R| <= 1 on the whole band: neither enough for stability nor, in
     /// general, needed. Not sought where tau > 0, and empty.
     std::span<const Window> reflection;
-    /// Where a chain is stable with both ends alike. With tau = 0: whatever its length, unless it
-    /// is so short that waves which decay from one end reach the other: with n <= 3, 9 nodes and
-    /// less inside a window, up to 29 near its ends (tests/stability/exam_short_chains.cpp), and 13
-    /// and 30 were seen at n = 4. Nothing here refuses a short chain, nmbcrun does. With tau > 0:
-    /// from `least_nodes` interior nodes on.
+    /// Where a chain is stable with both ends alike, from `least_nodes` interior nodes on.
     std::span<const Window> modal;
     /// Where, in continuous time, no wave leaves the boundary with more energy than came in, so
     /// that the other end may be any that does not add energy, a fixed or a free one too. In time
@@ -147,8 +142,9 @@ struct MatchingTable {
     /// Of `contractive`: the other end may be any that adds no energy. At some G much less than
     /// max_cfl, or none. Not sought where tau > 0, and empty.
     std::span<const StableStep> max_cfl_contractive;
-    /// Interior nodes a chain needs for `modal` and the steps to hold where tau > 0: what an end
-    /// amplifies is damped away on the way to the other. 0 where tau = 0.
+    /// Interior nodes a chain needs for `modal` and the steps to hold. With tau = 0: in shorter
+    /// ones waves that decay from one end reach the other. With tau > 0: what an end amplifies is
+    /// damped away on the way there. 0 where no step is certified.
     int least_nodes;
 
     constexpr std::size_t ghost_layers() const { return lattice->ghost_layers(); }

@@ -3,9 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "generator/enclosures/prove.hpp"
 #include "generator/pipeline.hpp"
+#include "generator/stability/certify.hpp"
+#include "generator/stability/discrete.hpp"
+#include "generator/stability/modal.hpp"
 
 namespace {
 
@@ -34,12 +38,76 @@ TEST_CASE("at one G every step is proved as far as sampling finds them stable") 
     }
 }
 
+TEST_CASE("in one step at one G what is sampled stable is mostly proved") {
+    struct Case {
+        unsigned horizon, order, stride;
+        double low, high;
+        int stable, proved;
+    };
+    for (const Case& each : {
+             Case{1, 2, 1, 0.26, 0.99, 30, 30},
+             Case{2, 1, 1, 0.1, 3.4, 28, 28},
+             Case{2, 2, 2, 0.75, 2.9, 30, 30},
+             Case{3, 1, 1, 0.1, 5.5, 28, 28},
+             Case{3, 2, 3, 1.3, 4.5, 29, 29},
+             Case{3, 3, 3, 1.9, 2.9, 15, 15},
+             Case{4, 1, 1, 0.1, 7.5, 28, 25},
+             Case{4, 2, 4, 1.9, 5.5, 28, 26},
+             Case{5, 1, 1, 0.1, 10, 28, 22},
+             Case{5, 2, 5, 2.5, 6, 26, 0},
+             Case{6, 1, 1, 0.1, 12, 28, 19},
+         }) {
+        CAPTURE(each.horizon);
+        CAPTURE(each.order);
+        const auto table = nmbcgen::derive({.horizon = each.horizon,
+                                            .order = each.order,
+                                            .stride = each.stride,
+                                            .stabilisation = {}});
+        const Prover proof(table);
+        int stable = 0;
+        int proved = 0;
+        for (int i = 0; i < 10; ++i) {
+            const double G = each.low + (each.high - each.low) * (i + 0.37) / 10;
+            const auto h = make_half_space(table, nmbcgen::Rational(G));
+            for (const double cfl : {0.1, 0.3, 0.5}) {
+                const double step = 2 * cfl / maximum_frequency(h);
+                const bool is_stable = stability_grade(stepped(h, step)) != Grade::none;
+                const bool is_proved = proof.holds_in_step({G, G}, step, Grade::paired);
+                CHECK(is_proved <= is_stable);
+                stable += int(is_stable);
+                proved += int(is_proved);
+            }
+        }
+        CHECK(stable == each.stable);
+        CHECK(proved >= each.proved);
+    }
+}
+
 TEST_CASE("sup rho = 1 exactly is proved, where NMBC1 has several waves") {
     const auto parts = prover(2, 1, 1).parts({1.3, 1.7}, 0.75, Grade::paired, 0.01, [](double) {});
     REQUIRE(parts.size() == 1);
     CHECK(parts.front().low == 1.3);
     CHECK(parts.front().high == 1.7);
     CHECK(prover(3, 1, 1).holds({1, 1}, 0.6, Grade::paired));
+}
+
+TEST_CASE("a certificate at one G is proved or sampled") {
+    const auto evidence = [](unsigned order, const nmbcgen::Rational& G,
+                             const nmbcgen::Rational& time_step = 0) {
+        const auto table = nmbcgen::derive(
+            {.horizon = 1, .order = order, .stabilisation = G, .time_step = time_step});
+        auto certificate = nmbcgen::certify(table);
+        prove_certificate(table, certificate);
+        return std::pair(certificate.paired, certificate.with_any);
+    };
+    using nmbcgen::Evidence;
+    CHECK(evidence(2, {1, 2}) == std::pair(Evidence::proved, Evidence::proved));
+    CHECK(evidence(2, {1, 3}) == std::pair(Evidence::proved, Evidence::proved));  // no double
+    // sampled to cfl 0.50, proved to 0.49
+    CHECK(evidence(3, {1, 2}) == std::pair(Evidence::sampled, Evidence::sampled));
+    CHECK(evidence(3, {1, 2}, {1, 2}) == std::pair(Evidence::proved, Evidence::proved));
+    CHECK(evidence(2, 2) ==
+          std::pair(Evidence::sampled, Evidence::sampled));  // nothing is certified
 }
 
 TEST_CASE("nothing is proved that does not hold") {

@@ -67,17 +67,15 @@ void check_million_steps(const MatchingTable& table, double G, std::size_t nodes
     CHECK(end < 2 * half_way + 1e-24 * start);
 }
 
-/// Lengths of both parities: an instability may need one of them. Damped: the shortest certified
-/// ones, where the least is damped away between the ends.
+/// The shortest certified ones, of both parities: an instability may need one of them.
 std::array<std::size_t, 2> lengths(const MatchingTable& table) {
-    const auto least = static_cast<std::size_t>(
-        table.least_nodes > 0 ? table.least_nodes : std::max(40, 10 * table.lattice->horizon));
+    const auto least = static_cast<std::size_t>(table.least_nodes);
     return {least, least + 1};
 }
 
 /// Where in a window. Damped chains are longer and slower: the middle only.
 std::vector<double> shares(const MatchingTable& table) {
-    return table.least_nodes > 0 ? std::vector{0.5} : std::vector{0.25, 0.5, 0.75};
+    return table.lattice->tau != "0" ? std::vector{0.5} : std::vector{0.25, 0.5, 0.75};
 }
 
 TEST_CASE("a million steps in every window") {

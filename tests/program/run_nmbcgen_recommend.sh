@@ -40,6 +40,13 @@ try recommend --horizon 2 --G 1 --order 1 --cfl 0.99
 expect_exit 3
 expect_stderr "not certified in such steps"
 
+# Order 5 reflects ten decades less than all others there.
+try recommend --horizon 2 --G 3 --cfl 0.5
+expect_exit 0
+expect_stdout_line "NMBC5, stride 2, tau = 0, matched in steps of cfl 0.50, at horizon 2, G = 3"
+row "5 2 0 653/1000 0\.52 0\.50 2\.7e-17"
+row "2 1 0 653/1000 0\.97 0\.50 1\.7e-07 0\.0e\+00 more reflection"
+
 # The least of the ladder that certifies order 2 at G = 0, and what it costs.
 try recommend --horizon 2 --G 0 --order 2 --tolerance 1e-4
 expect_exit 0

@@ -9,6 +9,8 @@
 #include <nmbc/ends.hpp>
 #include <nmbc/energy.hpp>
 
+#include "generator/pipeline.hpp"
+#include "generator/stability/certify.hpp"
 #include "generator/stability/discrete.hpp"
 #include "tests/stability/boundary.hpp"
 #include "tests/stability/spectra.hpp"
@@ -63,13 +65,32 @@ TEST_CASE("at horizon 5 chains of up to 46 nodes grow in certified steps, and no
     constexpr double cfl = 0.46;
     std::size_t longest = 0;
     for (std::size_t nodes = 40; nodes <= 60; ++nodes) {
-        const auto map = one_step_map(end, end, nodes, 2 * cfl / maximum_frequency(h));
-        for (const auto factor : nmbcgen::test::eigenvalues_by_parity(map, map.rows() / 2)) {
-            constexpr double roundings = 1e-9;
-            longest = std::abs(factor) > 1 + roundings ? nodes : longest;
-        }
+        constexpr double roundings = 1e-9;
+        const double largest = spectral_radius(end, nodes, 2 * cfl / maximum_frequency(h));
+        longest = largest > 1 + roundings ? nodes : longest;
     }
     CHECK(longest == 46);
+}
+
+TEST_CASE("a certificate holds from a length on from which none grows") {
+    for (const nmbcgen::Specification& what :
+         {nmbcgen::Specification{
+              .horizon = 5, .order = 2, .stride = 5, .stabilisation = nmbcgen::Rational(103, 34)},
+          nmbcgen::Specification{
+              .horizon = 2, .order = 2, .stride = 2, .stabilisation = nmbcgen::Rational(29, 10)}}) {
+        const nmbcgen::Table table = nmbcgen::derive(what);
+        const auto h = make_half_space(table, *what.stabilisation);
+        const nmbcgen::LatticeEnd end{nmbcgen::LatticeEnd::Kind::matching, h};
+        const auto certificate = nmbcgen::certify(table);
+        CAPTURE(what.horizon);
+        REQUIRE(certificate.max_cfl.size() == 1);
+        CHECK(certificate.least_nodes > (what.horizon == 5 ? 46 : 5));
+        const double step = 2 * certificate.max_cfl[0].cfl / maximum_frequency(h);
+        for (std::size_t more = 0; more < 12; ++more) {
+            constexpr double roundings = 1e-9;
+            CHECK(spectral_radius(end, certificate.least_nodes + more, step) < 1 + roundings);
+        }
+    }
 }
 
 TEST_CASE("the runtime's short chain grows so, and a longer one does not") {

@@ -3,14 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
-#include <cmath>
-#include <complex>
 #include <cstdlib>
-#include <vector>
 
-#include "generator/dense/decompositions.hpp"
-#include "generator/stability/half_space.hpp"
+#include "generator/stability/discrete.hpp"
 
 namespace nmbcgen::test {
 
@@ -46,43 +41,10 @@ inline Eigen::MatrixXd semi_discrete_chain(const HalfSpace& h, std::size_t nodes
     return rate;
 }
 
-/// All eigenvalues of such a matrix or of a one-step map: on u on `all` nodes, then v on the
-/// interior ones or on all, each in the order of the nodes. Even states and odd
-/// ones apart: that takes a quarter of the time, and where modes come in even and odd pairs it
-/// keeps roundings from splitting them.
-inline std::vector<std::complex<double>> eigenvalues_by_parity(const Eigen::MatrixXd& matrix,
-                                                               Eigen::Index all) {
-    const auto mirror = [&](Eigen::Index i) {
-        return i < all ? all - 1 - i : matrix.rows() + all - 1 - i;
-    };
-    std::vector<std::complex<double>> eigenvalues;
-    for (const double sign : {1.0, -1.0}) {
-        std::vector<Eigen::Index> kept;
-        for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-            if (i < mirror(i) || (i == mirror(i) && sign > 0)) {
-                kept.push_back(i);
-            }
-        }
-        Eigen::MatrixXd half = matrix(kept, kept);
-        for (std::size_t j = 0; j < kept.size(); ++j) {
-            if (mirror(kept[j]) != kept[j]) {
-                half.col(Eigen::Index(j)) += sign * matrix(kept, mirror(kept[j]));
-            }
-        }
-        const Eigen::VectorXcd found = nmbcgen::eigenvalues(half);
-        eigenvalues.insert(eigenvalues.end(), found.begin(), found.end());
-    }
-    return eigenvalues;
-}
-
 /// The largest Re s [c/dX] of the chain in continuous time.
 inline double spectral_abscissa(const HalfSpace& half_space, std::size_t nodes) {
-    double largest = -HUGE_VAL;
     const auto all = Eigen::Index(nodes + 2 * half_space.reach());
-    for (const auto s : eigenvalues_by_parity(semi_discrete_chain(half_space, nodes), all)) {
-        largest = std::max(largest, s.real());
-    }
-    return largest;
+    return eigenvalues_by_parity(semi_discrete_chain(half_space, nodes), all).real().maxCoeff();
 }
 
 }  // namespace nmbcgen::test

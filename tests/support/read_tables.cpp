@@ -102,8 +102,6 @@ Table read_table(const nmbc::MatchingTable& from) {
     }
     Table table = exact_table(from);
     const Specification& what = table.specification;
-    require(from.least_nodes == (what.damping > 0 ? int(least_damped_nodes) : 0),
-            "the least number of nodes");
     require(lattice.weights == weights_text(what), "the influence");
     require_written_so(lattice.symbol, table.model.symbol);
     require_written_so(lattice.damping, table.model.damping);

@@ -46,6 +46,17 @@ done
 # other end, and in steps of up to 0.9 of the interior's limit, which they are designed for.
 stable --set boundary.kind=passive
 expect_stdout_line "boundary  passive"
+expect_stdout_line "stable    by construction"
+# What it rests on that others are stable: like ends together, unlike ones each by itself.
+proved="stable    proved at this G in these steps, for chains that decaying waves do not cross"
+stable --set boundary.order=2 --set boundary.stride=2 --set model.G=1
+expect_stdout_line "$proved"
+stable --set boundary.order=2 --set boundary.stride=2 --set model.G=1 --set boundary.right.kind=fixed
+expect_stdout_line "$proved"
+stable --set boundary.order=1 --set model.G=1
+expect_stdout_line "$proved"
+stable --set boundary.order=2 --set boundary.stride=2 --set model.G=1 --set model.damping=1/100
+expect_stdout_line "stable    sampled (docs/explanation/stability.md)"
 stable --set boundary.kind=passive --set boundary.right.kind=fixed --set model.G=0
 stable --set boundary.kind=passive --set boundary.right.kind=nmbc --set boundary.right.order=2 \
     --set boundary.right.stride=2 --set model.G=1

@@ -19,6 +19,8 @@ std::string heading_of(const Simulation& simulation) {
                 ? fmt::format("boundary  {}\n", heading_of(scene.left))
                 : fmt::format("left      {}\nright     {}\n", heading_of(scene.left),
                               heading_of(scene.right));
+    const std::string& evidence = simulation.plan().evidence;
+    text += evidence.empty() ? "" : fmt::format("stable    {}\n", evidence);
     return text + fmt::format("chain     {} nodes, dX = {}, c = {:.6g}\n", scene.nodes,
                               scene.spacing, simulation.chain().parameters().wave_speed());
 }

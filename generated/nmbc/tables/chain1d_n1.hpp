@@ -8,7 +8,7 @@
 
 #include <nmbc/table.hpp>
 
-static_assert(nmbc::table_schema == 5,
+static_assert(nmbc::table_schema == 6,
               "tables and runtime differ: run the target 'regenerate'");
 
 namespace nmbc::generated {
