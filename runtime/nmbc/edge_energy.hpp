@@ -83,6 +83,7 @@ inline Correspondence correspondence_of(const Lattice& lattice) {
         }
     }
     is_known = is_known && !found.strain.empty();
+    std::vector<int> ends(n);  // of the bonds I+k and I-k: both weigh the same
     for (const auto& [part, weight, stencil] : lattice.energy) {
         if (!is_known || part == EnergyPart::strain) {
             continue;
@@ -91,11 +92,14 @@ inline Correspondence correspondence_of(const Lattice& lattice) {
         is_known = false;
         for (int k = -static_cast<int>(n); !is_known && k <= static_cast<int>(n); ++k) {
             if (k != 0 && is_near(stencil, bond_stencil(found.strain, k))) {
-                found.stabilisation[static_cast<std::size_t>(std::abs(k) - 1)] = weight;
-                is_known = true;
+                const auto bond = static_cast<std::size_t>(std::abs(k) - 1);
+                is_known = ends[bond] == 0 || found.stabilisation[bond] == weight;
+                found.stabilisation[bond] = weight;
+                ++ends[bond];
             }
         }
     }
+    is_known = is_known && std::ranges::count(ends, 1) == 0;
     if (!is_known) {
         throw std::invalid_argument(
             "this end is one of correspondence lattices without damping, such as nopd1d");
