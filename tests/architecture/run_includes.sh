@@ -58,7 +58,7 @@ below='scene|sides|sources|tables|certification|simulation'
 run compare "$below" 'generator/(table|exact|closures|stability)/|boost/math/|unsupported/Eigen/FFT'
 run chart "$below|compare|output" 'generator/support/|boost/math/'
 run advise "$below|compare|chart|output" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT|boost/math/|unistd.h'
-run plane 'scene|stepping|sides|sources|output' 'generator/(table|exact|names|passive)/|generator/support/files.hpp|boost/math/'
+run plane 'scene|stepping|sides|sources|output' 'generator/(table|exact|names|passive)/|generator/support/(files|progress_line).hpp|boost/math/'
 run plane_compare 'scene|stepping|output|chart|plane' 'generator/support/'
 allow tools/nmbcrun "tools/nmbcrun/|generator/names/checksum.hpp|generator/support/(exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|tools/nmbcrun/|CLI/|nmbc/|benchmark/|boost/math/|$text"

@@ -14,6 +14,7 @@
 
 #include "generator/names/projected_family.hpp"
 #include "generator/passive/plane_side.hpp"
+#include "generator/support/progress_line.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/plane/plane_lattice.hpp"
 #include "tools/nmbcrun/sides/loss_layer.hpp"
@@ -46,7 +47,9 @@ nmbc::PassiveSide designed_side_of(const PlaneScene& scene) {
             task.choice.poisson = scene.nu;
             task.choice.plane_strain = scene.state == nmbc::StressState::plane_strain;
         }
-        nmbc::PassiveSide side = for_runtime(nmbcgen::passive_side(task));
+        nmbcgen::ProgressLine line("designing passive sides");
+        nmbc::PassiveSide side = for_runtime(nmbcgen::passive_side(
+            task, [&](std::size_t done, std::size_t all) { line(done, all); }));
         side.made_for = model_of(scene);
         return side;
     } catch (const std::domain_error& error) {
@@ -187,9 +190,9 @@ nmbc::PlaneSides sides_of(const PlaneScene& scene) {
         if (may_grow(side.kind) && !scene.allow_unstable) {
             const char* const known =
                 side.kind == SideKind::pml
-                    ? "such layers have no proof where their losses vary, and some grow: at G = 0, "
-                      "with "
-                      "profiles far from 2, at Poisson's ratios near 1/2"
+                    ? "such layers have no proof where their losses vary, and some grow: at G = 0 "
+                      "with more than nearest neighbours, with profile 0, in plane strain near nu "
+                      "= 1/2"
                     : "such sides amplify oblique waves of most lattices, and none is certified "
                       "with corners (nmbcgen recommend says what is known of this one, and which "
                       "model.damping ends it)";

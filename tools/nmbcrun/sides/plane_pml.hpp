@@ -26,8 +26,8 @@ namespace nmbcrun {
 ///     1 + (1 - p^2 dt^2/4) (K_x^2/(p + sigma_x)^2 + K_y^2/(p + sigma_y)^2 + S/p^2) = 0.
 /// For |z| > 1, Re p is above 0: off the real axis all terms but the 1 have imaginary parts of one
 /// sign, and on it their sum is above -(K_x^2 + K_y^2 + S) dt^2/4 > -1. Where losses vary there is
-/// no such proof, and some fields grow: at G = 0 with more than nearest neighbours, with profiles
-/// far from 2, at Poisson's ratios near 1/2.
+/// no such proof, and some fields grow: at G = 0 with more than nearest neighbours, with profile 0,
+/// in plane strain at Poisson's ratios near 1/2 (tools/scripts/pml-map).
 class PlanePml {
   public:
     /// layers: of the sides in the order of nmbc::plane_sides, none where they have no nodes. The
