@@ -2,7 +2,6 @@
 /// nmbcgen: exact mathematics to text. The stages are in pipeline.hpp.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <new>
@@ -22,78 +21,17 @@
 #include "generator/commands/reflect.hpp"
 #include "generator/commands/require_stable.hpp"
 #include "generator/commands/time_step.hpp"
+#include "generator/commands/write_tables.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/lattice/projection.hpp"
 #include "generator/names/names.hpp"
 #include "generator/pipeline.hpp"
-#include "generator/support/certificate_cache.hpp"
 #include "generator/support/exit_code.hpp"
 #include "generator/support/files.hpp"
 #include "generator/support/progress_line.hpp"
 
 namespace nmbcgen {
 namespace {
-
-/// Derives, proves and certifies, the last with what the cache knows.
-std::vector<Table> certified(const std::vector<Specification>& specifications,
-                             const std::optional<std::filesystem::path>& cache_folder) {
-    std::vector<Table> tables;
-    tables.reserve(specifications.size());
-    for (const Specification& specification : specifications) {
-        tables.push_back(derive(specification));
-    }
-    if (cache_folder) {
-        for (Table& table : tables) {
-            CertificateCache(*cache_folder).look_up(table);
-        }
-    }
-    const bool all_known = std::ranges::all_of(
-        tables, [](const Table& table) { return table.certificate.has_value(); });
-    ProgressLine line(tables.size() > 1 ? "certifying, minutes in all"
-                                        : "certifying (--uncertified leaves it out)");
-    certify_all(tables, std::ref(line));
-    if (cache_folder && !all_known) {
-        CertificateCache(*cache_folder).keep(tables);
-    }
-    return tables;
-}
-
-TextFile lattice_file(const std::filesystem::path& folder, const Table& table) {
-    return {folder / (lattice_name(table.specification) + ".hpp"), emit_lattice_header(table)};
-}
-
-std::vector<TextFile> committed_files(const Request& request) {
-    const std::filesystem::path& folder = request.folder;
-    const std::vector<Table> tables = certified(committed_set(), request.cache);
-    std::vector<TextFile> files;
-    for (const Table& table : one_of_each_lattice(tables)) {
-        files.push_back(lattice_file(folder, table));
-    }
-    for (const Table& table : tables) {
-        files.push_back({folder / (table_name(table.specification) + ".hpp"), emit_header(table)});
-    }
-    files.push_back({folder / "tables.hpp", emit_registry(tables)});
-    files.push_back({folder / "tables.json", emit_json(tables)});
-    return files;
-}
-
-void write_and_name(const std::vector<TextFile>& files) {
-    write_files(files);
-    std::string names;
-    for (const TextFile& file : files) {
-        names += file.path.string() + "\n";
-    }
-    print(names);
-}
-
-void require_short_name(const std::string& name) {
-    if (name.size() > longest_name) {
-        throw FileError(fmt::format(
-            "the name of the table has {} characters, of {} that a file may have: print it with "
-            "--stdout",
-            name.size(), longest_name));
-    }
-}
 
 int write_one(const Request& request) {
     const std::string name =
@@ -121,7 +59,7 @@ int write_one(const Request& request) {
 int check(const Request& request) {
     const std::filesystem::path& folder = request.folder;
     require_folder(folder);  // the fresh set takes a minute
-    const std::vector<TextFile> fresh = committed_files(request);
+    const std::vector<TextFile> fresh = committed_files(request.folder, request.cache);
     if (const std::string others = other_files(folder, fresh); !others.empty()) {
         std::cerr << "not of the committed set, and not compared: " << others << "\n";
     }
@@ -135,11 +73,15 @@ int check(const Request& request) {
     return does_not_hold;
 }
 
-/// A command's text, with its progress on a terminal.
+/// Prints a command's text, with its progress on a terminal.
 template <class Command>
-std::string with_progress(const Command& command) {
-    ProgressLine line("examining");
-    return command(std::ref(line));
+void print_with_progress(const Command& command) {
+    std::string text;
+    {
+        ProgressLine line("examining");
+        text = command(std::ref(line));
+    }
+    print(text);
 }
 
 /// Curve by curve: all of them may be more than fits into memory.
@@ -168,6 +110,14 @@ void print_as(bool as_json, std::string (*json)(const Task&), std::string (*text
     print((as_json ? json : text)(task));
 }
 
+std::string advice(const Request& request, const Progress& progress) {
+    if (!request.side) {
+        return recommendation(request.question, progress);
+    }
+    return (request.as_csv ? side_reflection_csv : side_recommendation)(*request.side,
+                                                                        request.absorbed, progress);
+}
+
 std::string passive_text(const Request& request, const Progress& progress) {
     if (request.end) {
         return request.as_header ? passive_header(*request.end) : passive_json(*request.end);
@@ -193,25 +143,16 @@ int run(const Request& request) {
         case Action::check:
             return check(request);
         case Action::all_tables:
-            write_and_name(committed_files(request));
+            write_and_name(committed_files(request.folder, request.cache));
             return done;
         case Action::recommend:
-            print(with_progress([&request](const Progress& progress) {
-                if (!request.side) {
-                    return recommendation(request.question, progress);
-                }
-                return (request.as_csv ? side_reflection_csv : side_recommendation)(
-                    *request.side, request.absorbed, progress);
-            }));
+            print_with_progress(std::bind_front(advice, request));
             return done;
         case Action::passive:
-            print(with_progress(
-                [&request](const Progress& progress) { return passive_text(request, progress); }));
+            print_with_progress(std::bind_front(passive_text, request));
             return done;
         case Action::optimise:
-            print(with_progress([&request](const Progress& progress) {
-                return optimisation(request.aim, progress);
-            }));
+            print_with_progress(std::bind_front(optimisation, request.aim));
             return done;
         case Action::dispersion:
             if (request.plane_curves) {
@@ -224,9 +165,7 @@ int run(const Request& request) {
             print(reflection_csv(derive(request.specification), request.samples));
             return done;
         case Action::prove:
-            print(with_progress([&request](const Progress& progress) {
-                return proof_text(request.specification, request.proof, progress);
-            }));
+            print_with_progress(std::bind_front(proof_text, request.specification, request.proof));
             return done;
         case Action::bonds:
             print_as(request.as_json, bonds_json, bonds_text, request.bonds);
@@ -235,9 +174,9 @@ int run(const Request& request) {
             print_as(request.as_json, closure_json, closure_text, request.closure);
             return done;
         case Action::coupling:
-            print(with_progress([&request](const Progress&) {
+            print_with_progress([&request](const Progress&) {
                 return (request.as_json ? coupling_json : coupling_text)(request.coupling);
-            }));
+            });
             return done;
         case Action::influence:
             if (request.class_influence.radius_squared > 0) {
@@ -262,6 +201,45 @@ int run(const Request& request) {
     return done;
 }
 
+/// What is wrong, in a line, and the exit code of that.
+int report(const std::string& what, ExitCode code) {
+    std::cerr << "nmbcgen: " << what << "\n";
+    return code;
+}
+
+/// Of the exception that is being handled.
+int report_failure() {
+    try {
+        throw;
+    } catch (const NoSuchBoundary& reason) {
+        return report(reason.what(), no_such_boundary);
+    } catch (const NoSuchBonds& reason) {
+        return report(reason.what(), no_such_boundary);
+    } catch (const NoProjection& reason) {
+        return report(reason.what(), no_such_boundary);
+    } catch (const NoSuchModel& reason) {
+        return report(reason.what(), bad_input);
+    } catch (const NoClosedForms& reason) {
+        return report(reason.what(), bad_input);
+    } catch (const NotProvable& reason) {
+        return report(reason.what(), bad_input);
+    } catch (const NotStable& reason) {
+        return report(reason.what(), unstable);
+    } catch (const FileError& error) {
+        return report(error.what(), file_failed);
+    } catch (const std::overflow_error& error) {
+        return report(fmt::format("a coefficient has no double at this G ({}); --format json keeps "
+                                  "it exact",
+                                  error.what()),
+                      bad_input);
+    } catch (const std::bad_alloc&) {
+        return report("not enough memory for this order and horizon", bad_input);
+    } catch (const std::logic_error& error) {
+        return report(fmt::format("a defect of nmbcgen, nothing was written: {}", error.what()),
+                      does_not_hold);
+    }
+}
+
 }  // namespace
 }  // namespace nmbcgen
 
@@ -272,39 +250,7 @@ int main(int argc, char** argv) {
             return *exit_code;
         }
         return nmbcgen::run(nmbcgen::settled(std::get<nmbcgen::Request>(parsed)));
-    } catch (const nmbcgen::NoSuchBoundary& reason) {
-        std::cerr << "nmbcgen: " << reason.what() << "\n";
-        return nmbcgen::no_such_boundary;
-    } catch (const nmbcgen::NoSuchBonds& reason) {
-        std::cerr << "nmbcgen: " << reason.what() << "\n";
-        return nmbcgen::no_such_boundary;
-    } catch (const nmbcgen::NoProjection& reason) {
-        std::cerr << "nmbcgen: " << reason.what() << "\n";
-        return nmbcgen::no_such_boundary;
-    } catch (const nmbcgen::NoSuchModel& reason) {
-        std::cerr << "nmbcgen: " << reason.what() << "\n";
-        return nmbcgen::bad_input;
-    } catch (const nmbcgen::NoClosedForms& reason) {
-        std::cerr << "nmbcgen: " << reason.what() << "\n";
-        return nmbcgen::bad_input;
-    } catch (const nmbcgen::NotProvable& reason) {
-        std::cerr << "nmbcgen: " << reason.what() << "\n";
-        return nmbcgen::bad_input;
-    } catch (const nmbcgen::NotStable& reason) {
-        std::cerr << "nmbcgen: " << reason.what() << "\n";
-        return nmbcgen::unstable;
-    } catch (const nmbcgen::FileError& error) {
-        std::cerr << "nmbcgen: " << error.what() << "\n";
-        return nmbcgen::file_failed;
-    } catch (const std::overflow_error& error) {
-        std::cerr << "nmbcgen: a coefficient has no double at this G (" << error.what()
-                  << "); --format json keeps it exact\n";
-        return nmbcgen::bad_input;
-    } catch (const std::bad_alloc&) {
-        std::cerr << "nmbcgen: not enough memory for this order and horizon\n";
-        return nmbcgen::bad_input;
-    } catch (const std::logic_error& error) {
-        std::cerr << "nmbcgen: a defect of nmbcgen, nothing was written: " << error.what() << "\n";
-        return nmbcgen::does_not_hold;
+    } catch (...) {
+        return nmbcgen::report_failure();
     }
 }

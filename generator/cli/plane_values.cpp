@@ -3,12 +3,14 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 
 #include "generator/cli/comma_list.hpp"
 #include "generator/cli/option_values.hpp"
 #include "generator/cli/whole_number.hpp"
+#include "generator/exact/rational.hpp"
 
 namespace nmbcgen {
 
@@ -109,8 +111,12 @@ Direction parse_direction(const std::string& text) {
     return {.cosine_squared = x * x / (x * x + y * y), .text = text};
 }
 
-std::vector<ObliqueWave> parse_oblique_waves(const std::string& text) {
-    std::vector<ObliqueWave> waves;
+namespace {
+
+/// Of one or two waves POLARISATION:DIRECTION; direction_of() makes what is behind the colon.
+template <class Wave, class DirectionOf>
+std::vector<Wave> parse_waves(const std::string& text, DirectionOf direction_of) {
+    std::vector<Wave> waves;
     for (const std::string& item : items_of(text)) {
         const bool is_wave =
             item.size() > 2 && item[1] == ':' && (item.front() == 'P' || item.front() == 'S');
@@ -118,12 +124,7 @@ std::vector<ObliqueWave> parse_oblique_waves(const std::string& text) {
             throw std::invalid_argument("'" + item.substr(0, 60) +
                                         "' is no wave such as P:0, S:45 or S:3:4");
         }
-        waves.push_back({.polarisation = parse_polarisation(item.substr(0, 1)),
-                         .direction = parse_direction(item.substr(2))});
-        if (waves.back().direction.cosine_squared == 0) {
-            throw std::invalid_argument("'" + item.substr(0, 60) +
-                                        "' goes along the side: an angle below 90 is needed");
-        }
+        waves.push_back({parse_polarisation(item.substr(0, 1)), direction_of(item.substr(2))});
     }
     if (waves.size() > 2) {
         throw std::invalid_argument("one or two waves are allowed");
@@ -131,24 +132,43 @@ std::vector<ObliqueWave> parse_oblique_waves(const std::string& text) {
     return waves;
 }
 
-std::vector<AbsorbedWave> parse_absorbed(const std::string& text) {
-    std::vector<AbsorbedWave> waves;
-    for (const std::string& item : items_of(text)) {
-        constexpr double grazing = 90;
-        const bool has_angle =
-            item.size() > 2 && item[1] == ':' && (item.front() == 'P' || item.front() == 'S');
-        const std::optional<double> angle = has_angle ? number_of(item.substr(2)) : std::nullopt;
-        if (!angle || !(*angle >= 0 && *angle < grazing)) {
-            throw std::invalid_argument(
-                "'" + item.substr(0, 60) +
-                "' is no wave such as P:0 or S:45, degrees from the normal below 90");
+[[noreturn]] void refuse_along_the_side(const std::string& direction) {
+    throw std::invalid_argument("'" + direction.substr(0, 60) +
+                                "' goes along the side: an angle below 90 degrees is needed");
+}
+
+double degrees_of(const Direction& direction) {
+    const double square = nearest_double(direction.cosine_squared);
+    return std::atan2(std::sqrt(1 - square), std::sqrt(square)) * 180 / std::numbers::pi;
+}
+
+}  // namespace
+
+std::vector<ObliqueWave> parse_oblique_waves(const std::string& text) {
+    return parse_waves<ObliqueWave>(text, [](const std::string& one) {
+        const Direction direction = parse_direction(one);
+        if (direction.cosine_squared == 0) {
+            refuse_along_the_side(one);
         }
-        waves.push_back({parse_polarisation(item.substr(0, 1)), *angle});
-    }
-    if (waves.size() > 2) {
-        throw std::invalid_argument("one or two waves are allowed");
-    }
-    return waves;
+        return direction;
+    });
+}
+
+std::vector<AbsorbedWave> parse_absorbed(const std::string& text) {
+    return parse_waves<AbsorbedWave>(text, [](const std::string& one) {
+        constexpr double grazing = 90;
+        const bool is_ratio = one.find(':') != std::string::npos;
+        const std::optional<double> angle =
+            is_ratio ? degrees_of(parse_direction(one)) : number_of(one);
+        if (!angle || !(*angle >= 0)) {
+            throw std::invalid_argument("'" + one.substr(0, 60) +
+                                        "' is no angle from the normal: degrees, or X:Y");
+        }
+        if (*angle >= grazing) {
+            refuse_along_the_side(one);
+        }
+        return *angle;
+    });
 }
 
 }  // namespace nmbcgen

@@ -318,9 +318,10 @@ CLI::App* add_oblique(CLI::App& app, Request& request, Pending& pending) {
     add_plane_family(*oblique, task.family);
     add_plane_model(*oblique, pending.plane)->required();
     add_weights(*oblique, pending.weights);
-    add_parsed(*oblique, "--absorb", task.waves, parse_oblique_waves,
-               "waves and their angles from the normal of the side: P:0, P:45, or P:30,S:60; exact "
-               "angles are 0, 30, 45, 60 degrees and X:Y, such as S:3:4")
+    add_parsed(
+        *oblique, "--absorb", task.waves, parse_oblique_waves,
+        "one wave or two: P or S, and the angle from the normal in degrees or as X:Y, such as "
+        "P:45, P:30,S:60 or S:3:4; exact are 0, 30, 45, 60 degrees and X:Y")
         ->required();
     add_parsed(*oblique, "--decay", task.decay, parse_rational,
                "e, which keeps a product from drifting, an exact number in sqrt(E/density)/dX "

@@ -149,10 +149,12 @@ std::string oblique_text(const ObliqueTask& task) {
     std::string text = fmt::format("model       {}\ncondition   {}\nunits       {}\n",
                                    condition.model.description, oblique_form, oblique_units);
     for (const Factor& factor : condition.factors) {
-        text += fmt::format("{:<12}c^2 = {}, cos^2 = {}, b = {} = {:.10g}\n", name_of(factor.wave),
+        const std::string exact = root_text(factor.b_squared);
+        const std::string rounded = fmt::format("{:.10g}", 2 * speed_of(factor));
+        text += fmt::format("{:<12}c^2 = {}, cos^2 = {}, b = {}{}\n", name_of(factor.wave),
                             to_string(factor.speed_squared),
-                            to_string(factor.wave.direction.cosine_squared),
-                            root_text(factor.b_squared), 2 * speed_of(factor));
+                            to_string(factor.wave.direction.cosine_squared), exact,
+                            exact == rounded ? "" : " = " + rounded);
     }
     text += fmt::format("e           {}\n", to_string(condition.decay));
     for (std::size_t p = 0; p < condition.coefficients.size(); ++p) {

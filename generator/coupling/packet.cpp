@@ -174,7 +174,10 @@ PacketResult run_packet(const Halves& halves, CouplingForm form, const Packet& p
     std::optional<nmbc::MatchingBoundary> boundary;
     std::optional<Bars> ended;
     if (end != nullptr) {
-        boundary.emplace(*end, nmbc::BoundaryParameters{1, speed, right_length, time_step});
+        boundary.emplace(*end, nmbc::BoundaryParameters{.ghost_layers = 1,
+                                                        .wave_speed = speed,
+                                                        .spacing = right_length,
+                                                        .time_step = time_step});
         ended.emplace(mesh_of(halves, left, elements_to_end), form, time_step);
         ended->start(arrival, left);
     }

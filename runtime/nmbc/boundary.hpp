@@ -20,8 +20,20 @@ namespace nmbc {
 /// seven digits. It adds two millionths of the error that steps make of one that is not matched.
 inline constexpr double time_step_tolerance = 1e-6;
 
-/// The lattice that a boundary closes, and its time step, in any one consistent system of units.
+namespace detail {
+
+/// The first member of parameters that are given by name: {.spacing = ..}. A list without names, in
+/// which two of one type could be swapped unseen, does not compile.
+struct OnlyByName {
+    explicit OnlyByName() = default;
+};
+
+}  // namespace detail
+
+/// The lattice that a boundary closes, and its time step, in any one consistent system of units; by
+/// name, {.ghost_layers = 4, .wave_speed = c, ..}.
 struct BoundaryParameters {
+    detail::OnlyByName by_name = detail::OnlyByName();
     std::size_t ghost_layers = 0;  ///< nodes beyond an end that the stencil reaches (2n for NOPD)
     double wave_speed = 0;         ///< c = sqrt(E/rho) [length/time]
     double spacing = 0;            ///< dX [length]
@@ -52,8 +64,9 @@ class BasicMatchingBoundary {
                     "wave speed, spacing and time step must be positive and finite");
             }
         }
-        if (ghost_layers_ == 0) {
-            throw std::invalid_argument("a boundary needs a ghost layer at least");
+        if (static_cast<std::ptrdiff_t>(ghost_layers_) < 1) {
+            throw std::invalid_argument("a boundary needs a ghost layer at least, not " +
+                                        in_words(ghost_layers_));
         }
         if (coefficients.c.empty() || coefficients.b.size() != coefficients.c.size() ||
             coefficients.stride < 1) {
@@ -108,6 +121,11 @@ class BasicMatchingBoundary {
     }
 
   private:
+    /// What was a negative number is written as one.
+    static std::string in_words(std::size_t count) {
+        return std::to_string(static_cast<std::ptrdiff_t>(count));
+    }
+
     /// matched, step: dt c/dX.
     static void require_matched(double matched, double step, GhostRule rule) {
         if (matched == 0) {
@@ -135,7 +153,7 @@ class BasicMatchingBoundary {
             throw std::invalid_argument("the lattice of these coefficients reaches " +
                                         std::to_string(reach) + " nodes: ghost layers must be " +
                                         std::to_string(reach) + ", not " +
-                                        std::to_string(p.ghost_layers));
+                                        in_words(p.ghost_layers));
         }
         if (rule != GhostRule::midpoint) {
             throw NotCertified(std::string("explicit ghosts have no certificate") +

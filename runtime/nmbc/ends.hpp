@@ -19,7 +19,12 @@ class MatchingCondition final : public BoundaryCondition<Real> {
   public:
     MatchingCondition(const BoundaryCoefficients& coefficients, std::size_t ghosts,
                       const ChainParameters& p, GhostRule rule)
-        : boundary_(coefficients, {ghosts, p.wave_speed(), p.spacing, p.time_step}, rule),
+        : boundary_(coefficients,
+                    {.ghost_layers = ghosts,
+                     .wave_speed = p.wave_speed(),
+                     .spacing = p.spacing,
+                     .time_step = p.time_step},
+                    rule),
           coefficients_(coefficients) {}
 
     std::size_t least_interior_nodes() const override {

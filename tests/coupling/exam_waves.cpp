@@ -109,7 +109,8 @@ TEST_CASE("an NMBC behind the local part: stable beside pairs, growing beside ro
         const Mesh mesh = mesh_of(nonlocal_to_local, 30, 30);
         const Eigen::MatrixXd K = stiffness_of(mesh, form);
         const Eigen::MatrixXd A = masses_of(mesh).cwiseInverse().asDiagonal() * K;
-        const nmbc::MatchingBoundary end(nmbc2, {1, 1, 1, dt});
+        const nmbc::MatchingBoundary end(
+            nmbc2, {.ghost_layers = 1, .wave_speed = 1, .spacing = 1, .time_step = dt});
         Eigen::MatrixXd step(2 * nodes, 2 * nodes);
         for (Eigen::Index j = 0; j < 2 * nodes; ++j) {
             Eigen::VectorXd state = Eigen::VectorXd::Unit(2 * nodes, j);

@@ -185,6 +185,9 @@ refuses --out "options go behind the subcommand: nmbcgen reflect --out" -- \
 refuses --all --check excludes -- --all --check
 refuses --all --check excludes -- --check --all
 refuses --check --order excludes -- --check --order 1
+for given in --stdout=no --require-stable=3; do
+    refuses "disallowed flag override" -- --order 1 --horizon 1 "$given"
+done
 refuses --stdout --out excludes -- --order 1 --horizon 1 --stdout --out folder
 
 finish

@@ -37,7 +37,13 @@ expect "the product is Higdon's" test 1 -eq \
 try recommend "${smallest[@]}" --G 1/4 --absorb P:30,S:60
 grade contractive 'matched at P 30, S 60'
 expect "little at 60 degrees" grep -qE '^matched at .* 0\.00[01]/0\.00[01] +[0-9./]+$' "$scratch/stdout"
-for bad in P:90 X:3 P P:0,S:0,P:1 S:-3 ""; do
+# X:Y is a direction, as oblique has it: S:1:1 is S:45.
+try recommend "${smallest[@]}" --G 1/4 --absorb S:45
+sed 's/S 45/S/' "$scratch/stdout" >"$scratch/degrees"
+try recommend "${smallest[@]}" --G 1/4 --absorb S:1:1
+expect_exit 0
+expect "the same" diff "$scratch/degrees" <(sed 's/S 45/S/' "$scratch/stdout")
+for bad in P:90 P:0:1 X:3 P P:0,S:0,P:1 S:-3 P:0:0 ""; do
     try recommend "${smallest[@]}" --G 1/4 --absorb "$bad"
     expect_exit 2
     expect_stderr "--absorb: "

@@ -53,8 +53,12 @@ TEST_CASE("after an update, (60) holds in every ghost layer at the rule's time l
             coefficients.matched_time_step = 0;  // and in whatever steps
             for (const auto rule : {nmbc::GhostRule::midpoint, nmbc::GhostRule::explicit_rule}) {
                 CAPTURE(table->name);
-                const nmbc::MatchingBoundary boundary(
-                    coefficients, {table->ghost_layers(), wave_speed, spacing, time_step}, rule);
+                const nmbc::MatchingBoundary boundary(coefficients,
+                                                      {.ghost_layers = table->ghost_layers(),
+                                                       .wave_speed = wave_speed,
+                                                       .spacing = spacing,
+                                                       .time_step = time_step},
+                                                      rule);
                 const std::size_t nodes = 2 * boundary.reach();
                 const auto u = random_values(nodes, random);
                 auto v = random_values(nodes, random);
@@ -87,7 +91,7 @@ TEST_CASE("left and right are mirror images, bit for bit") {
     REQUIRE(table != nullptr);
     const nmbc::MatchingBoundary boundary(
         nmbc::boundary_coefficients(*table, 0.8, nmbc::allow_unstable),
-        {table->ghost_layers(), 1, 1, 0.1});
+        {.ghost_layers = table->ghost_layers(), .wave_speed = 1, .spacing = 1, .time_step = 0.1});
     std::mt19937_64 random(2);
     auto u = random_values(40, random);
     auto v = random_values(40, random);
@@ -100,20 +104,32 @@ TEST_CASE("left and right are mirror images, bit for bit") {
 
 TEST_CASE("wrong parameters are refused") {
     const nmbc::BoundaryCoefficients nmbc1{{1, 1}, {-2, 2}, 1};
-    CHECK_THROWS_AS(nmbc::MatchingBoundary(nmbc1, {2, 0, 1, 1}), std::invalid_argument);
-    CHECK_THROWS_AS(nmbc::MatchingBoundary(nmbc1, {2, 1, -1, 1}), std::invalid_argument);
-    CHECK_THROWS_AS(nmbc::MatchingBoundary(nmbc1, {2, 1, 1, std::nan("")}), std::invalid_argument);
-    // 1 - (dt/2) b_0 = 0
-    CHECK_THROWS_AS(nmbc::MatchingBoundary({{1, 1}, {2, -2}, 1}, {2, 1, 1, 1}),
+    CHECK_THROWS_AS(nmbc::MatchingBoundary(
+                        nmbc1, {.ghost_layers = 2, .wave_speed = 0, .spacing = 1, .time_step = 1}),
                     std::invalid_argument);
+    CHECK_THROWS_AS(nmbc::MatchingBoundary(
+                        nmbc1, {.ghost_layers = 2, .wave_speed = 1, .spacing = -1, .time_step = 1}),
+                    std::invalid_argument);
+    CHECK_THROWS_AS(
+        nmbc::MatchingBoundary(
+            nmbc1, {.ghost_layers = 2, .wave_speed = 1, .spacing = 1, .time_step = std::nan("")}),
+        std::invalid_argument);
+    // 1 - (dt/2) b_0 = 0
+    CHECK_THROWS_AS(
+        nmbc::MatchingBoundary({{1, 1}, {2, -2}, 1},
+                               {.ghost_layers = 2, .wave_speed = 1, .spacing = 1, .time_step = 1}),
+        std::invalid_argument);
     const auto reject = [](const nmbc::BoundaryCoefficients& coefficients) {
-        CHECK_THROWS_AS(nmbc::MatchingBoundary(coefficients, {2, 1, 1, 0.1}),
-                        std::invalid_argument);
+        CHECK_THROWS_AS(
+            nmbc::MatchingBoundary(
+                coefficients, {.ghost_layers = 2, .wave_speed = 1, .spacing = 1, .time_step = 0.1}),
+            std::invalid_argument);
     };
     reject({{}, {}, 1});
     reject({{1, 1}, {-2}, 1});
     reject({{1, 1}, {-2, 2}, -1});
-    const nmbc::MatchingBoundary boundary(nmbc1, {2, 1, 1, 0.1});
+    const nmbc::MatchingBoundary boundary(
+        nmbc1, {.ghost_layers = 2, .wave_speed = 1, .spacing = 1, .time_step = 0.1});
     CHECK(boundary.reach() == 3);
     std::vector<double> two(2);
     std::vector<double> four(4);

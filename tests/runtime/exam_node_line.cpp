@@ -41,7 +41,10 @@ TEST_CASE_TEMPLATE("lines of a plane normal to its four sides are closed as a ch
         auto coefficients = nmbc::boundary_coefficients(*table, 0.37, nmbc::allow_unstable);
         coefficients.matched_time_step = 0;
         const nmbc::BasicMatchingBoundary<Real> boundary(coefficients,
-                                                         {table->ghost_layers(), 2, 0.3, 0.01});
+                                                         {.ghost_layers = table->ghost_layers(),
+                                                          .wave_speed = 2,
+                                                          .spacing = 0.3,
+                                                          .time_step = 0.01});
         if (boundary.reach() > grid.ny) {
             continue;
         }
@@ -72,7 +75,10 @@ TEST_CASE("a line of one component among several at each node") {
     REQUIRE(table != nullptr);
     const nmbc::MatchingBoundary boundary(
         nmbc::boundary_coefficients(*table, 0.37, nmbc::allow_unstable),
-        {table->ghost_layers(), 2, 0.3, 0.01});
+        {.ghost_layers = table->ghost_layers(),
+         .wave_speed = 2,
+         .spacing = 0.3,
+         .time_step = 0.01});
     const auto u = random_field<double>(40, 1);  // 20 nodes of 2
     const auto before = random_field<double>(40, 2);
     auto v = before;
@@ -128,7 +134,9 @@ TEST_CASE("a plane of chains side by side, stepped as a plane, is those chains, 
     constexpr double time_step = 0.3;
     const auto lattice = nmbc::make_lattice(*table, G);
     const auto coefficients = nmbc::boundary_coefficients(*table, G);
-    const nmbc::MatchingBoundary boundary(coefficients, {lattice.reach(), 1, 1, time_step});
+    const nmbc::MatchingBoundary boundary(
+        coefficients,
+        {.ghost_layers = lattice.reach(), .wave_speed = 1, .spacing = 1, .time_step = time_step});
     const auto force = nmbc::detail::make_kick<double>(lattice.symbol, -time_step);
     for (const std::size_t axis : {0U, 1U}) {
         const nmbc::Grid grid = axis == 0 ? nmbc::Grid{48, 3} : nmbc::Grid{3, 48};

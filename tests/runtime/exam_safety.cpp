@@ -69,9 +69,10 @@ TEST_CASE("a boundary refuses a step longer than the certified, which blows up")
 
 TEST_CASE("at the edge of a window no step is certified, and the boundary says so") {
     const auto coefficients = nmbc::boundary_coefficients(nmbc::generated::nopd1d_n2_order2, 3.774);
-    CHECK_THROWS_WITH_AS(nmbc::MatchingBoundary(coefficients, {4, 1, 1, 1e-6}),
-                         doctest::Contains("is not certified: none is at this G;"),
-                         nmbc::NotCertified);
+    CHECK_THROWS_WITH_AS(
+        nmbc::MatchingBoundary(
+            coefficients, {.ghost_layers = 4, .wave_speed = 1, .spacing = 1, .time_step = 1e-6}),
+        doctest::Contains("is not certified: none is at this G;"), nmbc::NotCertified);
 }
 
 TEST_CASE("the longest step is accepted in all units, and no longer one") {
@@ -80,7 +81,9 @@ TEST_CASE("the longest step is accepted in all units, and no longer one") {
         for (double spacing = 1e-9; spacing < 1e3; spacing *= 11.9) {
             const double longest = nmbc::stable_time_step(nopd1d_n3_order2_s3, 2, c, spacing);
             const auto make = [&](double step) {
-                return nmbc::MatchingBoundary(coefficients, {6, c, spacing, step});
+                return nmbc::MatchingBoundary(
+                    coefficients,
+                    {.ghost_layers = 6, .wave_speed = c, .spacing = spacing, .time_step = step});
             };
             CHECK_NOTHROW(make(longest));
             CHECK_NOTHROW(make(longest / 2));
@@ -89,18 +92,42 @@ TEST_CASE("the longest step is accepted in all units, and no longer one") {
     }
 }
 
+template <class Parameters>
+concept Positional = requires {
+    Parameters{std::size_t(4), 1.0, 1.0, 0.1};
+};
+template <class Parameters>
+concept ByName = requires {
+    Parameters{.ghost_layers = 4, .wave_speed = 1.0, .spacing = 1.0, .time_step = 0.1};
+};
+// Speed and spacing cannot be swapped by their places.
+static_assert(ByName<nmbc::BoundaryParameters> && !Positional<nmbc::BoundaryParameters>);
+
 TEST_CASE("a boundary refuses other ghosts than its lattice has") {
     const auto coefficients = nmbc::boundary_coefficients(nopd1d_n2_order1, 1);
     for (const std::size_t ghosts : {1U, 2U, 3U, 5U}) {
-        CHECK_THROWS_WITH_AS(nmbc::MatchingBoundary(coefficients, {ghosts, 1, 1, 0.1}),
-                             doctest::Contains("ghost layers must be 4, not "),
-                             std::invalid_argument);
+        CHECK_THROWS_WITH_AS(
+            nmbc::MatchingBoundary(
+                coefficients,
+                {.ghost_layers = ghosts, .wave_speed = 1, .spacing = 1, .time_step = 0.1}),
+            doctest::Contains("ghost layers must be 4, not "), std::invalid_argument);
     }
-    CHECK_NOTHROW(nmbc::MatchingBoundary(coefficients, {4, 1, 1, 0.1}));
-    CHECK_THROWS_WITH_AS(nmbc::MatchingBoundary({{1, 1}, {-2, 2}}, {0, 1, 1, 0.1}),
+    CHECK_NOTHROW(nmbc::MatchingBoundary(
+        coefficients, {.ghost_layers = 4, .wave_speed = 1, .spacing = 1, .time_step = 0.1}));
+    CHECK_THROWS_WITH_AS(nmbc::MatchingBoundary(
+                             {{1, 1}, {-2, 2}},
+                             {.ghost_layers = 0, .wave_speed = 1, .spacing = 1, .time_step = 0.1}),
                          doctest::Contains("ghost layer"), std::invalid_argument);
+    const auto less_than_none = static_cast<std::size_t>(-1);
     CHECK_THROWS_WITH_AS(
-        nmbc::MatchingBoundary(coefficients, {4, 1, 1, 0.1}, nmbc::GhostRule::explicit_rule),
+        nmbc::MatchingBoundary(
+            coefficients,
+            {.ghost_layers = less_than_none, .wave_speed = 1, .spacing = 1, .time_step = 0.1}),
+        doctest::Contains("not -1"), std::invalid_argument);
+    CHECK_THROWS_WITH_AS(
+        nmbc::MatchingBoundary(coefficients,
+                               {.ghost_layers = 4, .wave_speed = 1, .spacing = 1, .time_step = 0.1},
+                               nmbc::GhostRule::explicit_rule),
         doctest::Contains("explicit ghosts have no certificate"), nmbc::NotCertified);
 }
 

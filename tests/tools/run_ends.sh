@@ -64,7 +64,7 @@ stable --set boundary.kind=passive --set model.horizon=3 --set time.cfl=0.9
 rm -r results
 refuses 2 'does not count for kind "passive", which has no keys of its own' "$scene" \
     --set boundary.kind=passive --set boundary.order=2
-refuses 2 "truncated and passive ends know nopd1d of constant influence without damping, no other lattice" \
+refuses 2 'boundary.kind "truncated" and "passive" know model.family = "nopd1d" of constant model.influence without damping, no other lattice' \
     "$scene" --set boundary.kind=passive --set model.damping=1/100
 
 stable --set boundary.kind=exact

@@ -58,6 +58,20 @@ expect_exit 0
 expect "its NMBC1" grep -q 'NMBC1, stride 1' "$scratch/stdout"
 expect "no NMBC2" lacks NMBC2 "$scratch/stdout"
 
+# One that takes the place of another says so; one that has its coefficients needs not.
+make_table --match 0:3,1/2:1 --horizon 2 --stride 2 --G 1 --out scenes
+make_table --order 2 --horizon 2 --stride 2 --G 1 --out scenes
+for hides in nopd1d_n2_order2_s2_at1o2x1_G1o1:yes nopd1d_n2_order2_s2_G1o1:no; do  # by their files
+    try run "$scene" --set model.influence=constant --set boundary.order=2 --set boundary.stride=2 \
+        --set "model.tables=[\"${hides%:*}.json\"]" --quiet --set boundary.allow_unstable=true
+    expect_exit 0
+    if [ ${hides#*:} = yes ]; then
+        expect_stderr "matched at 0:3,1/2:1 of model.tables takes the place of the committed nopd1d_n2_order2_s2,"
+    else
+        expect "no word" lacks 'takes the place' "$scratch/stderr"
+    fi
+done
+
 # Near a pole of its coefficients a mode of this condition grows in steps below cfl 0.047.
 make_table --order 2 --horizon 1 --damping 1/50 --G 9/200 --out scenes
 stiff=(--set model.influence=constant --set model.horizon=1 --set model.G=0.045

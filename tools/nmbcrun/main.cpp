@@ -155,6 +155,7 @@ int main(int argc, char** argv) {
     nmbcrun::end_at_interrupts(stopped);
     Arguments arguments;
     CLI::App app("nmbcrun: runs scenes with nonlocal matching boundary conditions.", "nmbcrun");
+    app.option_defaults()->disable_flag_override();  // of subcommands, too: --quiet=no is none
     app.set_version_flag("--version", "nmbcrun " NMBC_VERSION);
     app.require_subcommand(1);
     app.footer(exit_codes);  // of the subcommands, too, which are added below

@@ -17,6 +17,7 @@
 #include "tools/nmbcrun/report.hpp"
 #include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -162,7 +163,14 @@ void Run::judge(const Sample& sample) {
 
 std::vector<std::string> Run::warnings() const {
     std::vector<std::string> all{simulation_.plan().objection, simulation_.warning()};
+    const Scene& scene = simulation_.scene();
+    for (const Boundary* end : {&scene.left, &scene.right}) {
+        if (end->kind == BoundaryKind::nmbc) {
+            all.push_back(in_place_of_committed(scene, *end));
+        }
+    }
     std::erase(all, "");
+    all.erase(std::unique(all.begin(), all.end()), all.end());  // of both ends
     all.insert(all.end(), prospect_.warnings.begin(), prospect_.warnings.end());
     return all;
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -39,16 +41,34 @@ std::vector<std::string_view> keys_of(SideKind kind) {
     }
 }
 
+/// Of "30", or of "3:4", whose angle has this cosine and sine but for a factor.
+std::optional<double> degrees_of(std::string_view text) {
+    const auto number = [](std::string_view part) -> std::optional<double> {
+        double value = 0;
+        const char* const end = part.data() + part.size();
+        const auto [stop, error] = std::from_chars(part.data(), end, value);
+        return error == std::errc() && stop == end && value >= 0 ? std::optional(value)
+                                                                 : std::nullopt;
+    };
+    const std::size_t colon = text.find(':');
+    if (colon == std::string_view::npos) {
+        return number(text);
+    }
+    const auto x = number(text.substr(0, colon));
+    const auto y = number(text.substr(colon + 1));
+    return x && y && *x + *y > 0 ? std::optional(std::atan2(*y, *x) * 180 / std::numbers::pi)
+                                 : std::nullopt;
+}
+
 /// "P:30"
 std::optional<ObliqueWave> oblique_wave(const std::string& text) {
     if (text.size() < 3 || (text[0] != 'P' && text[0] != 'S') || text[1] != ':') {
         return std::nullopt;
     }
-    ObliqueWave wave{.is_P = text[0] == 'P'};
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data() + 2, end, wave.degrees);
-    const bool is_angle = error == std::errc() && stop == end;
-    return is_angle && wave.degrees >= 0 && wave.degrees < 90 ? std::optional(wave) : std::nullopt;
+    const auto degrees = degrees_of(std::string_view(text).substr(2));
+    return degrees && *degrees < 90
+               ? std::optional(ObliqueWave{.is_P = text[0] == 'P', .degrees = *degrees})
+               : std::nullopt;
 }
 
 std::vector<ObliqueWave> read_waves(SceneReader& reader, const std::string& key) {
@@ -58,8 +78,8 @@ std::vector<ObliqueWave> read_waves(SceneReader& reader, const std::string& key)
         if (!wave) {
             reader.fail(key,
                         fmt::format("has \"{}\": a wave is P or S and the angle from the normal "
-                                    "at which it comes, 0 or more and below 90 degrees, such "
-                                    "as \"P:30\"",
+                                    "at which it comes, 0 or more and below 90 degrees or X:Y, "
+                                    "such as \"P:30\" or \"S:3:4\"",
                                     printable(text.substr(0, 60))));
         }
         waves.push_back(*wave);

@@ -2,17 +2,16 @@
 #include "tools/nmbcrun/scene/scene.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nmbc/coefficients.hpp>
 #include <optional>
-#include <stdexcept>
 
 #include "generator/exact/rational.hpp"
-#include "tools/nmbcrun/scene/read_choice.hpp"
+#include "tools/nmbcrun/scene/read_boundary.hpp"
+#include "tools/nmbcrun/scene/read_exact.hpp"
 #include "tools/nmbcrun/scene/read_influence.hpp"
 #include "tools/nmbcrun/scene/read_sources.hpp"
 #include "tools/nmbcrun/scene/scene_reader.hpp"
@@ -20,170 +19,6 @@
 
 namespace nmbcrun {
 namespace {
-
-constexpr double sponge_target = 1e-2;
-constexpr double pml_target = 1e-4;
-
-const std::vector<std::pair<std::string_view, BoundaryKind>> boundary_kinds{
-    {"nmbc", BoundaryKind::nmbc},
-    {"fixed", BoundaryKind::fixed},
-    {"free", BoundaryKind::free},
-    {"mirror", BoundaryKind::mirror},
-    {"node_mirror", BoundaryKind::node_mirror},
-    {"snm", BoundaryKind::snm},
-    {"sbp", BoundaryKind::sbp},
-    {"kernel", BoundaryKind::kernel},
-    {"cut", BoundaryKind::cut},
-    {"extended", BoundaryKind::extended},
-    {"exact", BoundaryKind::exact},
-    {"sponge", BoundaryKind::sponge},
-    {"pml", BoundaryKind::pml},
-    {"passive", BoundaryKind::passive},
-    {"higdon", BoundaryKind::higdon},
-    {"truncated", BoundaryKind::truncated}};
-
-const std::vector<std::pair<BoundaryKind, nmbc::Closure>> surfaces{
-    {BoundaryKind::mirror, nmbc::Closure::mirror},
-    {BoundaryKind::snm, nmbc::Closure::surface_node},
-    {BoundaryKind::sbp, nmbc::Closure::sbp},
-    {BoundaryKind::kernel, nmbc::Closure::kernel},
-    {BoundaryKind::cut, nmbc::Closure::cut},
-    {BoundaryKind::node_mirror, nmbc::Closure::node_mirror}};
-
-/// In words.
-std::string_view name_of(nmbc::Closure closure) {
-    switch (closure) {
-        case nmbc::Closure::surface_node:
-            return "surface node";
-        case nmbc::Closure::sbp:
-            return "summation by parts";
-        case nmbc::Closure::kernel:
-            return "convex kernels";
-        case nmbc::Closure::cut:
-            return "cut";
-        case nmbc::Closure::node_mirror:
-            return "mirror through the outermost node";
-        case nmbc::Closure::mirror:
-            break;
-    }
-    return "mirror";
-}
-
-/// The keys that count for it, `kind` aside.
-std::vector<std::string_view> keys_of(BoundaryKind kind) {
-    switch (kind) {
-        case BoundaryKind::nmbc:
-        case BoundaryKind::truncated:
-            return {"order", "stride", "ghosts", "matched_step"};
-        case BoundaryKind::higdon:
-            return {"order"};
-        case BoundaryKind::extended:
-            return {"layer"};
-        case BoundaryKind::sponge:
-        case BoundaryKind::pml:
-            return {"layer", "profile", "target"};
-        case BoundaryKind::mirror:
-        case BoundaryKind::snm:
-        case BoundaryKind::sbp:
-        case BoundaryKind::kernel:
-        case BoundaryKind::cut:
-        case BoundaryKind::node_mirror:
-            return {"given"};
-        case BoundaryKind::fixed:
-        case BoundaryKind::free:
-        case BoundaryKind::exact:
-        case BoundaryKind::passive:
-            break;
-    }
-    return {};
-}
-
-bool counts(std::string_view key, BoundaryKind kind) {
-    const auto keys = keys_of(kind);
-    return std::ranges::find(keys, key) != keys.end();
-}
-
-/// Fails for a key of a group that counts neither for its kind nor for the other kinds, of ends
-/// that inherit the key. A file's keys may stay where an override changes one of these kinds.
-void refuse_idle_keys(SceneReader& reader, const std::string& group, BoundaryKind kind,
-                      const std::vector<BoundaryKind>& others) {
-    std::vector<std::string> of_kinds{"boundary.kind", group + ".kind"};
-    if (!others.empty()) {
-        of_kinds.insert(of_kinds.end(), {"boundary.left.kind", "boundary.right.kind"});
-    }
-    const bool kind_is_overridden = std::ranges::any_of(
-        of_kinds, [&](const std::string& key) { return reader.is_overridden(key); });
-    for (const std::string_view name :
-         {"order", "stride", "ghosts", "matched_step", "layer", "profile", "target", "given"}) {
-        const std::string key = fmt::format("{}.{}", group, name);
-        const bool idle =
-            !counts(name, kind) &&
-            std::ranges::none_of(others, [&](BoundaryKind other) { return counts(name, other); });
-        if (idle && reader.has(key) && (reader.is_overridden(key) || !kind_is_overridden)) {
-            const auto keys = keys_of(kind);
-            reader.fail(key, fmt::format("does not count for kind \"{}\"{}{}", name_of(kind),
-                                         keys.empty() ? ", which has no keys of its own"
-                                                      : ", whose keys are ",
-                                         fmt::join(keys, ", ")));
-        }
-    }
-}
-
-/// An exact number in lowest terms: a string "p/q", or a decimal number as it is written.
-std::optional<std::string> read_exact(SceneReader& reader, const std::string& key) {
-    const auto given = reader.number_or_text(key);
-    try {
-        return given ? std::optional(nmbcgen::to_string(nmbcgen::parse_rational(*given)))
-                     : std::nullopt;
-    } catch (const std::invalid_argument& error) {
-        reader.fail(key, "must be an exact number not below 0: " + std::string(error.what()));
-    }
-}
-
-/// The keys of `group`; those that are not there are as in `others`.
-Boundary read_boundary(SceneReader& reader, const std::string& group, const Boundary& others) {
-    const auto kind = read_choice(reader, group + ".kind", boundary_kinds);
-    const auto order = reader.whole_number(group + ".order", 1, 1000);
-    const auto stride = reader.whole_number(group + ".stride", 1, 1000);
-    const auto ghosts = read_choice<nmbc::GhostRule>(
-        reader, group + ".ghosts",
-        {{"midpoint", nmbc::GhostRule::midpoint}, {"explicit", nmbc::GhostRule::explicit_rule}});
-    const auto layer = reader.whole_number(group + ".layer", 1, most_layer);
-    const auto profile = reader.number(group + ".profile", up_to_10);
-    const auto target = reader.number(group + ".target", between_0_and_1);
-    const auto given = read_choice<nmbc::OnSurface>(
-        reader, group + ".given",
-        {{"traction", nmbc::OnSurface::traction}, {"displacement", nmbc::OnSurface::displacement}});
-    return {
-        .kind = kind.value_or(others.kind),
-        .order = int(order.value_or(others.order)),
-        .stride = int(stride.value_or(others.stride)),
-        .ghosts = ghosts.value_or(others.ghosts),
-        .matched_step = read_exact(reader, group + ".matched_step").value_or(others.matched_step),
-        .layer = std::size_t(layer.value_or(long(others.layer))),
-        .profile = profile.value_or(others.profile),
-        .target = target ? target : others.target,
-        .given = given.value_or(others.given),
-        .value = {}};
-}
-
-/// What is given on the surface at one end.
-std::optional<ForceHistory> read_value(SceneReader& reader, const std::string& path,
-                                       const std::string& end, BoundaryKind kind) {
-    const std::string name = end + ".value";
-    if (!reader.has(name)) {
-        return std::nullopt;
-    }
-    if (!is_surface(kind)) {
-        reader.fail(name,
-                    fmt::format("does not count for kind \"{}\"; it is given on a surface: a "
-                                "\"mirror\", \"node_mirror\", \"snm\", \"sbp\", \"kernel\" or "
-                                "\"cut\"",
-                                name_of(kind)));
-    }
-    const KeyGroup group(reader, name, path);
-    return read_history(group, history_of(group));
-}
 
 /// The nearest double to an exact number in a string, or a number. It has no default: 0 is standard
 /// NOPD, which the paper's conditions absorb badly, and any other value is another lattice.
@@ -236,30 +71,6 @@ std::string best_G(long n) {
     return nmbcgen::to_string(nmbcgen::Rational(4 * n * n * n, (n + 1) * (2 * n + 1)));
 }
 
-std::string_view name_of(BoundaryKind kind) {
-    return std::ranges::find(boundary_kinds, kind,
-                             &std::pair<std::string_view, BoundaryKind>::second)
-        ->first;
-}
-
-bool is_physical(BoundaryKind kind) {
-    return kind == BoundaryKind::fixed || kind == BoundaryKind::free || is_surface(kind);
-}
-
-bool is_surface(BoundaryKind kind) {
-    return std::ranges::find(surfaces, kind, &std::pair<BoundaryKind, nmbc::Closure>::first) !=
-           surfaces.end();
-}
-
-nmbc::Closure closure_of(BoundaryKind kind) {
-    const auto found =
-        std::ranges::find(surfaces, kind, &std::pair<BoundaryKind, nmbc::Closure>::first);
-    if (found == surfaces.end()) {
-        throw std::logic_error("this end is no surface");
-    }
-    return found->second;
-}
-
 Scene with_artificial_ends(Scene scene, const Boundary& boundary) {
     for (Boundary* end : {&scene.left, &scene.right}) {
         *end = is_physical(end->kind) ? *end : boundary;
@@ -282,70 +93,6 @@ std::vector<std::filesystem::path> inputs_of(const Scene& scene) {
     }
     std::erase(files, std::filesystem::path());
     return files;
-}
-
-bool has_layer(BoundaryKind kind) {
-    return counts("layer", kind);
-}
-
-bool has_profile(BoundaryKind kind) {
-    return counts("profile", kind);
-}
-
-bool adds_no_energy(BoundaryKind kind) {
-    return !takes_table(kind) && kind != BoundaryKind::higdon;
-}
-
-bool takes_table(BoundaryKind kind) {
-    return kind == BoundaryKind::nmbc || kind == BoundaryKind::truncated;
-}
-
-bool has_certificate(BoundaryKind kind) {
-    return kind == BoundaryKind::nmbc || adds_no_energy(kind);
-}
-
-double target_of(const Boundary& boundary) {
-    return boundary.target.value_or(boundary.kind == BoundaryKind::sponge ? sponge_target
-                                                                          : pml_target);
-}
-
-std::string heading_of(const Boundary& boundary) {
-    switch (boundary.kind) {
-        case BoundaryKind::extended:
-            return boundary.layer > 0 ? fmt::format("extended by {} nodes", boundary.layer)
-                                      : "extended until nothing returns";
-        case BoundaryKind::sponge:
-        case BoundaryKind::pml:
-            return fmt::format("{} of {} nodes, profile {}, target {}", name_of(boundary.kind),
-                               boundary.layer, boundary.profile, target_of(boundary));
-        case BoundaryKind::higdon:
-            return fmt::format("higdon of order {}", boundary.order);
-        case BoundaryKind::mirror:
-        case BoundaryKind::snm:
-        case BoundaryKind::sbp:
-        case BoundaryKind::kernel:
-        case BoundaryKind::cut:
-        case BoundaryKind::node_mirror:
-            return fmt::format("{} {}{}", name_of(closure_of(boundary.kind)),
-                               boundary.given == nmbc::OnSurface::traction ? "under a traction"
-                                                                           : "at a displacement",
-                               boundary.value ? " in time" : " of 0");
-        case BoundaryKind::fixed:
-        case BoundaryKind::free:
-        case BoundaryKind::exact:
-        case BoundaryKind::passive:
-            return std::string(name_of(boundary.kind));
-        case BoundaryKind::nmbc:
-        case BoundaryKind::truncated:
-            break;
-    }
-    const bool midpoint = boundary.ghosts == nmbc::GhostRule::midpoint;
-    return fmt::format("{}{}, stride {}, {} ghosts{}",
-                       boundary.kind == BoundaryKind::nmbc ? "NMBC" : "truncated MBC",
-                       boundary.order, boundary.stride, midpoint ? "midpoint" : "explicit",
-                       boundary.matched_step == "0"
-                           ? std::string()
-                           : ", matched in steps of " + boundary.matched_step + " dX/c");
 }
 
 Overrides split_settings(const std::vector<std::string>& settings) {

@@ -67,7 +67,9 @@ double stabilisation_of(const nmbc::Lattice& lattice) {
                            });
     if (!known || !lattice.damping.empty()) {
         throw std::invalid_argument(
-            "truncated and passive ends know nopd1d of constant influence without damping, "
+            "boundary.kind \"truncated\" and \"passive\" know model.family = \"nopd1d\" of "
+            "constant "
+            "model.influence without damping, "
             "no other lattice");
     }
     return G;

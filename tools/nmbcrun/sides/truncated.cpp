@@ -22,7 +22,12 @@ class MbcCondition final : public nmbc::BoundaryCondition<double> {
     MbcCondition(const nmbc::BoundaryCoefficients& coefficients, nmbc::GhostRule rule,
                  const nmbc::Lattice& lattice, const nmbc::ChainParameters& p)
         : n_(lattice.reach() / 2),
-          boundary_(coefficients, {lattice.reach(), p.wave_speed(), p.spacing, p.time_step}, rule),
+          boundary_(coefficients,
+                    {.ghost_layers = lattice.reach(),
+                     .wave_speed = p.wave_speed(),
+                     .spacing = p.spacing,
+                     .time_step = p.time_step},
+                    rule),
           corrections_(n_, std::vector<double>(3 * n_)) {
         const double rate = p.wave_speed() / p.spacing;
         const int n = int(n_);

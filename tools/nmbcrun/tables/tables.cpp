@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nmbc/coefficients.hpp>
 #include <nmbc/tables/tables.hpp>
@@ -103,7 +104,34 @@ std::string what_there_is(const Scene& scene) {
     return "there is nothing of this family and horizon, but " + families;
 }
 
+/// Whether both have the same coefficients at G, to roundings.
+bool is_same_condition(const nmbc::MatchingTable& one, const nmbc::MatchingTable& other, double G) {
+    const auto alike = [](double a, double b) {
+        constexpr double roundings = 1e-12;
+        return std::abs(a - b) <= roundings * (1 + std::abs(a));
+    };
+    const auto of_one = nmbc::boundary_coefficients(one, G, nmbc::allow_unstable);
+    const auto of_other = nmbc::boundary_coefficients(other, G, nmbc::allow_unstable);
+    return std::ranges::equal(of_one.c, of_other.c, alike) &&
+           std::ranges::equal(of_one.b, of_other.b, alike);
+}
+
 }  // namespace
+
+std::string in_place_of_committed(const Scene& scene, const Boundary& boundary) {
+    const nmbc::MatchingTable& own = table_of(scene, boundary);
+    for (const nmbc::MatchingTable* table : nmbc::generated::tables) {
+        if (table != &own && is_for(*table, scene) && is_same_choice(*table, own) &&
+            table->lattice->weights == own.lattice->weights &&
+            !is_same_condition(own, *table, scene.G)) {
+            return fmt::format(
+                "{} of model.tables takes the place of the committed {}, whose "
+                "coefficients are others",
+                own.name, table->name);
+        }
+    }
+    return {};
+}
 
 std::vector<const nmbc::MatchingTable*> tables_of(const Scene& scene) {
     std::vector<const nmbc::MatchingTable*> tables;

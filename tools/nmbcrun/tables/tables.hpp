@@ -26,6 +26,10 @@ std::vector<int> horizons_of(const Scene& scene);
 /// where the scene's horizon or G is "auto".
 const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary);
 
+/// Says so where the table of such an end is one of the scene's own that has the order, stride and
+/// step of a committed one, and other coefficients; else nothing. Throws as table_of().
+std::string in_place_of_committed(const Scene& scene, const Boundary& boundary);
+
 /// The file of the scene's own tables that has this one, where it was written without a
 /// certificate; else nullptr.
 const TableFile* uncertified_file(const Scene& scene, const nmbc::MatchingTable& table);
