@@ -53,15 +53,15 @@ Volume volume_of(const std::vector<Bond>& bonds) {
 }
 
 /// t = (3 K theta/m) omega |xi| + (15 G/m) omega (e - theta |xi|/3)
-Rational force_of_lps(const Bond& bond, const Volume& volume, const Rational& K,
-                      const Rational& G) {
+Rational force_of_lps(const Bond& bond, const Volume& volume, const Rational& bulk_modulus,
+                      const Rational& shear_modulus) {
     const auto& [m, theta] = volume;
-    return 3 * K * theta / m * bond.influence * bond.length +
-           15 * G / m * bond.influence * (bond.extension - theta * bond.length / 3);
+    return 3 * bulk_modulus * theta / m * bond.influence * bond.length +
+           15 * shear_modulus / m * bond.influence * (bond.extension - theta * bond.length / 3);
 }
 
-const Rational K(7, 3);
-const Rational G(5, 4);
+const Rational bulk_modulus(7, 3);
+const Rational shear_modulus(5, 4);
 
 /// The weights of springs that have what is left of LPS without its dilatation: 2 alpha
 /// omega/|R|^2.
@@ -121,14 +121,14 @@ TEST_CASE("LPS is an EAM-like model: t = -P j + kappa/2, P = -dE/d(vartheta)") {
         // E = ((3K - 5G)/m) (3 vartheta^2/(2m) - 3 vartheta + C), of which P is the derivative:
         // exact by central differences of a quadratic.
         const auto E = [&](const Rational& at) {
-            return (3 * K - 5 * G) / m * (3 * at * at / (2 * m) - 3 * at);
+            return (3 * bulk_modulus - 5 * shear_modulus) / m * (3 * at * at / (2 * m) - 3 * at);
         };
         const Rational P = -(E(vartheta + 1) - E(vartheta - 1)) / 2;
-        CHECK(P == -(3 * K - 5 * G) / m * volume.theta);
+        CHECK(P == -(3 * bulk_modulus - 5 * shear_modulus) / m * volume.theta);
         for (const Bond& bond : bonds) {
             const Rational j = bond.influence * bond.length;
-            const Rational kappa = 30 * G / m * j * (bond.extension / bond.length);
-            CHECK(-P * j + kappa / 2 == force_of_lps(bond, volume, K, G));
+            const Rational kappa = 30 * shear_modulus / m * j * (bond.extension / bond.length);
+            CHECK(-P * j + kappa / 2 == force_of_lps(bond, volume, bulk_modulus, shear_modulus));
         }
     }
 }
@@ -143,9 +143,9 @@ TEST_CASE("PMB is an LPS: nu = 1/4, G = 3K/5, t = (9K/m) omega e = kappa/2") {
         }
         CHECK(denominator == volume.m);
         for (const Bond& bond : bonds) {
-            const Rational t = force_of_lps(bond, volume, K, 3 * K / 5);
-            CHECK(t == 9 * K / volume.m * bond.influence * bond.extension);
-            const Rational c_g = 18 * K / denominator;
+            const Rational t = force_of_lps(bond, volume, bulk_modulus, 3 * bulk_modulus / 5);
+            CHECK(t == 9 * bulk_modulus / volume.m * bond.influence * bond.extension);
+            const Rational c_g = 18 * bulk_modulus / denominator;
             const Rational omega_g = bond.influence * bond.length;
             CHECK(t == c_g * omega_g * (bond.extension / bond.length) / 2);
             // kappa = dw/d(extension), w = c_g s^2 |xi| omega_g/2: a quadratic.
@@ -164,9 +164,9 @@ TEST_CASE("under a dilatation W = 9 K s^2/2, of GPMB at c_g = 18 K/sum |xi| omeg
     const Rational m = volume_of(bonds).m;
     for (const Bond& bond : bonds) {
         // (1/2) w, w = c_g s^2 |xi| omega_g/2
-        of_bonds += 18 * K / m * s * s * bond.length * bond.influence * bond.length / 4;
+        of_bonds += 18 * bulk_modulus / m * s * s * bond.length * bond.influence * bond.length / 4;
     }
-    CHECK(of_bonds == 9 * K * s * s / 2);
+    CHECK(of_bonds == 9 * bulk_modulus * s * s / 2);
     for (const unsigned radius_squared : {1U, 2U, 3U, 4U, 6U}) {
         for (const Rational& nu : {Rational(1, 4), Rational(-1, 2), Rational(2, 5)}) {
             const VectorChoice choice{.radius_squared = radius_squared,

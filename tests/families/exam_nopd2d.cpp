@@ -21,7 +21,7 @@ using namespace nmbcgen::test;
 namespace {
 
 const Rational quarter(1, 4);
-const Polynomial g(std::vector<Rational>{0, 1});
+const Polynomial symbolic_g(std::vector<Rational>{0, 1});
 
 struct Radius {
     unsigned squared;
@@ -254,7 +254,7 @@ TEST_CASE("the dynamical matrix in closed form: no square root, at every angle")
         // S = (g 12 k'/(delta^4 m)) (2 q - A |kappa|^2)
         const Rational factor = 12 * bulk / (Rational(squared) * squared * radius.bonds);
         const Laurent S =
-            g * (Laurent(2 * factor) * q + Laurent(factor * radius.shape) * minus_square);
+            symbolic_g * (Laurent(2 * factor) * q + Laurent(factor * radius.shape) * minus_square);
         const ForceConstants phi =
             force_constants(nopd2d({.radius_squared = squared, .poisson = nu}));
         for (std::size_t a = 0; a < 2; ++a) {

@@ -22,8 +22,8 @@ using namespace nmbcgen::test;
 
 namespace {
 
-const Rational quarter(1, 4);
-const Polynomial g(std::vector<Rational>{0, 1});
+const Rational fourth(1, 4);
+const Polynomial stabilisation(std::vector<Rational>{0, 1});
 
 Laurent number(const Rational& value) {
     return Laurent(value);
@@ -52,7 +52,7 @@ Laurent entry(unsigned radius_squared, const Rational& nu, std::size_t a, std::s
 Laurent along_x(unsigned radius_squared, std::size_t direction) {
     Laurent sum;
     for (const auto& [offset, matrix] :
-         force_constants(nopd2d({.radius_squared = radius_squared, .poisson = quarter}))) {
+         force_constants(nopd2d({.radius_squared = radius_squared, .poisson = fourth}))) {
         sum.add({offset[0], 0, 0}, matrix[direction][direction]);
     }
     return sum;
@@ -84,8 +84,8 @@ Laurent wrong_neighbours_state(unsigned radius_squared) {
     }
     const Rational bulk(2, 3);
     const Rational micromodulus = 12 * bulk / (Rational(radius_squared) * radius_squared);
-    return g * (number(micromodulus / Rational(family.size())) *
-                (sum - number(Rational(1, shape)) * i_s * i_s));
+    return stabilisation * (number(micromodulus / Rational(family.size())) *
+                            (sum - number(Rational(1, shape)) * i_s * i_s));
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ TEST_CASE("(61) to (64): shape tensor, deformation gradient and strain hold") {
         CHECK(K[1] == 0);
         // (62): F_ab = delta_ab + sum of (u_a,J - u_a,I) R_b/K_bb. The squares are of e_xx + e_yy,
         // e_xx - e_yy and 2 e_xy.
-        const auto energy = nopd2d({.radius_squared = radius_squared, .poisson = quarter}).energy;
+        const auto energy = nopd2d({.radius_squared = radius_squared, .poisson = fourth}).energy;
         for (const VectorTerm& term : energy[0].terms) {
             const auto& [i, j, none] = term.offset;
             CHECK(term.factors == std::array{Rational(i, K[0]), Rational(j, K[2]), Rational(0)});
@@ -124,14 +124,14 @@ TEST_CASE("(61) to (64): shape tensor, deformation gradient and strain hold") {
 }
 
 TEST_CASE("(65): the normal stresses hold") {
-    const VectorModel model = nopd2d({.radius_squared = 1, .poisson = quarter});
+    const VectorModel model = nopd2d({.radius_squared = 1, .poisson = fourth});
     // sigma_xx = d(energy)/d(e_xx), of u_{I+1,J} = 1 (e_xx = 1/2) and of v_{I,J+1} = 1 (e_yy =
     // 1/2).
     const Rational sum = evaluate(model.energy[0].weight, 0);
     const Rational difference = evaluate(model.energy[1].weight, 0);
-    const Rational printed = 1 / (2 * (1 - quarter) * (1 + quarter));
+    const Rational printed = 1 / (2 * (1 - fourth) * (1 + fourth));
     CHECK((sum + difference) / 2 == printed);
-    CHECK((sum - difference) / 2 == quarter * printed);
+    CHECK((sum - difference) / 2 == fourth * printed);
 }
 
 TEST_CASE("Fig. 12: along x radius 3 has as many zero-energy modes as radius 2, not one more") {
@@ -144,7 +144,7 @@ TEST_CASE("Fig. 12: along x radius 3 has as many zero-energy modes as radius 2, 
     };
     const std::array in_plane{1U, 2U, 2U};
     for (const unsigned n : {1U, 2U, 3U}) {
-        const VectorModel model = nopd2d({.radius_squared = n * n, .poisson = quarter});
+        const VectorModel model = nopd2d({.radius_squared = n * n, .poisson = fourth});
         CHECK(zeros(symbol_of(project(model, 0).energy)) == in_plane[n - 1]);
         CHECK(zeros(make_model("nopd1d", n).symbol) == n);
     }
@@ -154,7 +154,7 @@ TEST_CASE("(65): the shear stress is halved") {
     // Of u_{I,J+1} = 1 alone: e_xy = 1/4, so that sigma_xy = 2 mu e_xy = 1/(4 (1 + nu)); printed is
     // 1/(8 (1 + nu)). The energy's square of 2 e_xy has the weight mu, and d(energy)/d(2 e_xy) is
     // the stress.
-    const VectorModel model = nopd2d({.radius_squared = 1, .poisson = quarter});
+    const VectorModel model = nopd2d({.radius_squared = 1, .poisson = fourth});
     const VectorSquare& shear = model.energy[2];
     Rational twice_strain = 0;
     for (const VectorTerm& term : shear.terms) {
@@ -162,8 +162,8 @@ TEST_CASE("(65): the shear stress is halved") {
     }
     CHECK(twice_strain == Rational(1, 2));
     const Rational stress = evaluate(shear.weight, 0) * twice_strain;
-    CHECK(stress == 1 / (4 * (1 + quarter)));
-    CHECK(stress != 1 / (8 * (1 + quarter)));
+    CHECK(stress == 1 / (4 * (1 + fourth)));
+    CHECK(stress != 1 / (8 * (1 + fourth)));
 }
 
 TEST_CASE("(66), (68): the sign is reversed, and the shear modulus doubled") {
@@ -185,10 +185,9 @@ TEST_CASE("(66), (68): the sign is reversed, and the shear modulus doubled") {
         CHECK(entry(1, nu, 1, 0) == entry(1, nu, 0, 1));
     }
     // The left side of (66) as printed is that of (68): the entry of u_{I+2} is 1/(4 (nu^2 - 1)).
-    CHECK(
-        evaluate(
-            force_constants(nopd2d({.radius_squared = 1, .poisson = quarter})).at({2, 0, 0})[0][0],
-            0) == Rational(-1, 4) / (1 - quarter * quarter));
+    CHECK(evaluate(
+              force_constants(nopd2d({.radius_squared = 1, .poisson = fourth})).at({2, 0, 0})[0][0],
+              0) == Rational(-1, 4) / (1 - fourth * fourth));
 }
 
 TEST_CASE("(70): an eigenvalue of the matrix with the doubled shear modulus; (71) holds") {
@@ -204,9 +203,9 @@ TEST_CASE("(70): an eigenvalue of the matrix with the doubled shear modulus; (71
     CHECK(doubled_xx + doubled_yy == trace);
     CHECK(doubled_xx * doubled_yy - number(Rational(256, 225)) * x * y == determinant);
     // What holds: c_L^2 (x + y) and c_S^2 (x + y), at every angle.
-    const Laurent xx = entry(1, quarter, 0, 0).at(0);
-    const Laurent yy = entry(1, quarter, 1, 1).at(0);
-    const Laurent xy = entry(1, quarter, 0, 1);
+    const Laurent xx = entry(1, fourth, 0, 0).at(0);
+    const Laurent yy = entry(1, fourth, 1, 1).at(0);
+    const Laurent xy = entry(1, fourth, 0, 1);
     const Laurent P = number(Rational(16, 15)) * (x + y);
     const Laurent S = number(Rational(2, 5)) * (x + y);
     CHECK(xx + yy == P + S);
@@ -222,10 +221,10 @@ TEST_CASE("(72) and (84) are the P branch") {
     const Laurent printed =
         number(Rational(2, 15)) *
         (Polynomial(std::vector<Rational>{8, 90}) * number(1) +
-         g * (number(-60) * (cosine(1, 0) + cosine(0, 1))) +
+         stabilisation * (number(-60) * (cosine(1, 0) + cosine(0, 1))) +
          Polynomial(std::vector<Rational>{-4, 15}) * (cosine(2, 0) + cosine(0, 2)));
     // Of P: trace minus the S branch, both with the stabilisation S/rho; c_S^2 is 2/5.
-    const Laurent trace = entry(1, quarter, 0, 0) + entry(1, quarter, 1, 1);
+    const Laurent trace = entry(1, fourth, 0, 0) + entry(1, fourth, 1, 1);
     const Laurent S_branch = number(Rational(2, 5)) * (sine_x_squared + sine_y_squared);
     const Laurent P_branch = number(Rational(16, 15)) * (sine_x_squared + sine_y_squared);
     const Laurent twice_stabilisation = trace - S_branch - P_branch;
@@ -270,7 +269,7 @@ TEST_CASE("long waves of every family have the same speeds at every angle and G"
     const auto delta = [](std::size_t i, std::size_t j) { return Rational(i == j ? 1 : 0); };
     for (const unsigned radius_squared : {1U, 2U, 4U, 5U, 8U, 9U}) {
         const ForceConstants phi =
-            force_constants(nopd2d({.radius_squared = radius_squared, .poisson = quarter}));
+            force_constants(nopd2d({.radius_squared = radius_squared, .poisson = fourth}));
         for (const std::size_t a : {0U, 1U}) {
             for (const std::size_t b : {0U, 1U}) {
                 for (const std::size_t i : {0U, 1U}) {
@@ -293,7 +292,7 @@ TEST_CASE("long waves of every family have the same speeds at every angle and G"
 TEST_CASE("(80), (81): the coefficients are those of P, for both components") {
     // i omega = i a_1 xi + O(xi^3), c_0 = c_1 = 1: orders 1 and 2 of the residual are
     // 2 i a_1 - i b_1 and (-2 a_1 + b_1)/2, so b_1 = 2 a_1. Squares, c = dX = 1:
-    const VectorModel model = nopd2d({.radius_squared = 1, .poisson = quarter});
+    const VectorModel model = nopd2d({.radius_squared = 1, .poisson = fourth});
     const auto b_1_squared = [&](std::size_t direction) {
         return constant(4) * speed_squared(model, direction);
     };

@@ -20,7 +20,7 @@ using namespace nmbcgen::test;
 
 namespace {
 
-Specification random_specification() {
+Specification random_condition() {
     Specification what{.family = "nopd1d",
                        .horizon = *rc::gen::inRange(1U, 6U),
                        .order = *rc::gen::inRange(1U, 7U),
@@ -36,7 +36,7 @@ Specification random_specification() {
 }
 
 Table random_table() {
-    const Specification what = random_specification();
+    const Specification what = random_condition();
     try {
         return derive(what);
     } catch (const NoSuchBoundary&) {

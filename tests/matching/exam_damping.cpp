@@ -24,7 +24,7 @@ using Float = boost::multiprecision::number<boost::multiprecision::cpp_bin_float
 
 namespace {
 
-Float to_float(const Rational& value) {
+Float in_digits(const Rational& value) {
     return Float(numerator(value).str()) / Float(denominator(value).str());
 }
 
@@ -40,14 +40,14 @@ Float truncation(const std::vector<Rational>& a, int n, const Rational& G, const
     }
     const Float A = Float(n * (n + 1) * (2 * n + 1)) / 3;
     const Float sigma = -4 / pow(Float(n), 4) * (C + S * S / A);
-    const Float decay = to_float(tau) * sigma / 2;
-    const Float omega = sqrt(4 * S * S / (A * A) + to_float(G) * sigma - decay * decay);
+    const Float decay = in_digits(tau) * sigma / 2;
+    const Float omega = sqrt(4 * S * S / (A * A) + in_digits(G) * sigma - decay * decay);
     Float real = -decay;
     Float imaginary = omega;
     Float power = 1;
     for (unsigned k = 1; k <= highest; ++k) {
         power *= xi;
-        const Float term = to_float(a[k]) * power * (k % 4 < 2 ? 1 : -1);
+        const Float term = in_digits(a[k]) * power * (k % 4 < 2 ? 1 : -1);
         (k % 2 == 0 ? real : imaginary) -= term;
     }
     return sqrt(real * real + imaginary * imaginary);
@@ -91,7 +91,7 @@ TEST_CASE("the series of s agrees with the root of the quadratic, in 100 digits"
                     CAPTURE(k);
                     // What the series up to x^k leaves is a_{k+1} x^{k+1} + .., where |a_{k+2}| and
                     // later ones stay below 1e6. An error of 1e-6 in a_k leaves 1e-14 xi^k already.
-                    const Float next = to_float(abs(a[k + 1])) + 1000000 * xi;
+                    const Float next = in_digits(abs(a[k + 1])) + 1000000 * xi;
                     CHECK(truncation(a, n, G, tau, k, xi) < next * pow(xi, int(k) + 1));
                     CHECK(abs(a[k + 1]) < 1000000);
                 }

@@ -31,7 +31,7 @@ Specification chain(unsigned order, std::vector<MatchingPoint> points) {
         .horizon = 1, .order = order, .stabilisation = Rational(1, 2), .points = std::move(points)};
 }
 
-double c(const Table& table, std::size_t j) {
+double c_of(const Table& table, std::size_t j) {
     return nearest_double(evaluate(table.c[j], 0));
 }
 
@@ -54,7 +54,7 @@ TEST_CASE("NMBC1 of the atom chain, matched at one wave number") {
     // 2 sin(xi/2) cos(xi/2) = b sin(xi/2): b = 2 cos(xi/2).
     const Table third = derive(chain(1, {part_of_pi(Rational(1, 3), 1)}));
     CHECK(third.digits == 40);
-    CHECK(c(third, 1) == 1);
+    CHECK(c_of(third, 1) == 1);
     CHECK(b(third, 0) == -std::sqrt(3.0));
     CHECK(b(third, 1) == std::sqrt(3.0));
 
@@ -70,7 +70,7 @@ TEST_CASE("NMBC2 of the atom chain, matched at 0 and at pi/3") {
     // omega (c + 2 cos xi) = 2 b sin xi, c + 2 = 2 b at xi = 0 (rows up to 2 of (49)) and
     // c + 1 = b sqrt(3) at pi/3: b = 2 + sqrt(3), c = 2 + 2 sqrt(3).
     const Table table = derive(chain(2, {part_of_pi(Rational(1, 3), 1)}));
-    CHECK(c(table, 1) == 2 + 2 * std::sqrt(3.0));
+    CHECK(c_of(table, 1) == 2 + 2 * std::sqrt(3.0));
     CHECK(b(table, 2) == 2 + std::sqrt(3.0));
     CHECK(evaluate(table.b[1], 0) == 0);
     CHECK(evaluate(table.c[1], 0) + 2 == 2 * evaluate(table.b[2], 0));  // exactly
@@ -81,10 +81,10 @@ TEST_CASE("points that run together") {
     for (const Rational& tau : {Rational(0), Rational(1, 10)}) {
         Specification what = chain(3, {point(1, 2)});
         what.damping = tau;
-        const double double_point = c(derive(what), 1);
+        const double double_point = c_of(derive(what), 1);
         const auto split = [&](const Rational& e) {
             what.points = {point(1 - e, 1), point(1 + e, 1)};
-            return c(derive(what), 1) - double_point;
+            return c_of(derive(what), 1) - double_point;
         };
         const double near = split(Rational(1, 200));
         CHECK(std::abs(near) > 1e-6);  // not a matter of roundings
@@ -93,9 +93,10 @@ TEST_CASE("points that run together") {
     }
     Specification what = chain(2, {point(Rational(1, 100), 1)});
     const Table standard = derive(chain(2, {}));
-    const double far = c(derive(what), 1) - c(standard, 1);
+    const double far = c_of(derive(what), 1) - c_of(standard, 1);
     what.points = {point(Rational(1, 200), 1)};
-    CHECK(far / (c(derive(what), 1) - c(standard, 1)) == doctest::Approx(4).epsilon(1e-3).scale(0));
+    CHECK(far / (c_of(derive(what), 1) - c_of(standard, 1)) ==
+          doctest::Approx(4).epsilon(1e-3).scale(0));
 }
 
 TEST_CASE("symmetric without damping, in strides and in steps; not with damping") {
@@ -168,7 +169,7 @@ TEST_CASE("next to xi = 0, and a coefficient that is zero, and many rows") {
     what = chain(2, {point(Rational(1, 100000), 1)});
     const Table standard = derive(chain(2, {}));
     // O(xi^2) away, and a few roundings.
-    CHECK(std::abs(c(derive(what), 1) - c(standard, 1)) < 1e-9);
+    CHECK(std::abs(c_of(derive(what), 1) - c_of(standard, 1)) < 1e-9);
     // n = 1, G = 9/2: omega^2/tan^2(xi/2) = (3/4 + 9/4) 3 = 9 at pi/3, a square.
     what = {.horizon = 1,
             .order = 2,

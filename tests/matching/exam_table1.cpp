@@ -20,7 +20,7 @@ const GiNaC::symbol a1("a_1");
 const GiNaC::symbol a3("a_3");
 const GiNaC::symbol a5("a_5");
 const GiNaC::symbol a7("a_7");
-const GiNaC::symbol dX("dX");
+const GiNaC::symbol dX_of_table("dX");
 
 /// The denominators that several printed formulas share.
 const std::string denominator_6 =
@@ -50,19 +50,19 @@ const std::string I9_printed = I9_before_last_term + " + 4*a1^2*dX^6) / (3*" + d
 const std::string I9_corrected =
     I9_before_last_term + " + 4*a1^3*dX^6) / (3*" + denominator_6 + ")";
 
-ex printed(const std::string& formula) {
-    return Reader({{"a1", a1}, {"a3", a3}, {"a5", a5}, {"a7", a7}, {"dX", dX}})(formula);
+ex printed_ratio(const std::string& formula) {
+    return Reader({{"a1", a1}, {"a3", a3}, {"a5", a5}, {"a7", a7}, {"dX", dX_of_table}})(formula);
 }
 
 /// c_j and b_j of NMBC1 to 4, nothing known of the model but a_0 = a_2 = .. = 0.
 MatchingPolynomials general(unsigned order) {
-    return match({0, a1, 0, a3, 0, a5, 0, a7, 0}, dX, order);
+    return match({0, a1, 0, a3, 0, a5, 0, a7, 0}, dX_of_table, order);
 }
 
 /// Whether C[j]/C[0], or B[j]/C[0], is the printed formula, identically.
 bool holds(const std::vector<ex>& coefficients, unsigned j, const std::string& formula,
            const ex& C0) {
-    return identical(coefficients[j] / C0, printed(formula));
+    return identical(coefficients[j] / C0, printed_ratio(formula));
 }
 
 /// One row of Table 1.
@@ -98,10 +98,11 @@ TEST_CASE("I_9 as printed does not hold: a_1^2 dX^6 should be a_1^3 dX^6") {
     // As printed it is not even homogeneous: b_1 is of degree 1 in the a_k together.
     const GiNaC::symbol t("t");
     const GiNaC::exmap scaled{{a1, t * a1}, {a3, t * a3}, {a5, t * a5}, {a7, t * a7}};
-    CHECK_FALSE(identical(printed(I9_printed).subs(scaled), t * printed(I9_printed)));
-    CHECK(identical(printed(I9_corrected).subs(scaled), t * printed(I9_corrected)));
+    CHECK_FALSE(identical(printed_ratio(I9_printed).subs(scaled), t * printed_ratio(I9_printed)));
+    CHECK(identical(printed_ratio(I9_corrected).subs(scaled), t * printed_ratio(I9_corrected)));
     // With a_1 = 1, the only value at c = 1, the two cannot be told apart.
-    CHECK(identical(printed(I9_printed).subs(a1 == 1), printed(I9_corrected).subs(a1 == 1)));
+    CHECK(identical(printed_ratio(I9_printed).subs(a1 == 1),
+                    printed_ratio(I9_corrected).subs(a1 == 1)));
 }
 
 TEST_CASE("Table 1 at random numbers, against the system (49) solved as printed") {
@@ -119,9 +120,9 @@ TEST_CASE("Table 1 at random numbers, against the system (49) solved as printed"
             continue;
         }
         const GiNaC::lst values{a1 == to_ginac(a[1]), a3 == to_ginac(a[3]), a5 == to_ginac(a[5]),
-                                a7 == to_ginac(a[7]), dX == to_ginac(spacing)};
+                                a7 == to_ginac(a[7]), dX_of_table == to_ginac(spacing)};
         const auto value = [&values](const std::string& formula) {
-            return printed(formula).subs(values);
+            return printed_ratio(formula).subs(values);
         };
         CHECK(value(I6).is_equal(to_ginac((*solution)[1])));
         CHECK(value(I7).is_equal(to_ginac((*solution)[2])));

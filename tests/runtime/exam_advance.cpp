@@ -12,7 +12,7 @@
 
 namespace {
 
-constexpr double G = 0.9;
+constexpr double G_of_advance = 0.9;
 
 const nmbc::MatchingTable& table_of(int horizon) {
     const auto* table = nmbc::find_table(nmbc::generated::tables, "nopd1d", horizon, 1);
@@ -49,7 +49,7 @@ void check_same(const nmbc::BasicChain<Real>& one, const nmbc::BasicChain<Real>&
 TEST_CASE_TEMPLATE("advance is so many steps, bit for bit", Real, double, float) {
     using End = nmbc::BasicChainEnd<Real>;
     const nmbc::MatchingEnd matching{
-        nmbc::boundary_coefficients(table_of(1), G, nmbc::allow_unstable)};
+        nmbc::boundary_coefficients(table_of(1), G_of_advance, nmbc::allow_unstable)};
     // Some blocks, with a rest; less than one; and one node.
     for (const std::size_t nodes : {1111U, 61U, 1U}) {
         for (const bool damped : {false, true}) {

@@ -20,7 +20,7 @@ using namespace nmbc;
 
 namespace {
 
-constexpr auto none = [](auto, auto) { return false; };  // no node is kept whole
+constexpr auto no_node = [](auto, auto) { return false; };  // no node is kept whole
 
 /// Weights that differ, all above 0.
 BondModel some_bonds(unsigned radius_squared) {
@@ -131,7 +131,7 @@ TEST_CASE("the energy of a body whose bonds break goes down by what these had, t
         plane.cut({4, 12.5}, {15, 12.5});
         fill_at_random(plane, 5);
         plane.start();
-        plane.break_above(1.6, none);
+        plane.break_above(1.6, no_node);
         const double at_first = plane.energies().staggered;
         plane.advance(300);
         CHECK(plane.broken() > 100);
@@ -149,7 +149,7 @@ TEST_CASE("bonds that may break before the start break in the first step, and ar
         const PlaneParameters p = parameters(18, 17, model, sides);
         Plane plane(model, sides, p);
         fill_at_random(plane, 8);
-        plane.break_above(1, none);
+        plane.break_above(1, no_node);
         plane.start();
         CHECK(plane.broken() == 0);
         const double at_first = plane.energies().staggered;
@@ -159,7 +159,7 @@ TEST_CASE("bonds that may break before the start break in the first step, and ar
         CHECK(plane.energies().staggered + plane.released() + sum_of(plane.left()) ==
               doctest::Approx(at_first).epsilon(1000 * eps));
         Plane other(model, sides, p);
-        other.break_above(1, none);
+        other.break_above(1, no_node);
         other.resume(state);
         other.advance(20);
         CHECK(other.broken() == plane.broken());
@@ -185,7 +185,7 @@ TEST_CASE("bonds over the seam of periodic sides break as others do, unless thei
     Plane all(model, sides, plane.parameters());
     fill_at_random(all, 6);
     all.start();
-    all.break_above(1, none);
+    all.break_above(1, no_node);
     all.advance(30);
     double at_seam = 0;
     double inside = 0;
@@ -207,7 +207,7 @@ TEST_CASE("what is symmetric stays so bit for bit while bonds break") {
          {PlaneSides::all(FreeSide{}), PlaneSides{FreeSide{}, passive, passive, passive}}) {
         Plane plane(model, sides, parameters(nx, ny, model, sides));
         plane.cut({-1, (ny - 1) / 2.0}, {20.3, (ny - 1) / 2.0});
-        plane.break_above(0.02, none);
+        plane.break_above(0.02, no_node);
         std::mt19937 engine(3);
         std::uniform_real_distribution<double> uniform(0, 1);
         for (std::size_t x = 0; x < nx; ++x) {
@@ -301,8 +301,8 @@ TEST_CASE("a lattice with weights below 0 may not break, and explodes where it d
     const PlaneParameters p = parameters(20, 20, model, sides);
     const auto grown = [&](double stretch) {
         Plane plane(model, sides, p);
-        CHECK_THROWS_AS(plane.break_above(stretch, none), std::invalid_argument);
-        plane.break_above(stretch, none, allow_unstable);
+        CHECK_THROWS_AS(plane.break_above(stretch, no_node), std::invalid_argument);
+        plane.break_above(stretch, no_node, allow_unstable);
         fill_at_random(plane, 2);
         plane.start();
         const double before = plane.energies().total();
@@ -328,7 +328,7 @@ TEST_CASE("models of bonds that there are not") {
     CHECK_THROWS_AS(bond_weights(8, {1, 1, 1, 1, 1}), std::invalid_argument);
     Plane plane(model, PlaneSides::all(FixedSide{}), {.nx = 9, .ny = 9, .time_step = 0.1});
     for (const double stretch : {0.0, -1.0, std::nan("")}) {
-        CHECK_THROWS_AS(plane.break_above(stretch, none), std::invalid_argument);
+        CHECK_THROWS_AS(plane.break_above(stretch, no_node), std::invalid_argument);
     }
     PassiveSide passive = some_passive_side(0);
     passive.made_for = bond2d(2, {1, 0.6});

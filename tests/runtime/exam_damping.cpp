@@ -18,7 +18,7 @@ using nmbc::generated::nopd1d_n1_order1;
 /// so that a_1 .. a_3 and with them NMBC1 are those of the undamped lattice.
 constexpr nmbc::RationalFunction quarter_sigma[]{{"3", "4"}, {"-1", "2"}, {"1", "8"}};
 
-constexpr nmbc::LatticeTable damped = [] {
+constexpr nmbc::LatticeTable damped_bonds = [] {
     nmbc::LatticeTable lattice = *nopd1d_n1_order1.lattice;
     lattice.name = "nopd1d_n1_tau1o4";
     lattice.tau = "1/4";
@@ -29,7 +29,7 @@ constexpr nmbc::LatticeTable damped = [] {
 constexpr nmbc::MatchingTable damped_table = [] {
     nmbc::MatchingTable table = nopd1d_n1_order1;
     table.name = "nopd1d_n1_order1_tau1o4";
-    table.lattice = &damped;
+    table.lattice = &damped_bonds;
     table.contractive = {};
     table.least_nodes = 50;
     return table;
@@ -77,7 +77,7 @@ void fill_randomly(nmbc::Chain& chain) {
 }
 
 const nmbc::ChainEnd fixed_end = nmbc::FixedEnd{};
-const nmbc::ChainEnd free_end = nmbc::FreeEnd{};
+const nmbc::ChainEnd unloaded = nmbc::FreeEnd{};
 
 TEST_CASE("the damping of a table") {
     CHECK(nmbc::make_lattice(damped_table, 0.5).damping == std::vector<double>{0.75, -0.5, 0.125});
@@ -113,7 +113,7 @@ TEST_CASE("a damped boundary is certified for long chains only") {
     CHECK_THROWS_WITH_AS(
         nmbc::Chain(lattice, nmbc::MatchingEnd{coefficients}, {.nodes = 49, .time_step = 0.1}),
         doctest::Contains("from 50 interior nodes on, and has 49"), nmbc::NotCertified);
-    CHECK_THROWS_AS(nmbc::Chain(lattice, free_end, nmbc::MatchingEnd{coefficients},
+    CHECK_THROWS_AS(nmbc::Chain(lattice, unloaded, nmbc::MatchingEnd{coefficients},
                                 {.nodes = 49, .time_step = 0.1}),
                     nmbc::NotCertified);
     CHECK_NOTHROW(
@@ -166,7 +166,7 @@ TEST_CASE("a plane wave decays as the discrete dispersion relation says") {
 TEST_CASE("between free ends the staggered energy loses what the damping takes") {
     for (int n = 1; n <= 5; ++n) {
         nmbc::Chain chain(
-            damped_lattice(n, 0.8, 0.2), free_end, free_end,
+            damped_lattice(n, 0.8, 0.2), unloaded, unloaded,
             {.nodes = 30, .spacing = 0.5, .youngs_modulus = 3, .density = 2, .time_step = 0.05});
         fill_randomly(chain);
         const std::vector<double> u(chain.displacement().begin(), chain.displacement().end());
@@ -192,7 +192,7 @@ TEST_CASE("between free ends the staggered energy loses what the damping takes")
 }
 
 TEST_CASE("prescribed velocities do work on a damped chain; the rest of the ledger is as before") {
-    nmbc::Chain chain(damped_lattice(2, 0.8, 0.2), free_end, free_end,
+    nmbc::Chain chain(damped_lattice(2, 0.8, 0.2), unloaded, unloaded,
                       {.nodes = 30, .spacing = 0.5, .density = 2, .time_step = 0.05});
     chain.step();
     double work = 0;

@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr double G = 0.9;
+constexpr double G_of_ends = 0.9;
 
 const nmbc::MatchingTable& table_of(int horizon, int order, int stride = 1) {
     const auto* table = nmbc::find_table(nmbc::generated::tables, "nopd1d", horizon, order, stride);
@@ -19,12 +19,13 @@ const nmbc::MatchingTable& table_of(int horizon, int order, int stride = 1) {
 }
 
 nmbc::MatchingEnd matching(int horizon, int order, int stride = 1) {
-    return {nmbc::boundary_coefficients(table_of(horizon, order, stride), G, nmbc::allow_unstable)};
+    return {nmbc::boundary_coefficients(table_of(horizon, order, stride), G_of_ends,
+                                        nmbc::allow_unstable)};
 }
 
 nmbc::Chain chain_between(int horizon, const nmbc::ChainEnd& left, const nmbc::ChainEnd& right,
                           const nmbc::ChainParameters& parameters) {
-    return {nmbc::make_lattice(table_of(horizon, 1), G), left, right, parameters};
+    return {nmbc::make_lattice(table_of(horizon, 1), G_of_ends), left, right, parameters};
 }
 
 /// Displacements and velocities on all nodes, ghosts included.
@@ -59,13 +60,14 @@ double leapfrog_energy(const nmbc::Chain& chain) {
     return sum;
 }
 
-const nmbc::ChainEnd fixed = nmbc::FixedEnd{};
+const nmbc::ChainEnd clamped = nmbc::FixedEnd{};
 const nmbc::ChainEnd free_end = nmbc::FreeEnd{};
 
 TEST_CASE("fixed and free ends keep the leapfrog energy") {
     for (int horizon = 1; horizon <= 5; ++horizon) {
         for (const auto& [left, right] :
-             {std::pair(fixed, fixed), std::pair(free_end, free_end), std::pair(fixed, free_end)}) {
+             {std::pair(clamped, clamped), std::pair(free_end, free_end),
+              std::pair(clamped, free_end)}) {
             auto chain = chain_between(
                 horizon, left, right,
                 {.nodes = 40, .spacing = 0.5, .youngs_modulus = 3, .density = 2, .time_step = 0.1});
@@ -103,7 +105,7 @@ TEST_CASE("the staggered energy of the interior is kept between free ends") {
 }
 
 TEST_CASE("ghosts of fixed and free ends") {
-    auto chain = chain_between(2, fixed, free_end, {.nodes = 20, .time_step = 0.1});
+    auto chain = chain_between(2, clamped, free_end, {.nodes = 20, .time_step = 0.1});
     const State state = random_state(chain);
     chain.start(state.u, state.v);
     for (int i = 0; i < 50; ++i) {
@@ -145,7 +147,7 @@ TEST_CASE("a free end is the middle of a chain twice as long") {
 
 TEST_CASE("mirrored set-ups give mirrored results bit for bit") {
     const std::vector<nmbc::ChainEnd> ends{
-        fixed, free_end, matching(2, 1), matching(2, 2, 2),
+        clamped, free_end, matching(2, 1), matching(2, 2, 2),
         nmbc::MatchingEnd{matching(2, 1).coefficients, nmbc::GhostRule::explicit_rule}};
     for (const auto& one : ends) {
         for (const auto& other : ends) {
@@ -171,18 +173,19 @@ TEST_CASE("mirrored set-ups give mirrored results bit for bit") {
 }
 
 TEST_CASE("chains too short for their ends, and wrong parameters") {
-    CHECK_THROWS_AS(chain_between(2, fixed, free_end, {.nodes = 3, .time_step = 0.1}),
+    CHECK_THROWS_AS(chain_between(2, clamped, free_end, {.nodes = 3, .time_step = 0.1}),
                     std::invalid_argument);
-    CHECK_NOTHROW(chain_between(2, fixed, free_end, {.nodes = 4, .time_step = 0.1}));
-    CHECK_THROWS_AS(chain_between(2, fixed, fixed, {.nodes = 0, .time_step = 0.1}),
+    CHECK_NOTHROW(chain_between(2, clamped, free_end, {.nodes = 4, .time_step = 0.1}));
+    CHECK_THROWS_AS(chain_between(2, clamped, clamped, {.nodes = 0, .time_step = 0.1}),
                     std::invalid_argument);
-    CHECK_NOTHROW(chain_between(2, fixed, fixed, {.nodes = 1, .time_step = 0.1}));
-    CHECK_THROWS_AS(chain_between(2, fixed, matching(2, 2, 2), {.nodes = 3, .time_step = 0.1}),
+    CHECK_NOTHROW(chain_between(2, clamped, clamped, {.nodes = 1, .time_step = 0.1}));
+    CHECK_THROWS_AS(chain_between(2, clamped, matching(2, 2, 2), {.nodes = 3, .time_step = 0.1}),
                     std::invalid_argument);
-    CHECK_THROWS_AS(chain_between(2, fixed, fixed, {.nodes = 5, .time_step = 0}),
+    CHECK_THROWS_AS(chain_between(2, clamped, clamped, {.nodes = 5, .time_step = 0}),
                     std::invalid_argument);
-    CHECK_THROWS_AS(chain_between(2, fixed, fixed, {.nodes = 5, .spacing = -1, .time_step = 0.1}),
-                    std::invalid_argument);
+    CHECK_THROWS_AS(
+        chain_between(2, clamped, clamped, {.nodes = 5, .spacing = -1, .time_step = 0.1}),
+        std::invalid_argument);
 }
 
 }  // namespace

@@ -210,7 +210,7 @@ PlaneParameters parameters(const PlaneModel& model, const PlaneSides& sides) {
     return p;
 }
 
-BondModel some_bonds(unsigned radius_squared) {
+BondModel equal_bonds(unsigned radius_squared) {
     return bond2d(radius_squared,
                   std::vector<double>(plane_bond_classes(radius_squared).size(), 0.1));
 }
@@ -245,7 +245,8 @@ TEST_CASE("blocks that exchange their edges are the whole") {
     };
     for (const PlaneModel& model :
          {PlaneModel(nopd2d(1, 0.25, 0.5)), PlaneModel(nopd2d(4, 0.25, 0.5)),
-          PlaneModel(nopd2d(9, 0.25, 0.5)), PlaneModel(some_bonds(4)), PlaneModel(some_bonds(9))}) {
+          PlaneModel(nopd2d(9, 0.25, 0.5)), PlaneModel(equal_bonds(4)),
+          PlaneModel(equal_bonds(9))}) {
         CAPTURE(model.horizon());
         const bool is_bond_based = std::holds_alternative<BondModel>(model.law());
         for (std::size_t number = 0; number + (is_bond_based ? 1 : 0) < bodies.size(); ++number) {
@@ -277,7 +278,7 @@ TEST_CASE("blocks that exchange their edges are the whole") {
 }
 
 TEST_CASE("cracks go on from block to block, and each bond is counted once") {
-    const PlaneModel model = some_bonds(9);
+    const PlaneModel model = equal_bonds(9);
     const PassiveSide passive = some_passive_side(0);
     for (const PlaneSides& sides :
          {PlaneSides{FreeSide{}, passive, passive, FixedSide{}},
@@ -327,6 +328,6 @@ TEST_CASE("a block has as many nodes as its neighbours copy") {
     const PlaneSides sides{FreeSide{}, HaloSide{}, FreeSide{}, FreeSide{}};
     const PlaneParameters p{.nx = 3, .ny = 9, .time_step = 0.1};
     CHECK_THROWS_AS(Plane(nopd2d(4, 0.25, 0), sides, p), std::invalid_argument);
-    CHECK_THROWS_AS(Plane(some_bonds(16), sides, p), std::invalid_argument);
-    CHECK_NOTHROW(Plane(some_bonds(9), sides, p));
+    CHECK_THROWS_AS(Plane(equal_bonds(16), sides, p), std::invalid_argument);
+    CHECK_NOTHROW(Plane(equal_bonds(9), sides, p));
 }

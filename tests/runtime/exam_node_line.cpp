@@ -90,7 +90,7 @@ TEST_CASE("a line of one component among several at each node") {
 }
 
 /// Lines of nodes side by side that do not know of each other, each a chain along the axis.
-struct Plane {
+struct TwoFields {
     nmbc::Grid grid;
     std::size_t axis;
     const nmbc::detail::Kick<double>& force;
@@ -140,14 +140,14 @@ TEST_CASE("a plane of chains side by side, stepped as a plane, is those chains, 
     const auto force = nmbc::detail::make_kick<double>(lattice.symbol, -time_step);
     for (const std::size_t axis : {0U, 1U}) {
         const nmbc::Grid grid = axis == 0 ? nmbc::Grid{48, 3} : nmbc::Grid{3, 48};
-        Plane plane{grid,
-                    axis,
-                    *force,
-                    boundary,
-                    time_step,
-                    random_field<double>(std::size_t{48} * 3, 1),
-                    random_field<double>(std::size_t{48} * 3, 2)};
-        const Plane before = plane;
+        TwoFields plane{grid,
+                        axis,
+                        *force,
+                        boundary,
+                        time_step,
+                        random_field<double>(std::size_t{48} * 3, 1),
+                        random_field<double>(std::size_t{48} * 3, 2)};
+        const TwoFields before = plane;
         nmbc::detail::advance(plane, 50);
         for (std::size_t line = 0; line < plane.lines(); ++line) {
             nmbc::Chain chain(lattice, nmbc::MatchingEnd{coefficients},

@@ -21,13 +21,13 @@ nmbc::Lattice atom_chain() {
 }
 
 const double spring = std::sqrt(8 * (std::sqrt(5.0) - 2));
-const double x = (3 - std::sqrt(5.0)) / 2;
+const double golden = (3 - std::sqrt(5.0)) / 2;
 
 nmbc::PassiveEnd fourth_order() {
     return {.rows = 2,
             .stiffness = {spring, -spring, 0, 0,  //
                           -spring, spring + 1, -1, 0},
-            .mass = {x / spring, 0.5 + (1 - x) / spring},
+            .mass = {golden / spring, 0.5 + (1 - golden) / spring},
             .dashpots = {1, 0, 0, 0},
             .highest_eigenvalue = 6.7330};  // by power iteration
 }

@@ -18,12 +18,12 @@ using nmbc::generated::nopd1d_n2_order1;
 using nmbc::generated::nopd1d_n2_order2_s2;
 using nmbc::generated::nopd1d_n3_order2_s3;
 
-constexpr double G = 0.5;
+constexpr double half_G = 0.5;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A loop of one's own over the lattice of nopd1d_n1_order2 at G, to t = 5000 or infinity.
 double largest_after(const nmbc::MatchingBoundary& boundary, double time_step) {
-    const auto lattice = nmbc::make_lattice(nopd1d_n1_order2, G);
+    const auto lattice = nmbc::make_lattice(nopd1d_n1_order2, half_G);
     std::vector<double> u(104);
     std::vector<double> v(u.size());
     std::vector<double> a(u.size());
@@ -53,15 +53,15 @@ TEST_CASE("a boundary refuses a step longer than the certified, which blows up")
         return nmbc::MatchingBoundary(
             coefficients, {.ghost_layers = 2, .wave_speed = 1, .spacing = 1, .time_step = step});
     };
-    const auto certified = nmbc::boundary_coefficients(nopd1d_n1_order2, G);
-    const auto any = nmbc::boundary_coefficients(nopd1d_n1_order2, G, nmbc::allow_unstable);
+    const auto certified = nmbc::boundary_coefficients(nopd1d_n1_order2, half_G);
+    const auto any = nmbc::boundary_coefficients(nopd1d_n1_order2, half_G, nmbc::allow_unstable);
     CHECK_THROWS_WITH_AS(
         boundary(0.75, certified),
         "a time step of 0.75 is not certified: it may be 0.69 at most, in the units given; take "
         "the coefficients with allow_unstable to run it",
         nmbc::NotCertified);
     CHECK(largest_after(boundary(0.75, any), 0.75) == infinite);
-    const double longest = nmbc::stable_time_step(nopd1d_n1_order2, G, 1, 1);
+    const double longest = nmbc::stable_time_step(nopd1d_n1_order2, half_G, 1, 1);
     CHECK(longest == doctest::Approx(0.69).scale(0).epsilon(1e-12));
     // Short waves, which hardly move, are what is left.
     CHECK(largest_after(boundary(longest, certified), longest) < 0.1);

@@ -24,7 +24,7 @@ nmbc::ChainParameters parameters_of(std::size_t nodes, double cfl, const nmbc::L
 }
 
 /// X of an entry, from the left surface.
-double place(const nmbc::Chain& chain, std::size_t entry) {
+double place_of(const nmbc::Chain& chain, std::size_t entry) {
     return (double(entry) + 0.5 - double(chain.first_interior())) * chain.parameters().spacing;
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("a bar under a constant strain stays as it is, between a displacement 
                 SurfaceEnd{closure, OnSurface::traction, constant(p.youngs_modulus * strain)}, p);
             std::vector<double> u(chain.nodes());
             for (std::size_t i = 0; i < u.size(); ++i) {
-                u[i] = 1.5 + strain * place(chain, i);
+                u[i] = 1.5 + strain * place_of(chain, i);
             }
             chain.start(u, std::vector<double>(u.size()));
             chain.advance(2000);
@@ -186,8 +186,8 @@ double error_of_wave(Closure closure, OnSurface given, double width) {
     while (chain.time() < 2.5 * middle) {
         chain.step();
         for (std::size_t i = chain.first_interior(); i + chain.ghosts() < chain.nodes(); ++i) {
-            error = std::max(
-                error, std::abs(chain.displacement()[i] - g(chain.time() - place(chain, i) / c)));
+            error = std::max(error, std::abs(chain.displacement()[i] -
+                                             g(chain.time() - place_of(chain, i) / c)));
         }
     }
     return error;

@@ -15,14 +15,14 @@
 
 namespace {
 
-constexpr double G = 0.5;
+constexpr double matched_G = 0.5;
 constexpr const nmbc::MatchingTable& matched = nmbc::generated::nopd1d_n1_order2_dt1o2;
 constexpr const nmbc::MatchingTable& continuous = nmbc::generated::nopd1d_n1_order2;
 
 nmbc::Chain chain_of(const nmbc::MatchingTable& table, const nmbc::ChainParameters& parameters,
                      nmbc::GhostRule rule = nmbc::GhostRule::midpoint) {
-    return {nmbc::make_lattice(table, G),
-            nmbc::MatchingEnd{nmbc::boundary_coefficients(table, G), rule}, parameters};
+    return {nmbc::make_lattice(table, matched_G),
+            nmbc::MatchingEnd{nmbc::boundary_coefficients(table, matched_G), rule}, parameters};
 }
 
 /// The largest displacement left of a pulse of half-width 6 dX when it should be gone.
@@ -52,8 +52,8 @@ TEST_CASE("a table matched in time steps is found by its step only") {
     CHECK(nmbc::find_table(all, "nopd1d", 1, 2) == &continuous);
     CHECK(nmbc::find_table(all, "nopd1d", 1, 2, 1, "0", "1/2") == &matched);
     CHECK(nmbc::find_table(all, "nopd1d", 1, 2, 1, "0", "1/7") == nullptr);
-    CHECK(nmbc::boundary_coefficients(matched, G).matched_time_step == 0.5);
-    CHECK(nmbc::boundary_coefficients(continuous, G).matched_time_step == 0);
+    CHECK(nmbc::boundary_coefficients(matched, matched_G).matched_time_step == 0.5);
+    CHECK(nmbc::boundary_coefficients(continuous, matched_G).matched_time_step == 0);
 }
 
 TEST_CASE("it takes its own time step only, in any units, and midpoint ghosts") {
@@ -73,8 +73,9 @@ TEST_CASE("it takes its own time step only, in any units, and midpoint ghosts") 
 }
 
 TEST_CASE("its stable time step is its own, where that is certified") {
-    CHECK(nmbc::stable_time_step(matched, G, 1, 1) == 0.5);
-    CHECK(nmbc::stable_time_step(matched, G, 4, 0.2) == doctest::Approx(0.025).epsilon(1e-15));
+    CHECK(nmbc::stable_time_step(matched, matched_G, 1, 1) == 0.5);
+    CHECK(nmbc::stable_time_step(matched, matched_G, 4, 0.2) ==
+          doctest::Approx(0.025).epsilon(1e-15));
     // n = 2, N = 3, s = 2 is certified to cfl 0.27 at G = 2, and steps of 1 dX/c are cfl 0.625.
     CHECK_THROWS_WITH_AS(
         nmbc::stable_time_step(nmbc::generated::nopd1d_n2_order3_s2_dt1o1, 2, 1, 1),
@@ -84,20 +85,20 @@ TEST_CASE("its stable time step is its own, where that is certified") {
 }
 
 TEST_CASE("a chain takes a certified boundary of its own lattice only") {
-    const auto coefficients = nmbc::boundary_coefficients(continuous, G);
+    const auto coefficients = nmbc::boundary_coefficients(continuous, matched_G);
     const nmbc::ChainParameters parameters{.nodes = 20, .time_step = 0.4};
-    CHECK_NOTHROW(nmbc::Chain(nmbc::make_lattice(continuous, G), nmbc::MatchingEnd{coefficients},
-                              parameters));
+    CHECK_NOTHROW(nmbc::Chain(nmbc::make_lattice(continuous, matched_G),
+                              nmbc::MatchingEnd{coefficients}, parameters));
     for (const auto& [table, other_G] :
-         {std::pair(&continuous, 0.4), {&nmbc::generated::nopd1d_n2_order1, G}}) {
+         {std::pair(&continuous, 0.4), {&nmbc::generated::nopd1d_n2_order1, matched_G}}) {
         CHECK_THROWS_WITH_AS(nmbc::Chain(nmbc::make_lattice(*table, other_G),
                                          nmbc::MatchingEnd{coefficients}, parameters),
                              doctest::Contains("certified for another lattice"),
                              nmbc::NotCertified);
-        CHECK_NOTHROW(nmbc::Chain(
-            nmbc::make_lattice(*table, other_G),
-            nmbc::MatchingEnd{nmbc::boundary_coefficients(continuous, G, nmbc::allow_unstable)},
-            parameters));
+        CHECK_NOTHROW(nmbc::Chain(nmbc::make_lattice(*table, other_G),
+                                  nmbc::MatchingEnd{nmbc::boundary_coefficients(
+                                      continuous, matched_G, nmbc::allow_unstable)},
+                                  parameters));
     }
 }
 
