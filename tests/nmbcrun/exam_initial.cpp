@@ -182,5 +182,21 @@ TEST_CASE("files that are no field of this bar are refused") {
     CHECK_THROWS_AS(Simulation{scene}, FileError);
 }
 
+TEST_CASE("energies have the same digits in vectors of any width") {
+    for (const double G : {0.0, 1.0}) {
+        Scene scene = started(InitialKind::velocity, {Shape::packet, height, 4, 0.7}, 10);
+        scene.G = G;
+        Simulation simulation(scene);
+        simulation.advance(37);
+        const nmbc::Energies wide = simulation.energies();
+        const nmbc::Energies narrow = nmbc::energies(simulation.chain());
+        CHECK(wide.kinetic > 0);
+        CHECK(wide.kinetic == narrow.kinetic);
+        CHECK(wide.strain == narrow.strain);
+        CHECK(wide.stabilisation == narrow.stabilisation);
+        CHECK(wide.staggered == narrow.staggered);
+    }
+}
+
 }  // namespace
 }  // namespace nmbcrun::test

@@ -60,7 +60,7 @@ class Simulation {
     void resume(const nmbc::ChainState<double>& state) { chain_.resume(state); }
 
     /// Of the interior nodes, at chain().time() - dt/2.
-    nmbc::Energies energies() const { return nmbc::energies(chain_); }
+    nmbc::Energies energies() const;
 
   private:
     Simulation(const Scene& scene, nmbc::Lattice lattice, const nmbc::ChainEnd& left,
