@@ -21,12 +21,12 @@ struct Quantity {
     std::size_t components;
 };
 
-constexpr const char* displacement = "displacement";
-constexpr const char* velocity = "velocity";
+constexpr const char* displacement_label = "displacement";
+constexpr const char* velocity_label = "velocity";
 constexpr const char* damage = "damage";
 
 std::vector<Quantity> quantities_of(const PlaneScene& scene) {
-    std::vector<Quantity> all{{displacement, 3}, {velocity, 3}};
+    std::vector<Quantity> all{{displacement_label, 3}, {velocity_label, 3}};
     if (scene.fracture) {
         all.push_back({damage, 1});
     }
@@ -47,8 +47,8 @@ std::vector<double> values_of(const PlaneSimulation& simulation, const Quantity&
             }
             const std::size_t entry = simulation.entry(x, y);
             for (const std::size_t a : {0U, 1U}) {
-                values.push_back(quantity.name == displacement ? plane.displacement(a)[entry]
-                                                               : plane.velocity(a)[entry]);
+                values.push_back(quantity.name == displacement_label ? plane.displacement(a)[entry]
+                                                                     : plane.velocity(a)[entry]);
             }
             values.push_back(0);
         }
@@ -102,7 +102,8 @@ void write_hdf5(const PlaneSimulation& simulation, const std::filesystem::path& 
         if (quantity.components > 1) {
             extents.push_back(quantity.components);
         }
-        const double half_step = quantity.name == velocity ? simulation.plan().time_step / 2 : 0;
+        const double half_step =
+            quantity.name == velocity_label ? simulation.plan().time_step / 2 : 0;
         file.add(quantity.name, extents,
                  {{"time", fmt::format("{:.10g}", simulation.plane().time() - half_step)}});
         file.write(quantity.name, values_of(simulation, quantity));

@@ -74,7 +74,7 @@ Design designed(const nmbc::Lattice& lattice, double time_step) {
 /// at a few others a wave cannot be told from another one of its frequency. Nothing where it cannot
 /// be told from others nearby, either.
 std::optional<nmbcgen::ArrivingWave> told_apart(const nmbcgen::LateralChain& chain, double xi) {
-    constexpr double pi = std::numbers::pi;
+    using std::numbers::pi;
     const double folded = std::abs(std::remainder(xi, 2 * pi));
     for (const double aside : {0.0, 1e-4, -1e-4, 1e-3, -1e-3}) {
         try {
