@@ -116,12 +116,9 @@ class BondStates {
     const std::vector<Word>& held(std::size_t word) const { return held_[word]; }
     const std::vector<Word>& breakable(std::size_t word) const { return breakable_[word]; }
 
-    /// The node itself or, where the body repeats itself, the one that is the same.
-    std::array<std::ptrdiff_t, 2> in_period(std::ptrdiff_t x, std::ptrdiff_t y) const {
-        const auto along = [](const PlaneAxis& axis, std::ptrdiff_t node) {
-            return axis.is_periodic() ? (node + axis.nodes()) % axis.nodes() : node;
-        };
-        return {along(axes_[0], x), along(axes_[1], y)};
+    /// The node itself or, of an image, the node of the body that it is one of.
+    std::array<std::ptrdiff_t, 2> original(std::ptrdiff_t x, std::ptrdiff_t y) const {
+        return {axes_[0].original(x), axes_[1].original(y)};
     }
     bool is_in_body(const std::array<std::ptrdiff_t, 2>& node) const {
         return node[0] >= 0 && node[0] < nodes_[0] && node[1] >= 0 && node[1] < nodes_[1];
@@ -155,18 +152,13 @@ class BondStates {
         return whole == 0 ? 0 : 1 - static_cast<double>(held) / whole;
     }
 
-    /// Breaks the bonds that meet the line, whose points are those of the body's nodes; and, where
-    /// the body repeats itself, those that its images meet.
+    /// Breaks the bonds that meet the line, whose points are those of the body's nodes, or one of
+    /// its images beyond the sides.
     void cut(const PlanePoint& from, const PlanePoint& to) {
-        const std::array<int, 2> turns{axes_[0].is_periodic() ? 1 : 0,
-                                       axes_[1].is_periodic() ? 1 : 0};
-        for (int turns_y = -turns[1]; turns_y <= turns[1]; ++turns_y) {
-            for (int turns_x = -turns[0]; turns_x <= turns[0]; ++turns_x) {
-                const auto moved = [&](const PlanePoint& point) {
-                    return PlanePoint{point[0] + turns_x * static_cast<double>(nodes_[0]),
-                                      point[1] + turns_y * static_cast<double>(nodes_[1])};
-                };
-                cut_once({moved(from), moved(to)});
+        for (const auto& [sign_y, shift_y] : images(axes_[1])) {
+            for (const auto& [sign_x, shift_x] : images(axes_[0])) {
+                cut_once({PlanePoint{sign_x * from[0] + shift_x, sign_y * from[1] + shift_y},
+                          PlanePoint{sign_x * to[0] + shift_x, sign_y * to[1] + shift_y}});
             }
         }
     }
@@ -181,7 +173,7 @@ class BondStates {
             }
         }
         for_each([&](std::ptrdiff_t x, std::ptrdiff_t y, const BondGroup& group, unsigned m) {
-            const auto other = in_period(x + group.members[m].x, y + group.members[m].y);
+            const auto other = original(x + group.members[m].x, y + group.members[m].y);
             const bool is_kept =
                 kept[index(x, y)] ||
                 (is_in_body(other) ? kept[index(other[0], other[1])] : keep(other[0], other[1]));
@@ -217,6 +209,26 @@ class BondStates {
     }
 
   private:
+    /// Where the images of a place p of the body are, itself included: sign * p + shift.
+    struct Image {
+        double sign;
+        double shift;
+    };
+    static std::vector<Image> images(const PlaneAxis& axis) {
+        const auto nodes = static_cast<double>(axis.nodes());
+        if (axis.is_periodic()) {
+            return {{1, -nodes}, {1, 0}, {1, nodes}};
+        }
+        std::vector<Image> all{{1, 0}};
+        if (axis.has_images(0)) {
+            all.push_back({-1, -1});
+        }
+        if (axis.has_images(1)) {
+            all.push_back({-1, 2 * nodes - 1});
+        }
+        return all;
+    }
+
     /// Calls work(x, y, group, member) for the bonds of the body's nodes between two of them, both
     /// included.
     template <class Work>

@@ -48,7 +48,7 @@ class BasicPlane {
           damping_(damping_of(model_.law())) {
         if (nx_ < least_nodes(0) || ny_ < least_nodes(1)) {
             throw std::invalid_argument(
-                "beside a halo, and of bonds between periodic sides, a body needs " +
+                "beside a halo or a mirror, and of bonds between periodic sides, a body needs " +
                 std::to_string(ghosts_) + " nodes");
         }
         for (std::size_t a = 0; a < 2; ++a) {
@@ -72,6 +72,14 @@ class BasicPlane {
         return (y + ghosts_ + layers_[2]) * grid().nx + x + ghosts_ + layers_[0];
     }
     std::size_t ghosts() const { return ghosts_; }
+    /// Of a node by its entry [per thickness], of displacements of this component.
+    double mass(std::size_t component, std::size_t entry) const {
+        const auto at = [this](std::size_t place) {
+            return static_cast<std::ptrdiff_t>(place) - static_cast<std::ptrdiff_t>(ghosts_);
+        };
+        return parameters_.density * parameters_.spacing * parameters_.spacing *
+               mass_of(component, at(entry % grid().nx), at(entry / grid().nx));
+    }
     /// Between the ghosts of a side and the interior; sides in the order of plane_sides.
     const std::array<std::size_t, 4>& layers() const { return layers_; }
 
@@ -203,7 +211,8 @@ class BasicPlane {
     /// Lets bonds break, for good, where R.(u_J - u_I) is above stretch |R|^2. keep(x, y) says
     /// whether the bonds of a node never do; nodes of layers, and those beyond a halo, are outside
     /// of the interior. Throws std::invalid_argument of a stretch that is not above 0, and of
-    /// weights below 0: where other bonds break, the energy of such a lattice has no lower bound.
+    /// weights below 0: where other bonds break, the energy of such a lattice has no lower bound;
+    /// and beside odd mirrors.
     template <class Keep>
     void break_above(double stretch, const Keep& keep);
     /// Whatever the weights are.
@@ -302,9 +311,11 @@ class BasicPlane {
         detail::PlaneAxis x(sides_.left, sides_.right, 0, nx_, model_.horizon());
         detail::PlaneAxis y(sides_.bottom, sides_.top, 1, ny_, model_.horizon());
         if (const auto* const correspondence = std::get_if<CorrespondenceModel>(&law)) {
-            return detail::PlaneForce<Real>(
-                detail::PlaneNodes(*correspondence, std::move(x), std::move(y), pitch));
+            const auto closure = detail::closure_of(sides_, correspondence->radius_squared);
+            return detail::PlaneForce<Real>(detail::PlaneNodes(*correspondence, std::move(x),
+                                                               std::move(y), pitch, closure.get()));
         }
+        detail::closure_of(sides_, 0);
         return detail::BondForce<Real>(std::get<BondModel>(law), {std::move(x), std::move(y)},
                                        pitch);
     }
@@ -335,15 +346,18 @@ class BasicPlane {
         return own == 0 ? 0 : own + model_.horizon();
     }
 
-    /// What is copied to another block; of bonds, to the other side: both ends of one are different
-    /// nodes then.
+    /// What is copied to another block, or beyond a mirror; of bonds, to the other side: both ends
+    /// of one are different nodes then.
     std::size_t least_nodes(std::size_t axis) const {
         const PlaneSide& low = sides_.at({axis, End::left});
         const PlaneSide& high = sides_.at({axis, End::right});
         const bool has_bonds = std::holds_alternative<BondModel>(model_.law());
-        const bool is_copied = (std::holds_alternative<PeriodicSide>(low) && has_bonds) ||
-                               std::holds_alternative<HaloSide>(low) ||
-                               std::holds_alternative<HaloSide>(high);
+        const auto copies = [](const PlaneSide& side) {
+            return std::holds_alternative<HaloSide>(side) ||
+                   std::holds_alternative<MirrorSide>(side);
+        };
+        const bool is_copied =
+            (std::holds_alternative<PeriodicSide>(low) && has_bonds) || copies(low) || copies(high);
         return is_copied ? ghosts_ : 1;
     }
 
@@ -351,6 +365,11 @@ class BasicPlane {
         return std::visit(
             [=](const auto& force) -> const detail::PlaneAxis& { return force.axis(number); },
             force_);
+    }
+    double mass_of(std::size_t component, std::ptrdiff_t x, std::ptrdiff_t y) const {
+        const auto* const force = std::get_if<detail::PlaneForce<Real>>(&force_);
+        return force != nullptr ? force->mass(component, x, y)
+                                : axis_of(0).mass(component, x) * axis_of(1).mass(component, y);
     }
     /// From units E = density = dX = 1: of a change of velocity in so much time.
     double kick_scale(double duration) const {
@@ -558,24 +577,26 @@ void BasicPlane<Real>::clear_ghosts() {
     }
 }
 
-/// Periodic sides: moving ghosts, too.
+/// Images: of moving ghosts, too.
 template <class Real>
 void BasicPlane<Real>::close_ghosts(Fields& fields) const {
-    const std::size_t pitch = grid().nx;
-    for (std::vector<Real>& u : fields) {
-        if (std::holds_alternative<PeriodicSide>(sides_.left)) {
-            for (std::size_t y = 0; y < grid().ny; ++y) {
-                detail::close_periodic_row(&u[y * pitch + ghosts_],
-                                           static_cast<std::ptrdiff_t>(nx_),
-                                           static_cast<std::ptrdiff_t>(ghosts_));
-            }
+    const auto pitch = static_cast<std::ptrdiff_t>(grid().nx);
+    const auto ghosts = static_cast<std::ptrdiff_t>(ghosts_);
+    const detail::PlaneAxis& rows = axis_of(1);
+    for (std::size_t a = 0; a < 2; ++a) {
+        Real* const first = fields[a].data() + ghosts * pitch;  // entry of row 0
+        for (std::ptrdiff_t y = -ghosts; y < rows.nodes() + ghosts; ++y) {
+            detail::close_row(axis_of(0), a, first + y * pitch + ghosts, ghosts);
         }
-        if (std::holds_alternative<PeriodicSide>(sides_.bottom)) {
-            for (std::size_t ghost = 0; ghost < ghosts_; ++ghost) {
-                const std::size_t low = ghosts_ - 1 - ghost;
-                std::copy_n(&u[(low + ny_) * pitch], pitch, &u[low * pitch]);
-                std::copy_n(&u[(ghosts_ + ghost) * pitch], pitch,
-                            &u[(ghosts_ + ny_ + ghost) * pitch]);
+        for (std::ptrdiff_t ghost = 0; ghost < ghosts; ++ghost) {
+            for (const std::size_t end : {0U, 1U}) {
+                const std::ptrdiff_t y = end == 0 ? -1 - ghost : rows.nodes() + ghost;
+                if (rows.has_images(end)) {
+                    std::transform(
+                        first + rows.original(y) * pitch, first + (rows.original(y) + 1) * pitch,
+                        first + y * pitch,
+                        [sign = static_cast<Real>(rows.sign(a, y))](Real u) { return sign * u; });
+                }
             }
         }
     }

@@ -80,8 +80,10 @@ void BasicPlane<Real>::add_friction() {
             };
             if ((gammas[0] > 0 || gammas[1] > 0) && !of_passive(axis_of(0), x) &&
                 !of_passive(axis_of(1), y)) {
-                friction_.add(static_cast<std::ptrdiff_t>(y * grid().nx + x), gammas,
-                              {across_x[1] > 0 ? 1U : 0U, across_y[1] > 0 ? 3U : 2U});
+                friction_.add(
+                    static_cast<std::ptrdiff_t>(y * grid().nx + x), gammas,
+                    {across_x[1] > 0 ? 1U : 0U, across_y[1] > 0 ? 3U : 2U},
+                    mass_of(0, static_cast<std::ptrdiff_t>(x), static_cast<std::ptrdiff_t>(y)));
             }
         }
     }

@@ -28,6 +28,7 @@ class PlaneAxis {
           horizon_(static_cast<std::ptrdiff_t>(horizon)),
           is_cut_{is_cut(low), is_cut(high)},
           is_periodic_(std::holds_alternative<PeriodicSide>(low)),
+          mirrors_{signs_of(low, axis), signs_of(high, axis)},
           is_halo_{std::holds_alternative<HaloSide>(low), std::holds_alternative<HaloSide>(high)},
           strain_(nodes + 4 * horizon, 1),
           stabilisation_(strain_),
@@ -43,7 +44,14 @@ class PlaneAxis {
         stressed_.last = is_cut_[1] ? nodes_ - std::max(own(high), horizon_) : all.last;
         kicked_.first = is_cut_[0] ? own(low) + horizon_ : 0;
         kicked_.last = is_cut_[1] ? nodes_ - own(high) - horizon_ : nodes_;
-        passive_ = {own(low), nodes_ - own(high)};
+        const auto passive = [](const PlaneSide& side) {
+            return std::holds_alternative<PassiveSide>(side)
+                       ? static_cast<std::ptrdiff_t>(own_layers(side))
+                       : 0;
+        };
+        passive_ = {passive(low), nodes_ - passive(high)};
+        is_closed_ = {std::holds_alternative<ClosedSide>(low),
+                      std::holds_alternative<ClosedSide>(high)};
     }
 
     std::ptrdiff_t nodes() const { return nodes_; }
@@ -62,11 +70,23 @@ class PlaneAxis {
     }
 
     bool is_periodic() const { return is_periodic_; }
+    /// Whether the nodes beyond an end are images of the body's.
+    bool has_images(std::size_t end) const { return is_periodic_ || mirrors_[end][0] != 0; }
+    /// The node that it is an image of, and the sign with which it moves; else itself, and 1.
+    std::ptrdiff_t original(std::ptrdiff_t node) const {
+        if (is_periodic_) {
+            return (node % nodes_ + nodes_) % nodes_;
+        }
+        return !is_mirrored(node) ? node : node < 0 ? -1 - node : 2 * nodes_ - 1 - node;
+    }
+    int sign(std::size_t component, std::ptrdiff_t node) const {
+        return is_mirrored(node) ? mirrors_[node < 0 ? 0 : 1][component] : 1;
+    }
 
     /// Whether the node is beyond a side that holds u, or moves it by a condition.
     bool is_ghost(std::ptrdiff_t node) const {
         const std::size_t end = node < 0 ? 0 : 1;
-        return (node < 0 || node >= nodes_) && !is_cut_[end] && !is_periodic_ && !is_halo_[end];
+        return (node < 0 || node >= nodes_) && !is_cut_[end] && !has_images(end) && !is_halo_[end];
     }
 
     /// Whether the node is one of the body's or, beyond a halo, of another block's.
@@ -93,6 +113,19 @@ class PlaneAxis {
         return node < passive_.first || node >= passive_.last;
     }
 
+    bool is_closed(std::size_t end) const { return is_closed_[end]; }
+    /// How far a node is from the nearest closed side, `most` or more being far, and whether that
+    /// is the high one.
+    struct Depth {
+        std::ptrdiff_t layers = 0;
+        bool is_high = false;
+    };
+    Depth depth(std::ptrdiff_t node, std::ptrdiff_t most) const {
+        const std::ptrdiff_t low = is_closed_[0] ? std::min(node, most) : most;
+        const std::ptrdiff_t high = is_closed_[1] ? std::min(nodes_ - 1 - node, most) : most;
+        return {std::min(low, high), high < low};
+    }
+
     /// How many neighbours there can be towards the low or the high side, up to the horizon.
     std::ptrdiff_t neighbours(bool is_high, std::ptrdiff_t node) const {
         const std::ptrdiff_t there = is_high ? nodes_ - 1 - node : node;
@@ -116,6 +149,19 @@ class PlaneAxis {
     }
 
   private:
+    /// Of the images of both components; 0: there is no mirror.
+    static std::array<int, 2> signs_of(const PlaneSide& side, std::size_t axis) {
+        const auto* const mirror = std::get_if<MirrorSide>(&side);
+        if (mirror == nullptr) {
+            return {0, 0};
+        }
+        const int across = mirror->is_odd ? 1 : -1;
+        return axis == 0 ? std::array{across, -across} : std::array{-across, across};
+    }
+    bool is_mirrored(std::ptrdiff_t node) const {
+        return (node < 0 && mirrors_[0][0] != 0) || (node >= nodes_ && mirrors_[1][0] != 0);
+    }
+
     std::size_t index(std::ptrdiff_t node) const {
         return static_cast<std::size_t>(node + ghosts_);
     }
@@ -139,22 +185,29 @@ class PlaneAxis {
     std::ptrdiff_t horizon_;
     std::array<bool, 2> is_cut_;
     bool is_periodic_;
+    std::array<std::array<int, 2>, 2> mirrors_;  // by end and component
     std::array<bool, 2> is_halo_;
     std::vector<double> strain_;
     std::vector<double> stabilisation_;
     std::array<std::vector<double>, 2> mass_;
     Range stressed_{};
     Range kicked_{};
+    std::array<bool, 2> is_closed_{};
     Range passive_{};  ///< between the layers of passive sides
 };
 
-/// Beyond a periodic side is what the opposite one has; from the side outwards, as a thin body
-/// comes round more than once. row: node 0 of it; ghosts: at each end.
+/// The images beyond the ends of a row, whose node 0 is row[0], of a field's component; ghosts: at
+/// each end.
 template <class Real>
-void close_periodic_row(Real* row, std::ptrdiff_t nodes, std::ptrdiff_t ghosts) {
-    for (std::ptrdiff_t ghost = 0; ghost < ghosts; ++ghost) {
-        row[-1 - ghost] = row[nodes - 1 - ghost];
-        row[nodes + ghost] = row[ghost];
+void close_row(const PlaneAxis& axis, std::size_t component, Real* row, std::ptrdiff_t ghosts) {
+    for (const std::size_t end : {0U, 1U}) {
+        if (!axis.has_images(end)) {
+            continue;
+        }
+        for (std::ptrdiff_t ghost = 0; ghost < ghosts; ++ghost) {
+            const std::ptrdiff_t node = end == 0 ? -1 - ghost : axis.nodes() + ghost;
+            row[node] = static_cast<Real>(axis.sign(component, node)) * row[axis.original(node)];
+        }
     }
 }
 

@@ -42,8 +42,8 @@ void BasicPlane<Real>::count_damped() {
         for (std::ptrdiff_t x = 0; x < static_cast<std::ptrdiff_t>(nx_); ++x) {
             const std::ptrdiff_t at = y * static_cast<std::ptrdiff_t>(grid().nx) + x;
             for (std::size_t a = 0; a < 2; ++a) {
-                sum += axis_of(0).mass(a, x) * axis_of(1).mass(a, y) *
-                       static_cast<double>(change[a][at]) * static_cast<double>(v[a][at]);
+                sum += mass_of(a, x, y) * static_cast<double>(change[a][at]) *
+                       static_cast<double>(v[a][at]);
             }
         }
         damped_ -= sum / 2;

@@ -34,7 +34,7 @@ PlaneEnergies BasicPlane<Real>::energies_of(const Window& window) const {
             const std::ptrdiff_t at = y * static_cast<std::ptrdiff_t>(grid().nx) + x;
             for (std::size_t a = 0; a < 2; ++a) {
                 const auto own = static_cast<double>(v[a][at]);
-                kinetic += axis_of(0).mass(a, x) * axis_of(1).mass(a, y) * own * own / 2;
+                kinetic += mass_of(a, x, y) * own * own / 2;
             }
         }
         sum.kinetic += kinetic;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <nmbc/kernels.hpp>
+#include <nmbc/plane_closed_rows.hpp>
 #include <nmbc/plane_kernels_beside.hpp>
 #include <nmbc/plane_nodes.hpp>
 #include <nmbc/plane_potential.hpp>
@@ -50,10 +51,15 @@ class PlaneForce {
                    .turned = static_cast<Real>(mu - beta)};
         choose_kernels();
         find_row_numbers();
+        find_closed_rows();
     }
 
     const PlaneAxis& axis(std::size_t number) const {
         return number == 0 ? nodes_.x() : nodes_.y();
+    }
+
+    double mass(std::size_t component, std::ptrdiff_t x, std::ptrdiff_t y) const {
+        return nodes_.weights(x, y).mass[component];
     }
 
     /// Of the nodes first .. last-1 of a row.
@@ -73,7 +79,7 @@ class PlaneForce {
     /// Whether drifts and kicks can be one sweep.
     bool can_drift() const { return nodes_.y().nodes() >= 4 * horizon_; }
 
-    /// The drift of the rows that two pieces read, or that the ghosts of a periodic side copy.
+    /// The drift of the rows that two pieces read, or that images copy.
     void drift_ends(const PlaneDrift<Real>& drift, PlaneField<Real> u, PlaneField<Real> v) const {
         for_each_piece([&](std::size_t /*piece*/, const PlaneRange& rows) {
             for (std::ptrdiff_t y = 0; y < 2 * horizon_; ++y) {
@@ -102,9 +108,7 @@ class PlaneForce {
         const std::ptrdiff_t first = y * pitch_ + drift.columns.first;
         for (std::size_t a = 0; a < 2; ++a) {
             drift_nodes(drift.time_step, u[a] + first, v[a] + first, 0, nodes);
-            if (nodes_.x().is_periodic()) {
-                close_periodic_row(u[a] + y * pitch_, nodes_.x().nodes(), nodes_.x().ghosts());
-            }
+            close_row(nodes_.x(), a, u[a] + y * pitch_, nodes_.x().ghosts());
         }
     }
 
@@ -151,6 +155,11 @@ class PlaneForce {
     }
 
     void find_row_numbers();
+    void find_closed_rows() {
+        if (nodes_.closed_layers() > 0) {
+            closed_rows_ = ClosedRows(nodes_);
+        }
+    }
     PlaneRowNumbers<Real> row_numbers(std::ptrdiff_t y) const;
     const PlaneRowNumbers<Real>& numbers_of(std::ptrdiff_t y) const {
         return row_numbers_[row_kinds_[static_cast<std::size_t>(y + horizon_)]];
@@ -197,6 +206,29 @@ class PlaneForce {
         }
         for (std::size_t a = 0; a < 2; ++a) {
             v[a][at] += static_cast<Real>(scale * force[a] / own.mass[a]);
+        }
+    }
+
+    /// The force of a node near a closed side; nullptr: others, which know T of nodes that have the
+    /// lattice's own gradient only.
+    const ClosedRow* closed_row(std::ptrdiff_t x, std::ptrdiff_t y) const {
+        return closed_rows_.empty() ? nullptr : closed_rows_.at(nodes_, x, y);
+    }
+
+    void kick_closed(double scale, const ClosedRow& force, std::ptrdiff_t at,
+                     PlaneField<const Real> u, PlaneField<Real> v) const {
+        std::array<double, 2> sum{};
+        for (const ClosedRow::Entry& entry : force.entries) {
+            const std::array<double, 2> difference{
+                static_cast<double>(u[0][at + entry.entry]) - static_cast<double>(u[0][at]),
+                static_cast<double>(u[1][at + entry.entry]) - static_cast<double>(u[1][at])};
+            for (std::size_t a = 0; a < 2; ++a) {
+                sum[a] +=
+                    entry.factors[2 * a] * difference[0] + entry.factors[2 * a + 1] * difference[1];
+            }
+        }
+        for (std::size_t a = 0; a < 2; ++a) {
+            v[a][at] += static_cast<Real>(scale * sum[a]);
         }
     }
 
@@ -281,6 +313,7 @@ class PlaneForce {
     std::vector<std::size_t> row_kinds_{};              // which of them a row has, from -horizon on
     std::vector<Real> column_weights_{};                // Vs along x, from -2 horizon on
     std::vector<Real> row_weights_{};                   // s Vs along y, likewise
+    ClosedRows closed_rows_{};                          // none where no side is closed
     /// T and the pull of some rows, one ring for each piece.
     std::vector<std::vector<Real>> rings_;
 };
@@ -367,7 +400,7 @@ void PlaneForce<Real>::kick_rows(double scale, const PlaneRange& rows, PlaneFiel
         const std::array<const Real*, 2> row_of_u{u[0] + y * pitch_, u[1] + y * pitch_};
         const std::array<Real*, 2> row_of_v{v[0] + y * pitch_, v[1] + y * pitch_};
         const auto beside = [&](const PlaneRange& nodes) {
-            if (kick_row_beside_ != nullptr && nodes.first < nodes.last) {
+            if (kick_row_beside_ != nullptr && nodes.first < nodes.last && closed_rows_.empty()) {
                 const auto& sweep =
                     nodes.last - nodes.first == kick_strip_nodes_ ? kick_strip_ : kick_row_beside_;
                 sweep(numbers_of(y), static_cast<Real>(scale),
@@ -376,7 +409,11 @@ void PlaneForce<Real>::kick_rows(double scale, const PlaneRange& rows, PlaneFiel
                 return;
             }
             for (std::ptrdiff_t x = nodes.first; x < nodes.last; ++x) {
-                kick_node(scale, x, y, u, v, ring);
+                if (const ClosedRow* const force = closed_row(x, y)) {
+                    kick_closed(scale, *force, y * pitch_ + x, u, v);
+                } else {
+                    kick_node(scale, x, y, u, v, ring);
+                }
             }
         };
         const PlaneRange plain = plain_force(y);

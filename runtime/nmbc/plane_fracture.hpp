@@ -33,6 +33,13 @@ void BasicPlane<Real>::break_above(double stretch, const Keep& keep, AllowUnstab
     if (!(stretch > 0 && std::isfinite(stretch))) {
         throw std::invalid_argument("the stretch at which bonds break must be above 0");
     }
+    for (const Side place : plane_sides) {
+        const auto* const mirror = std::get_if<MirrorSide>(&sides_.at(place));
+        if (mirror != nullptr && mirror->is_odd) {
+            throw std::invalid_argument(
+                "beside an odd mirror no bonds break: the image of one that is pulled is pushed");
+        }
+    }
     const std::array<std::ptrdiff_t, 2> first = first_of_interior();
     bonds_of(force_).states().let_break(
         [&](std::ptrdiff_t x, std::ptrdiff_t y) { return keep(x - first[0], y - first[1]); });
@@ -86,11 +93,14 @@ void BasicPlane<Real>::break_and_kick(detail::BondForce<Real>& bonds) {
     bonds.take_broken([&](const auto& bond) {
         const detail::BondGroup& group = bonds.states().groups()[bond.group];
         const auto [i, j] = group.members[bond.member];
-        const auto other = bonds.states().in_period(bond.x + i, bond.y + j);
+        const auto other = bonds.states().original(bond.x + i, bond.y + j);
         // Both ends in a body count it.
         const double share = bonds.states().is_material(other) ? 0.5 : 1;
         const std::array<double, 2> here = before_kick({bond.x, bond.y});
-        const std::array<double, 2> there = before_kick(other);
+        std::array<double, 2> there = before_kick(other);
+        for (const std::size_t a : {0U, 1U}) {
+            there[a] *= axis_of(0).sign(a, bond.x + i) * axis_of(1).sign(a, bond.y + j);
+        }
         const double e = bonds.extension(bond.x, bond.y, bond.group, bond.member, u);
         const double grown =
             parameters_.time_step * (i * (there[0] - here[0]) + j * (there[1] - here[1]));

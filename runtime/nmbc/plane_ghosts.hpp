@@ -115,10 +115,11 @@ class GhostLines {
 template <class Real>
 class PlaneFriction {
   public:
-    /// gamma dt of a node of mass 1 by the side across x and by that across y, whose places among
-    /// plane_sides are given.
-    void add(std::ptrdiff_t entry, std::array<double, 2> gammas, std::array<std::size_t, 2> sides) {
-        nodes_.push_back({entry, gammas, sides, {}});
+    /// gamma dt of a node by the side across x and by that across y, whose places among plane_sides
+    /// are given; mass: of it.
+    void add(std::ptrdiff_t entry, std::array<double, 2> gammas, std::array<std::size_t, 2> sides,
+             double mass) {
+        nodes_.push_back({entry, gammas, sides, mass, {}});
     }
 
     void keep(PlaneField<const Real> v) {
@@ -146,7 +147,8 @@ class PlaneFriction {
                 own = static_cast<Real>((static_cast<double>(own) - half * before) / (1 + half));
                 const double mean = (before + static_cast<double>(own)) / 2;
                 for (std::size_t axis = 0; axis < 2; ++axis) {
-                    gone[node.sides[axis]] += node.gammas[axis] / time_step * mean * mean;
+                    gone[node.sides[axis]] +=
+                        node.mass * node.gammas[axis] / time_step * mean * mean;
                 }
             }
         }
@@ -157,6 +159,7 @@ class PlaneFriction {
         std::ptrdiff_t entry;
         std::array<double, 2> gammas;
         std::array<std::size_t, 2> sides;
+        double mass;
         std::array<Real, 2> before;
     };
     std::vector<Node> nodes_;

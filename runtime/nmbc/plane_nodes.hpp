@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <nmbc/correspondence_model.hpp>
 #include <nmbc/plane_block.hpp>
+#include <nmbc/plane_closure.hpp>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -37,18 +38,34 @@ struct PlaneNeighbours {
     double sum_y = 0;
 };
 
+/// What a node near a closed side has.
+struct ClosedNode {
+    struct Entry {
+        std::ptrdiff_t entry = 0;  ///< from the node's entry of a field
+        int x = 0;
+        int y = 0;
+        std::array<double, 2> along{};  ///< factors of u there in the gradient
+    };
+    double volume = 1;
+    std::vector<Entry> gradient{};
+};
+
 /// The nodes of the plane: what each weighs, which neighbours it has, and the gradient there.
 class PlaneNodes {
   public:
     /// pitch: entries of a field from one row to the next. Throws std::invalid_argument where a
     /// node has too few neighbours for a gradient.
-    PlaneNodes(const CorrespondenceModel& model, PlaneAxis x, PlaneAxis y, std::ptrdiff_t pitch)
+    PlaneNodes(const CorrespondenceModel& model, PlaneAxis x, PlaneAxis y, std::ptrdiff_t pitch,
+               const PlaneClosure* closure = nullptr)
         : model_(model),
           x_(std::move(x)),
           y_(std::move(y)),
           horizon_(static_cast<std::ptrdiff_t>(model.horizon())),
           pitch_(pitch) {
         find_neighbours();
+        if (closure != nullptr) {
+            find_closed_nodes(*closure);
+        }
     }
 
     const CorrespondenceModel& model() const { return model_; }
@@ -57,7 +74,23 @@ class PlaneNodes {
     std::ptrdiff_t horizon() const { return horizon_; }
     std::ptrdiff_t pitch() const { return pitch_; }
 
+    /// Layers beside a closed side with nodes of their own; 0: no side is closed.
+    std::ptrdiff_t closed_layers() const { return closed_layers_; }
+    /// nullptr: the node is not near a closed side.
+    const ClosedNode* closed(std::ptrdiff_t x, std::ptrdiff_t y) const {
+        if (closed_layers_ == 0) {
+            return nullptr;
+        }
+        const std::size_t number =
+            place(x_.depth(x, closed_layers_)) +
+            place(y_.depth(y, closed_layers_)) * static_cast<std::size_t>(2 * closed_layers_ + 1);
+        return closed_[number].gradient.empty() ? nullptr : &closed_[number];
+    }
+
     PlaneWeights weights(std::ptrdiff_t x, std::ptrdiff_t y) const {
+        if (const ClosedNode* const own = closed(x, y)) {
+            return {own->volume, own->volume, {own->volume, own->volume}};
+        }
         return {x_.strain(x) * y_.strain(y),
                 x_.stabilisation(x) * y_.stabilisation(y),
                 {x_.mass(0, x) * y_.mass(0, y), x_.mass(1, x) * y_.mass(1, y)}};
@@ -68,6 +101,20 @@ class PlaneNodes {
     }
 
     /// xx, xy, yx, yy: the first is the component of u.
+    template <class Real>
+    static std::array<double, 4> gradient(const ClosedNode& own, std::ptrdiff_t at,
+                                          const std::array<Real*, 2>& u) {
+        std::array<double, 4> g{};
+        for (std::size_t a = 0; a < 2; ++a) {
+            for (const ClosedNode::Entry& entry : own.gradient) {
+                const double difference =
+                    static_cast<double>(u[a][at + entry.entry]) - static_cast<double>(u[a][at]);
+                g[2 * a] += entry.along[0] * difference;
+                g[2 * a + 1] += entry.along[1] * difference;
+            }
+        }
+        return g;
+    }
     template <class Real>
     std::array<double, 4> gradient(const PlaneNeighbours& near, std::ptrdiff_t at,
                                    const std::array<Real*, 2>& u) const {
@@ -97,6 +144,12 @@ class PlaneNodes {
     }
 
     void find_neighbours();
+    void find_closed_nodes(const PlaneClosure& closure);
+    /// Low layers, further in, high layers.
+    std::size_t place(const PlaneAxis::Depth& depth) const {
+        return static_cast<std::size_t>(depth.is_high ? 2 * closed_layers_ - depth.layers
+                                                      : depth.layers);
+    }
 
     CorrespondenceModel model_;
     PlaneAxis x_;
@@ -104,7 +157,37 @@ class PlaneNodes {
     std::ptrdiff_t horizon_;
     std::ptrdiff_t pitch_;
     std::vector<PlaneNeighbours> neighbours_{};
+    std::ptrdiff_t closed_layers_ = 0;
+    std::vector<ClosedNode> closed_{};  // by place() along x and y
 };
+
+inline void PlaneNodes::find_closed_nodes(const PlaneClosure& closure) {
+    closed_layers_ = static_cast<std::ptrdiff_t>(closure.layers);
+    const std::size_t places = 2 * closure.layers + 1;
+    closed_.resize(places * places);
+    for (std::size_t y = 0; y < places; ++y) {
+        for (std::size_t x = 0; x < places; ++x) {
+            const int sign_x = x > closure.layers ? -1 : 1;
+            const int sign_y = y > closure.layers ? -1 : 1;
+            const std::size_t i = x > closure.layers ? places - 1 - x : x;
+            const std::size_t j = y > closure.layers ? places - 1 - y : y;
+            if (i == closure.layers && j == closure.layers) {
+                continue;  // the lattice's own
+            }
+            const PlaneClosure::Node& node = closure.nodes[j * (closure.layers + 1) + i];
+            ClosedNode& own = closed_[y * places + x];
+            own.volume = node.volume;
+            for (const PlaneClosure::Entry& entry : node.gradient) {
+                const int to_x = sign_x * entry.x;
+                const int to_y = sign_y * entry.y;
+                own.gradient.push_back({to_y * pitch_ + to_x,
+                                        to_x,
+                                        to_y,
+                                        {sign_x * entry.along_x, sign_y * entry.along_y}});
+            }
+        }
+    }
+}
 
 inline void PlaneNodes::find_neighbours() {
     const auto kinds = static_cast<std::size_t>(horizon_ + 1);

@@ -43,7 +43,9 @@ PlanePotential potential_of_node(const PlaneNodes& nodes, std::ptrdiff_t x, std:
                                  const std::array<Real*, 2>& u) {
     const PlaneNeighbours& near = nodes.neighbours(x, y);
     const std::ptrdiff_t at = y * nodes.pitch() + x;
-    const auto g = nodes.gradient(near, at, u);
+    const ClosedNode* const closed = nodes.closed(x, y);
+    const auto g =
+        closed != nullptr ? PlaneNodes::gradient(*closed, at, u) : nodes.gradient(near, at, u);
     double squares = 0;
     for (const auto& bond : near.bonds) {
         for (std::size_t a = 0; a < 2; ++a) {

@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <nmbc/coefficients.hpp>
 #include <nmbc/node_line.hpp>
+#include <nmbc/plane_closure.hpp>
 #include <nmbc/plane_model.hpp>
 #include <optional>
 #include <stdexcept>
@@ -26,6 +28,20 @@ struct FreeSide {};
 
 /// The two sides of an axis are neighbours: the body repeats itself.
 struct PeriodicSide {};
+
+/// The mirror image, midway between the outermost node and the innermost ghost: the plane is one
+/// half of a larger one. Of an even image no displacement is across the mirror and no force along
+/// it; of an odd one, turned round in itself, none along it and no force across.
+struct MirrorSide {
+    bool is_odd = false;
+};
+
+/// The body ends there, on its outermost nodes, closed with such gradients: of planes of
+/// correspondence of this radius. Beside it other sides may be closed by the same, and not be free
+/// or passive. Units E = density = dX = 1.
+struct ClosedSide {
+    std::shared_ptr<const PlaneClosure> closure{};
+};
 
 /// The lattice is cut off, and its outermost layers have weights, masses and dashpots of their own,
 /// so that waves leave. Layer 0 is the outermost. Whatever the numbers are, no step raises the
@@ -71,8 +87,8 @@ struct SpongeSide {
 /// which is to be that of the whole's passive sides.
 struct HaloSide {};
 
-using PlaneSide = std::variant<FixedSide, FreeSide, PeriodicSide, PassiveSide, MatchingSide,
-                               HigdonSide, SpongeSide, HaloSide>;
+using PlaneSide = std::variant<FixedSide, FreeSide, PeriodicSide, MirrorSide, ClosedSide,
+                               PassiveSide, MatchingSide, HigdonSide, SpongeSide, HaloSide>;
 
 /// The sides of a rectangle.
 struct PlaneSides {
@@ -101,14 +117,23 @@ inline bool has_condition(const PlaneSide& side) {
     return std::holds_alternative<MatchingSide>(side) || std::holds_alternative<HigdonSide>(side);
 }
 
+/// Whether its ghosts are images of nodes of the body.
+inline bool has_images(const PlaneSide& side) {
+    return std::holds_alternative<PeriodicSide>(side) || std::holds_alternative<MirrorSide>(side);
+}
+
 inline bool is_cut(const PlaneSide& side) {
-    return std::holds_alternative<FreeSide>(side) || std::holds_alternative<PassiveSide>(side);
+    return std::holds_alternative<FreeSide>(side) || std::holds_alternative<PassiveSide>(side) ||
+           std::holds_alternative<ClosedSide>(side);
 }
 
 /// Layers with numbers of their own.
 inline std::size_t own_layers(const PlaneSide& side) {
     const auto* const passive = std::get_if<PassiveSide>(&side);
-    return passive == nullptr ? 0 : passive->strain.size();
+    const auto* const closed = std::get_if<ClosedSide>(&side);
+    return passive != nullptr                                ? passive->strain.size()
+           : closed != nullptr && closed->closure != nullptr ? closed->closure->layers
+                                                             : 0;
 }
 
 /// Throws std::invalid_argument where a matrix is not symmetric, or has an eigenvalue below 0 by
@@ -224,6 +249,52 @@ inline void require_valid(const SpongeSide& side) {
     }
 }
 
+inline void require_valid(const ClosedSide& side) {
+    const PlaneClosure* const closure = side.closure.get();
+    if (closure == nullptr || closure->layers == 0 ||
+        closure->nodes.size() != (closure->layers + 1) * (closure->layers + 1)) {
+        throw std::invalid_argument("a closed side needs a closure with all its nodes");
+    }
+    const auto is_neighbour = [square = static_cast<int>(closure->radius_squared)](int x, int y) {
+        const int distance = x * x + y * y;
+        return distance > 0 && distance <= square;
+    };
+    for (const PlaneClosure::Node& node : closure->nodes) {
+        if (!(node.volume > 0 && std::isfinite(node.volume)) ||
+            !std::ranges::all_of(node.gradient, [&](const PlaneClosure::Entry& entry) {
+                return is_neighbour(entry.x, entry.y) && std::isfinite(entry.along_x) &&
+                       std::isfinite(entry.along_y);
+            })) {
+            throw std::invalid_argument(
+                "a closure needs volumes above 0, and finite gradients of neighbours");
+        }
+    }
+}
+
+/// The closure of the sides of a body of this radius, 0: of bonds; nullptr where none is closed.
+/// Throws std::invalid_argument where they do not go together.
+inline std::shared_ptr<const PlaneClosure> closure_of(const PlaneSides& sides,
+                                                      unsigned radius_squared) {
+    std::shared_ptr<const PlaneClosure> closure;
+    bool is_cut_otherwise = false;
+    for (const Side place : plane_sides) {
+        const auto* const closed = std::get_if<ClosedSide>(&sides.at(place));
+        is_cut_otherwise = is_cut_otherwise || (closed == nullptr && is_cut(sides.at(place)));
+        if (closed != nullptr && closure != nullptr && closed->closure != closure) {
+            throw std::invalid_argument("the closed sides of a body must share one closure");
+        }
+        closure = closed != nullptr ? closed->closure : closure;
+    }
+    if (closure != nullptr && closure->radius_squared != radius_squared) {
+        throw std::invalid_argument(
+            "a closed side is of planes of correspondence, and of one family radius");
+    }
+    if (closure != nullptr && is_cut_otherwise) {
+        throw std::invalid_argument("beside a closed side no side may be free or passive");
+    }
+    return closure;
+}
+
 inline void require_valid(const auto& /*side*/) {}  // a matching side is checked by its conditions
 
 /// Throws std::invalid_argument for sides that cannot be those of one body. Returns its beta: that
@@ -235,7 +306,8 @@ inline double checked_null_lagrangian(const PlaneSides& sides, double of_model, 
     bool has_halo = false;
     for (const Side place : plane_sides) {
         const PlaneSide& side = sides.at(place);
-        has_free = has_free || std::holds_alternative<FreeSide>(side);
+        has_free = has_free || std::holds_alternative<FreeSide>(side) ||
+                   std::holds_alternative<ClosedSide>(side);
         has_halo = has_halo || std::holds_alternative<HaloSide>(side);
         std::visit([](const auto& one) { require_valid(one); }, side);
         if (const auto* const passive = std::get_if<PassiveSide>(&side)) {

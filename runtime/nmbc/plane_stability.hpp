@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <nmbc/plane.hpp>
-#include <variant>
 
 namespace nmbc {
 
@@ -19,7 +18,7 @@ inline double highest_eigenvalue(const PlaneModel& model, const PlaneSides& side
     constexpr std::size_t iterations = 1000;
     PlaneSides held = sides;  // what moves by conditions is held
     for (PlaneSide* const side : {&held.left, &held.right, &held.bottom, &held.top}) {
-        if (!detail::is_cut(*side) && !std::holds_alternative<PeriodicSide>(*side)) {
+        if (!detail::is_cut(*side) && !detail::has_images(*side)) {
             *side = FixedSide{};
         }
     }

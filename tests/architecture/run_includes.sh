@@ -26,7 +26,7 @@ allow generator/lattice 'generator/(table|exact|lattice)/|boost/'
 allow generator/families "generator/(table|exact|lattice|names|families)/|$text"
 allow generator/names "generator/(table|exact|names)/|$text"
 allow generator/bonds "generator/(table|exact|families|bonds)/|$text"
-allow generator/closures 'generator/(table|closures)/'
+allow generator/closures 'generator/(table|closures)/|nmbc/plane_(closure|family).hpp|Eigen/Dense'
 allow generator/dense 'generator/dense/|(unsupported/)?Eigen/'
 allow generator/stability 'generator/(table|exact|dense|lattice|stability)/|boost/|Eigen/Core'
 allow generator/enclosures 'generator/(table|exact|lattice|stability|enclosures)/|nmbc/table.hpp|boost/'
@@ -58,7 +58,7 @@ below='scene|sides|sources|tables|certification|simulation'
 run compare "$below" 'generator/(table|exact|closures|stability)/|boost/math/|unsupported/Eigen/FFT'
 run chart "$below|compare|output" 'generator/support/|boost/math/'
 run advise "$below|compare|chart|output" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT|boost/math/|unistd.h'
-run plane 'scene|stepping|sides|sources|output' 'generator/(table|exact|names|passive)/|generator/support/(files|progress_line).hpp|boost/math/'
+run plane 'scene|stepping|sides|sources|output' 'generator/(table|exact|closures|names|passive)/|generator/support/(files|progress_line).hpp|boost/math/'
 run plane_compare 'scene|stepping|output|chart|plane' 'generator/support/'
 allow tools/nmbcrun "tools/nmbcrun/|generator/names/checksum.hpp|generator/support/(exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|tools/nmbcrun/|CLI/|nmbc/|benchmark/|boost/math/|$text"

@@ -75,10 +75,66 @@ expect_no_stderr
 expect "an even strain" awk -F, 'END { x = -0.3e-3 * 9.5; y = 11e-3; exit !(($2 / x - 1) ^ 2 < 1e-5 && ($3 / y - 1) ^ 2 < 1e-5) }' \
     results/pulled_probes.csv
 expect "the ledger closes" awk '/^ledger drift/ { exit !($3 < 1e-12) }' "$scratch/stdout"
-try run pulled.toml --quiet --out refused --set model.radius2=4
+# At larger radii it lies on the outermost of c + n lines, c = max(n, 2) + 1; the larger body swings longer.
+for radius in 2:3 4:4 9:6; do
+    try run pulled.toml --quiet --set model.radius2="${radius%:*}"
+    expect_exit 0
+    expect_no_stderr
+    expect "an even strain at radius2 = ${radius%:*}" awk -F, -v beyond="${radius#*:}" \
+        'END { x = -0.3e-3 * 9.5; y = (10 + beyond) * 1e-3; exit !(($2 / x - 1) ^ 2 < 1e-4 && ($3 / y - 1) ^ 2 < 1e-4) }' \
+        results/pulled_probes.csv
+    expect "the ledger closes" awk '/^ledger drift/ { exit !($3 < 1e-12) }' "$scratch/stdout"
+done
+try run pulled.toml --quiet --out refused --set model.radius2=4 --set boundary.left.kind=passive
 expect_exit 2
-expect_stderr 'a side of kind "sbp" is for nopd2d of model.radius2 = 1'
-rm pulled.toml
+expect_stderr 'a side of kind "sbp" has no corner with one of kind "passive": take "sponge"'
+try run pulled.toml --quiet --out refused --set model.radius2=26
+expect_exit 2
+expect_stderr 'sides of kind "sbp" are for model.radius2 up to 25, not 26'
+sed 's/nopd2d/bond2d/; /^nu\|^G/d; s/^radius2.*/radius2 = 2\nweights = [1, 1]/' pulled.toml >bonds.toml
+try run bonds.toml --quiet --out refused
+expect_exit 2
+expect_stderr 'a side of kind "sbp" is for nopd2d: bonds have no gradients'
+rm pulled.toml bonds.toml
+
+# A quarter between mirrors: u_x is odd about neither, and even about both.
+cat >whole.toml <<'TOML'
+[model]
+family = "nopd2d"
+radius2 = 4
+nu = 0.25
+G = 0.5
+[domain]
+nodes = [40, 40]
+[boundary]
+kind = "free"
+[initial]
+shape = "gaussian"
+amplitude = 1e-3
+component = "x"
+centre = [20.5, 20.5]
+width = 6
+[time]
+step = 0.4
+end = 60
+[output]
+every = 20
+TOML
+try run whole.toml --quiet
+expect_exit 0
+quarter=(--set domain.nodes='[20, 20]' --set initial.centre='[0.5, 0.5]' --set boundary.left.kind=mirror
+    --set boundary.left.odd=true --set boundary.bottom.kind=mirror)
+try run whole.toml --quiet --out quarter "${quarter[@]}"
+expect_exit 0
+expect_no_stderr
+expect "a quarter of the energies" awk -F, '/^[0-9]/ { if (FNR == NR) whole[$1] = $5; else { rows++; bad += ($5 * 4 / whole[$1] - 1) ^ 2 > 1e-22 } }
+    END { exit !(rows >= 7 && !bad) }' results/whole.csv quarter/whole.csv
+try run whole.toml --out quarter "${quarter[@]}"
+expect_stdout_with "odd mirror"
+try run whole.toml --quiet --out refused --set boundary.left.kind=free --set boundary.left.odd=true
+expect_exit 2
+expect_stderr 'boundary.left.odd does not count for kind "free"'
+rm -r whole.toml quarter
 
 # A field that comes in from the layers beside the scene's nodes is no growth.
 for kind in extended passive; do

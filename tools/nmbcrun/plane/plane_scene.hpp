@@ -62,6 +62,7 @@ struct PlaneLoad {
     double amplitude = 0;  ///< [length/time] or [force/volume]
     std::array<double, 2> centre{};
     std::array<double, 2> half_width{};
+    bool is_traction = false;              ///< or a pressure: of a side
     std::optional<std::size_t> surface{};  ///< an sbp side, on whose nodes it acts instead
     double rise = 0;                       ///< grows linearly up to this time
     double until = 0;                      ///< and ends at this one

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <nmbc/tables/tables.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "generator/closures/plane_summation_by_parts.hpp"
 #include "generator/names/projected_family.hpp"
 #include "generator/passive/plane_side.hpp"
 #include "generator/support/progress_line.hpp"
@@ -113,19 +115,36 @@ nmbc::HigdonSide higdon_side_of(const PlaneScene& scene, const PlaneSideChoice& 
 }
 
 /// Of radius 1 gradients are those of a chain of n = 1 along each axis, and so their sums by parts:
-/// half of the volume and mass on the surface, and products of these in the corners.
-nmbc::PassiveSide sbp_side_of(const PlaneScene& scene) {
-    if (scene.is_bond_based() || scene.radius_squared != 1) {
+/// half of the volume and mass on the surface, and products of these in the corners, as a passive
+/// side has them, without dashpots. Others have a closure for all sides.
+nmbc::PlaneSide sbp_side_of(const PlaneScene& scene) {
+    if (scene.is_bond_based()) {
         throw SceneError(
-            "a side of kind \"sbp\" is for nopd2d of model.radius2 = 1, whose gradients along one "
-            "axis are not sums along the other, too: take \"free\", which is too soft, or radius "
-            "1");
+            "a side of kind \"sbp\" is for nopd2d: bonds have no gradients to sum by parts. Take "
+            "\"mirror\" where the body is symmetric, or \"free\", which is too soft");
     }
-    const std::vector<double> half{0.5};
-    return {.strain = half,
-            .stabilisation = half,
-            .mass = {half, half},
-            .dashpots = {std::vector<double>{0}, std::vector<double>{0}}};
+    if (scene.radius_squared == 1) {
+        const std::vector<double> half{0.5};
+        return nmbc::PassiveSide{.strain = half,
+                                 .stabilisation = half,
+                                 .mass = {half, half},
+                                 .dashpots = {std::vector<double>{0}, std::vector<double>{0}}};
+    }
+    if (scene.radius_squared > nmbcgen::largest_closed_radius_squared) {
+        throw SceneError(fmt::format("sides of kind \"sbp\" are for model.radius2 up to {}, not {}",
+                                     nmbcgen::largest_closed_radius_squared, scene.radius_squared));
+    }
+    for (const SideKind kind : {SideKind::passive, SideKind::free}) {
+        if (scene.has(kind)) {
+            throw SceneError(fmt::format(
+                "above model.radius2 = 1 a side of kind \"sbp\" has no corner with one of kind "
+                "\"{}\": take \"sponge\" or \"extended\" where waves are to leave, or \"sbp\" on "
+                "all free sides",
+                name_of(kind)));
+        }
+    }
+    return nmbc::ClosedSide{std::make_shared<const nmbc::PlaneClosure>(
+        nmbcgen::plane_summation_by_parts(scene.radius_squared))};
 }
 
 nmbc::SpongeSide sponge_side_of(const PlaneScene& scene, const PlaneSideChoice& choice) {
@@ -172,8 +191,8 @@ void require_matched_layers(const PlaneScene& scene) {
         throw SceneError(
             "model.damping must be 0 beside perfectly matched layers, which were not made for it");
     }
-    for (const SideKind kind :
-         {SideKind::passive, SideKind::free, SideKind::sbp, SideKind::nmbc, SideKind::higdon}) {
+    for (const SideKind kind : {SideKind::passive, SideKind::free, SideKind::sbp, SideKind::mirror,
+                                SideKind::nmbc, SideKind::higdon}) {
         if (scene.has(kind)) {
             throw SceneError(
                 fmt::format("beside a perfectly matched layer there are pml, fixed, extended, "
@@ -202,12 +221,20 @@ nmbc::PlaneSides sides_of(const PlaneScene& scene) {
                             heading_of(side), known));
         }
     }
+    for (const PlaneSideChoice& side : scene.sides) {
+        if (scene.fracture && side.kind == SideKind::mirror && side.is_odd) {
+            throw SceneError(
+                "beside an odd mirror no bonds break: the image of one that is pulled is pushed");
+        }
+    }
     nmbc::PlaneSide passive;
     require_proved(scene);
     require_matched_layers(scene);
     if (scene.has(SideKind::passive)) {
         passive = designed_side_of(scene);
     }
+    const nmbc::PlaneSide summed =
+        scene.has(SideKind::sbp) ? sbp_side_of(scene) : nmbc::PlaneSide{};
     const auto side = [&](std::size_t number) -> nmbc::PlaneSide {
         switch (scene.sides[number].kind) {
             case SideKind::passive:
@@ -215,7 +242,9 @@ nmbc::PlaneSides sides_of(const PlaneScene& scene) {
             case SideKind::free:
                 return nmbc::FreeSide{};
             case SideKind::sbp:
-                return sbp_side_of(scene);
+                return summed;
+            case SideKind::mirror:
+                return nmbc::MirrorSide{scene.sides[number].is_odd};
             case SideKind::periodic:
                 return nmbc::PeriodicSide{};
             case SideKind::nmbc:

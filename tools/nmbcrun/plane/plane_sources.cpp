@@ -8,32 +8,12 @@
 #include <functional>
 #include <numbers>
 #include <utility>
+#include <variant>
 
 #include "tools/nmbcrun/errors.hpp"
 
 namespace nmbcrun {
 namespace {
-
-/// Of nodes by their entry: on a surface that is closed by summation by parts they have a half, and
-/// in the corner of two a quarter.
-std::function<double(std::size_t)> masses_of(const PlaneScene& scene, const nmbc::Plane& plane) {
-    const double whole = scene.density * scene.spacing * scene.spacing;
-    const nmbc::Grid grid = plane.grid();
-    const std::size_t ghosts = plane.ghosts();
-    const auto is_sbp = [sides = scene.sides](std::size_t side) {
-        return sides[side].kind == SideKind::sbp;
-    };
-    return [=](std::size_t entry) {
-        const std::size_t x = entry % grid.nx;
-        const std::size_t y = entry / grid.nx;
-        double mass = whole;
-        mass *= is_sbp(0) && x == ghosts ? 0.5 : 1;
-        mass *= is_sbp(1) && x + ghosts + 1 == grid.nx ? 0.5 : 1;
-        mass *= is_sbp(2) && y == ghosts ? 0.5 : 1;
-        mass *= is_sbp(3) && y + ghosts + 1 == grid.ny ? 0.5 : 1;
-        return mass;
-    };
-}
 
 /// The nodes of the layer of a side, corners included.
 std::vector<std::size_t> entries_of_layer(const nmbc::Plane& plane, std::size_t side) {
@@ -48,6 +28,34 @@ std::vector<std::size_t> entries_of_layer(const nmbc::Plane& plane, std::size_t 
         entries.push_back(side / 2 == 0 ? i * grid.nx + line : line * grid.nx + i);
     }
     return entries;
+}
+
+/// Of these nodes: what a traction on the surface does to each, over what it does to a node of a
+/// whole cell.
+std::vector<double> shares_of_layer(const nmbc::Plane& plane, std::size_t side,
+                                    const std::vector<std::size_t>& entries) {
+    const nmbc::PlaneParameters& p = plane.parameters();
+    const double whole = p.density * p.spacing * p.spacing;
+    const auto is_summed = [&](std::size_t number) {
+        const nmbc::PlaneSide& one = plane.sides().at(nmbc::plane_sides[number]);
+        return std::holds_alternative<nmbc::ClosedSide>(one) ||
+               (std::holds_alternative<nmbc::PassiveSide>(one) &&
+                nmbc::detail::own_layers(one) == 1);
+    };
+    const auto* const closed =
+        std::get_if<nmbc::ClosedSide>(&plane.sides().at(nmbc::plane_sides[side]));
+    const std::vector<double> surface =
+        closed != nullptr ? closed->closure->surface : std::vector{0.5, 1.0};
+    const std::size_t along = side / 2 == 0 ? 2 : 0;  // the sides that it begins and ends at
+    std::vector<double> shares;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const std::size_t last = surface.size() - 1;
+        const double low = surface[is_summed(along) ? std::min(i, last) : last];
+        const double high =
+            surface[is_summed(along + 1) ? std::min(entries.size() - 1 - i, last) : last];
+        shares.push_back(low * high * whole / plane.mass(0, entries[i]));
+    }
+    return shares;
 }
 
 }  // namespace
@@ -119,14 +127,15 @@ PlaneSources::Source PlaneSources::source_of(const PlaneDrive& drive) {
 }
 
 void PlaneSources::add(Source source, std::size_t component, const Entries& entries,
-                       const std::string& table) {
+                       const std::string& table, const nmbc::Plane& plane) {
     if (entries.empty()) {
         throw SceneError(table + " acts on no node of the scene");
     }
     for (const std::size_t entry : entries) {
         const auto [found, is_new] = places_.try_emplace({component, entry}, moved_.size());
         if (is_new) {
-            moved_.push_back({.component = component, .entry = entry, .mass = mass_of_(entry)});
+            moved_.push_back(
+                {.component = component, .entry = entry, .mass = plane.mass(component, entry)});
         }
         source.nodes.push_back(found->second);
         if (source.gives != Source::Gives::force) {
@@ -143,7 +152,7 @@ void PlaneSources::add(Source source, std::size_t component, const Entries& entr
 
 PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
                            const std::array<std::size_t, 2>& extension, double time_step)
-    : density_(scene.density), mass_of_(masses_of(scene, plane)), time_step_(time_step) {
+    : density_(scene.density), time_step_(time_step) {
     constexpr double roundings = 1e-9;  // of the spacing: a node on the edge of a region is in it
     const double more = roundings * scene.spacing;
     const auto entries_where = [&](const auto& is_within) {
@@ -175,7 +184,7 @@ PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
                    scene.force->half_width + more;
         };
         add(source_of_history(scene.force->history), scene.force->component, entries_where(is_near),
-            "force");
+            "force", plane);
     }
     for (const PlaneLoad& load : scene.loads) {
         Source source =
@@ -184,14 +193,16 @@ PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
                 : source_of_history(
                       {.history = History::file, .amplitude = load.amplitude, .file = load.file});
         source.gives = load.is_velocity ? Source::Gives::velocity : Source::Gives::force;
-        add(std::move(source), load.component,
-            load.surface ? entries_of_layer(plane, *load.surface)
-                         : entries_around(load.centre, load.half_width),
-            load.name);
+        const Entries entries = load.surface ? entries_of_layer(plane, *load.surface)
+                                             : entries_around(load.centre, load.half_width);
+        if (load.surface && load.is_traction) {
+            source.shares = shares_of_layer(plane, *load.surface, entries);
+        }
+        add(std::move(source), load.component, entries, load.name, plane);
     }
     if (scene.drive) {
         add(source_of(*scene.drive), scene.drive->component,
-            entries_around(scene.drive->centre, scene.drive->half_width), "drive");
+            entries_around(scene.drive->centre, scene.drive->half_width), "drive", plane);
     }
 }
 
@@ -216,8 +227,9 @@ void PlaneSources::operator()(nmbc::Plane& plane, double time) {
     for (const Source& source : sources_) {
         if (source.gives == Source::Gives::force) {
             const double push = time_step_ * source.at(time - time_step_) / density_;
-            for (const std::size_t place : source.nodes) {
-                velocity(moved_[place]) += push;
+            for (std::size_t i = 0; i < source.nodes.size(); ++i) {
+                velocity(moved_[source.nodes[i]]) +=
+                    source.shares.empty() ? push : push * source.shares[i];
             }
         }
     }

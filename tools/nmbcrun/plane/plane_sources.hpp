@@ -78,6 +78,7 @@ class PlaneSources {
         std::function<double(double)> at{};  ///< in time
         double last = 0;                     ///< it acts up to this time
         std::vector<std::size_t> nodes{};    ///< places in moved_
+        std::vector<double> shares{};        ///< what they have of a force; none: all of it
     };
 
     using Entries = std::vector<std::size_t>;
@@ -86,15 +87,14 @@ class PlaneSources {
     static Source source_of(const PlaneDrive& drive);
     /// table: of the scene, that acts on these entries of a field. Throws SceneError where there
     /// are none, or another table gives a course to one of them.
-    void add(Source source, std::size_t component, const Entries& entries,
-             const std::string& table);
+    void add(Source source, std::size_t component, const Entries& entries, const std::string& table,
+             const nmbc::Plane& plane);
 
     std::vector<Source> sources_{};  // later ones have the last word
     std::string warning_{};
     std::vector<Moved> moved_{};
     std::map<std::array<std::size_t, 2>, std::size_t> places_{};  // there, by component and entry
     double density_;
-    std::function<double(std::size_t entry)> mass_of_;  // per thickness
     double time_step_;
     double work_ = 0;
 };

@@ -59,7 +59,8 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool quiet) {
     if (std::ranges::none_of(
             scene.sides, [](const PlaneSideChoice& side) { return is_artificial(side.kind); })) {
         throw SceneError(
-            "all sides are physical, fixed, free, sbp or periodic, and verify looks at what "
+            "all sides are physical, fixed, free, sbp, mirror or periodic, and verify looks at "
+            "what "
             "artificial "
             "ones do: there is none");
     }

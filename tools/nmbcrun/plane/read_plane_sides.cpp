@@ -30,6 +30,8 @@ std::vector<std::string_view> keys_of(SideKind kind) {
             return {"order", "stride", "as_printed"};
         case SideKind::higdon:
             return {"absorb"};
+        case SideKind::mirror:
+            return {"odd"};
         case SideKind::passive:
         case SideKind::extended:
             return {"layer"};
@@ -106,6 +108,7 @@ PlaneSideChoice read_side(SceneReader& reader, const std::string& group,
         side.absorb = read_waves(reader, group + ".absorb");
     }
     side.as_printed = reader.truth(group + ".as_printed").value_or(side.as_printed);
+    side.is_odd = reader.truth(group + ".odd").value_or(side.is_odd);
     side.profile = reader.number(group + ".profile", up_to_10).value_or(side.profile);
     side.target = reader.number(group + ".target", between_0_and_1).value_or(side.target);
     return side;
@@ -118,7 +121,7 @@ void refuse_idle_keys(SceneReader& reader, const std::string& group,
     const bool kind_is_overridden =
         reader.is_overridden("boundary.kind") || reader.is_overridden(group + ".kind");
     for (const std::string_view name :
-         {"order", "stride", "as_printed", "absorb", "layer", "profile", "target"}) {
+         {"order", "stride", "as_printed", "absorb", "odd", "layer", "profile", "target"}) {
         const std::string key = fmt::format("{}.{}", group, name);
         const bool counts = std::ranges::any_of(sides, [&](const PlaneSideChoice& side) {
             const auto keys = keys_of(side.kind);

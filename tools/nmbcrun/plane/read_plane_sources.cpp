@@ -109,8 +109,8 @@ PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneS
                             "\"sbp\"; loads of the kinds force and velocity do not",
                             heading_of(beside), plane_side_names[*side]));
         }
-        // Nodes on a surface have half of a cell, and outermost ones beside it a whole one.
-        load.amplitude *= (beside.kind == SideKind::sbp ? 2 : 1) / scene.spacing;
+        load.amplitude /= scene.spacing;  // of a whole cell
+        load.is_traction = true;
     }
     if (side) {
         group.refuse({"centre", "half_width"}, "the nodes of a side");

@@ -22,11 +22,17 @@ std::string text_of(const std::vector<ObliqueWave>& waves) {
 
 const std::vector<std::pair<std::string_view, SideKind>>& side_kinds() {
     static const std::vector<std::pair<std::string_view, SideKind>> kinds{
-        {"passive", SideKind::passive},   {"fixed", SideKind::fixed},
-        {"free", SideKind::free},         {"sbp", SideKind::sbp},
-        {"periodic", SideKind::periodic}, {"extended", SideKind::extended},
-        {"nmbc", SideKind::nmbc},         {"higdon", SideKind::higdon},
-        {"sponge", SideKind::sponge},     {"pml", SideKind::pml}};
+        {"passive", SideKind::passive},
+        {"fixed", SideKind::fixed},
+        {"free", SideKind::free},
+        {"sbp", SideKind::sbp},
+        {"mirror", SideKind::mirror},
+        {"periodic", SideKind::periodic},
+        {"extended", SideKind::extended},
+        {"nmbc", SideKind::nmbc},
+        {"higdon", SideKind::higdon},
+        {"sponge", SideKind::sponge},
+        {"pml", SideKind::pml}};
     return kinds;
 }
 
@@ -45,7 +51,7 @@ bool has_layer(SideKind kind) {
 
 bool is_artificial(SideKind kind) {
     return kind != SideKind::fixed && kind != SideKind::free && kind != SideKind::sbp &&
-           kind != SideKind::periodic;
+           kind != SideKind::mirror && kind != SideKind::periodic;
 }
 
 std::string heading_of(const PlaneSideChoice& side) {
@@ -58,6 +64,8 @@ std::string heading_of(const PlaneSideChoice& side) {
             return "higdon for " + text_of(side.absorb);
         case SideKind::sbp:
             return "summation by parts";
+        case SideKind::mirror:
+            return side.is_odd ? "odd mirror" : "mirror";
         case SideKind::sponge:
         case SideKind::pml:
             return fmt::format("{} of {} nodes, profile {}, target {}", name_of(side.kind),

@@ -16,6 +16,7 @@ enum class SideKind {
     fixed,     ///< ghosts held at u = 0
     free,      ///< no nodes beyond it
     sbp,       ///< two lines of nodes beyond it, the outer one the surface, by summation by parts
+    mirror,    ///< the mirror image beyond it
     periodic,  ///< the opposite side is its neighbour
     extended,  ///< more of the same lattice, fixed at its far end
     nmbc,      ///< (60) on the ghost layers, component by component
@@ -42,6 +43,7 @@ struct PlaneSideChoice {
     int stride = 1;
     bool as_printed = false;  ///< (81): the speed of P waves for both components
     std::vector<ObliqueWave> absorb{{true, 0}, {false, 0}};  ///< by a higdon, a factor each
+    bool is_odd = false;  ///< of a mirror: its image is turned round in itself
     // Of a sponge or a perfectly matched layer:
     double profile = 2;    ///< exponent of the losses in the depth
     double target = 0.01;  ///< amplitude that the continuum sends back
@@ -58,8 +60,8 @@ bool may_grow(SideKind kind);
 /// Whether it has nodes of its own beyond the scene's, `layer` of them.
 bool has_layer(SideKind kind);
 
-/// Whether it stands for more of the same lattice: physical sides are fixed, free, sbp and
-/// periodic.
+/// Whether it stands for more of the same lattice: physical sides are fixed, free, sbp, mirror
+/// and periodic.
 bool is_artificial(SideKind kind);
 
 /// As a scene spells it, such as "fixed".

@@ -36,7 +36,8 @@ Advice advice_for(const PlaneScene& scene, double tolerance, bool quiet) {
     if (!advice.has_artificial) {
         if (!advice.strip) {
             throw SceneError(
-                "all sides are physical, fixed, free or periodic, and the scene needs both "
+                "all sides are physical, fixed, free, sbp, mirror or periodic, and the scene needs "
+                "both "
                 "dimensions: there is nothing to advise");
         }
         return advice;

@@ -19,7 +19,8 @@ void chart_plane(const PlaneScene& scene, const PlaneChartOptions& options) {
     if (std::ranges::none_of(
             scene.sides, [](const PlaneSideChoice& side) { return is_artificial(side.kind); })) {
         throw SceneError(
-            "all sides are physical, fixed, free or periodic, and chart compares artificial ones: "
+            "all sides are physical, fixed, free, sbp, mirror or periodic, and chart compares "
+            "artificial ones: "
             "there is none");
     }
     note_interrupts();

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+/// The forces of nodes near closed sides of a plane, of the displacements around them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <nmbc/plane_nodes.hpp>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nmbc::detail {
+
+/// M^-1 times the force on a node, sum of the factors times u_J - u_I.
+struct ClosedRow {
+    struct Entry {
+        std::ptrdiff_t entry = 0;         ///< from the node's entry of a field
+        std::array<double, 4> factors{};  ///< xx, xy, yx, yy: the first is the force's
+    };
+    std::vector<Entry> entries{};
+};
+
+/// Where a node is so far from the closed sides that all in whose gradients it is have the
+/// lattice's own, its force is the lattice's.
+class ClosedRows {
+  public:
+    ClosedRows() = default;
+    /// Throws std::invalid_argument where two closed sides are too near to each other.
+    explicit ClosedRows(const PlaneNodes& nodes)
+        : reached_(nodes.closed_layers() + nodes.horizon()) {
+        const std::ptrdiff_t places = 2 * reached_ + 1;
+        rows_.resize(static_cast<std::size_t>(places * places));
+        const auto of_axis = [this](const PlaneAxis& axis) {
+            if (axis.is_closed(0) && axis.is_closed(1) && axis.nodes() < 2 * reached_) {
+                throw std::invalid_argument("between closed sides a body needs " +
+                                            std::to_string(2 * reached_) + " nodes");
+            }
+            std::map<std::ptrdiff_t, std::ptrdiff_t> nodes_of_places;
+            for (std::ptrdiff_t node = 0; node < axis.nodes(); ++node) {
+                nodes_of_places.try_emplace(place(axis.depth(node, reached_)), node);
+            }
+            return nodes_of_places;
+        };
+        const auto xs = of_axis(nodes.x());
+        const auto ys = of_axis(nodes.y());
+        for (const auto& [place_y, y] : ys) {
+            for (const auto& [place_x, x] : xs) {
+                if (place_x != reached_ || place_y != reached_) {
+                    rows_[static_cast<std::size_t>(place_y * places + place_x)] =
+                        row_of(nodes, x, y);
+                }
+            }
+        }
+    }
+
+    bool empty() const { return rows_.empty(); }
+    /// nullptr: the force is the lattice's.
+    const ClosedRow* at(const PlaneNodes& nodes, std::ptrdiff_t x, std::ptrdiff_t y) const {
+        const std::ptrdiff_t number = place(nodes.y().depth(y, reached_)) * (2 * reached_ + 1) +
+                                      place(nodes.x().depth(x, reached_));
+        const ClosedRow& row = rows_[static_cast<std::size_t>(number)];
+        return row.entries.empty() ? nullptr : &row;
+    }
+
+  private:
+    using Offset = std::array<int, 2>;
+    using Gradient = std::map<Offset, std::array<double, 2>>;
+    using Blocks = std::map<Offset, std::array<double, 4>>;
+
+    /// Low layers, further in, high layers.
+    std::ptrdiff_t place(const PlaneAxis::Depth& depth) const {
+        return depth.is_high ? 2 * reached_ - depth.layers : depth.layers;
+    }
+
+    /// Of a node, by the offsets from it, itself and all its bonds included.
+    static Gradient gradient_of(const PlaneNodes& nodes, std::ptrdiff_t x, std::ptrdiff_t y) {
+        Gradient gradient{{Offset{}, {0, 0}}};
+        const ClosedNode* const own = nodes.closed(x, y);
+        const PlaneNeighbours& near = nodes.neighbours(x, y);
+        for (const PlaneNeighbours::Bond& bond : near.bonds) {
+            gradient[{bond.x, bond.y}] =
+                own != nullptr
+                    ? std::array{0.0, 0.0}
+                    : std::array{near.inverse_shape[0] * bond.x, near.inverse_shape[2] * bond.y};
+        }
+        if (own == nullptr) {
+            return gradient;  // of a whole family, in which the node's own factors vanish
+        }
+        for (const ClosedNode::Entry& entry : own->gradient) {
+            gradient[{entry.x, entry.y}] = entry.along;
+            gradient[{0, 0}][0] -= entry.along[0];
+            gradient[{0, 0}][1] -= entry.along[1];
+        }
+        return gradient;
+    }
+
+    /// Adds what the energy of one node, at the offset `owner` from the node in question, has to do
+    /// with its force: the stiffness by offset from the node in question.
+    static void add_energy(const PlaneNodes& nodes, const std::array<std::ptrdiff_t, 2>& at,
+                           const Offset& owner, Blocks& stiffness) {
+        const std::ptrdiff_t x = at[0] + owner[0];
+        const std::ptrdiff_t y = at[1] + owner[1];
+        const Gradient gradient = gradient_of(nodes, x, y);
+        const PlaneWeights own = nodes.weights(x, y);
+        const Offset node{-owner[0], -owner[1]};  // in question, from the owner
+        const std::array<double, 2> G = gradient.at(node);
+        const double k = own.strain * nodes.model().bulk;
+        const double mu = own.strain * nodes.model().shear;
+        const auto block_of = [&](const Offset& other) -> std::array<double, 4>& {
+            return stiffness[{owner[0] + other[0], owner[1] + other[1]}];
+        };
+        for (const auto& [other, H] : gradient) {
+            std::array<double, 4>& block = block_of(other);
+            block[0] += (k + mu) * G[0] * H[0] + mu * G[1] * H[1];
+            block[1] += (k - mu) * G[0] * H[1] + mu * G[1] * H[0];
+            block[2] += (k - mu) * G[1] * H[0] + mu * G[0] * H[1];
+            block[3] += (k + mu) * G[1] * H[1] + mu * G[0] * H[0];
+        }
+        const double w = own.stabilisation * nodes.model().stabilisation;
+        if (w == 0) {
+            return;
+        }
+        // z = u_J - u_I - g R of each bond: factors of u, of the node in question and of others.
+        for (const PlaneNeighbours::Bond& bond : nodes.neighbours(x, y).bonds) {
+            const auto factor_of = [&](const Offset& other, const std::array<double, 2>& H) {
+                return (other == Offset{bond.x, bond.y} ? 1 : 0) - (other == Offset{} ? 1 : 0) -
+                       H[0] * bond.x - H[1] * bond.y;
+            };
+            const double of_node = factor_of(node, G);
+            if (of_node == 0) {
+                continue;
+            }
+            for (const auto& [other, H] : gradient) {
+                block_of(other)[0] += w * of_node * factor_of(other, H);
+                block_of(other)[3] += w * of_node * factor_of(other, H);
+            }
+        }
+    }
+
+    static ClosedRow row_of(const PlaneNodes& nodes, std::ptrdiff_t x, std::ptrdiff_t y) {
+        Blocks stiffness;
+        const PlaneNeighbours& near = nodes.neighbours(x, y);
+        add_energy(nodes, {x, y}, {0, 0}, stiffness);
+        for (const PlaneNeighbours::Bond& bond : near.bonds) {
+            add_energy(nodes, {x, y}, {bond.x, bond.y}, stiffness);
+        }
+        ClosedRow row;
+        const double mass = nodes.weights(x, y).mass[0];
+        for (const auto& [offset, block] : stiffness) {
+            std::array<double, 4> factors{};
+            std::ranges::transform(block, factors.begin(),
+                                   [mass](double entry) { return -entry / mass; });
+            if (offset != Offset{}) {
+                row.entries.push_back({offset[1] * nodes.pitch() + offset[0], factors});
+            }
+        }
+        return row;
+    }
+
+    std::ptrdiff_t reached_ = 0;
+    std::vector<ClosedRow> rows_{};  // by place() along x and y
+};
+
+}  // namespace nmbc::detail

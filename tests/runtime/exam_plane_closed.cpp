@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Planes of every radius between sides that sum by parts, corners included.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <nmbc/plane.hpp>
+#include <nmbc/plane_stability.hpp>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "generator/closures/plane_summation_by_parts.hpp"
+
+namespace {
+
+constexpr double nu = 0.3;
+
+nmbc::ClosedSide closed(unsigned radius_squared) {
+    return {std::make_shared<const nmbc::PlaneClosure>(
+        nmbcgen::plane_summation_by_parts(radius_squared))};
+}
+
+nmbc::PlaneParameters parameters_of(const nmbc::PlaneModel& model, const nmbc::PlaneSides& sides) {
+    nmbc::PlaneParameters p{.nx = 9, .ny = 7, .spacing = 0.5, .youngs_modulus = 7, .density = 3};
+    p.time_step = 1.8 / std::sqrt(nmbc::highest_eigenvalue(model, sides, p.nx, p.ny)) / p.rate();
+    return p;
+}
+
+/// Calls work(x, y, entry) for the nodes of the body, counted from its lower left corner.
+template <class Work>
+void for_each_node(const nmbc::Plane& plane, const Work& work) {
+    const std::size_t ghosts = plane.ghosts();
+    for (std::size_t y = 0; y + 2 * ghosts < plane.grid().ny; ++y) {
+        for (std::size_t x = 0; x + 2 * ghosts < plane.grid().nx; ++x) {
+            work(x, y, (y + ghosts) * plane.grid().nx + x + ghosts);
+        }
+    }
+}
+
+/// The largest departure over the largest displacement, in 200 steps under the tractions of an even
+/// gradient: xx, xy, yx, yy.
+double failure_of_patch(unsigned radius_squared, double G, const std::array<double, 4>& gradient) {
+    const nmbc::PlaneModel model = nmbc::nopd2d(radius_squared, nu, G);
+    const nmbc::ClosedSide side = closed(radius_squared);
+    const auto sides = nmbc::PlaneSides::all(side);
+    const nmbc::PlaneParameters p = parameters_of(model, sides);
+    nmbc::Plane plane(model, sides, p);
+    const std::size_t nx = plane.grid().nx - 2 * plane.ghosts();
+    const std::size_t ny = plane.grid().ny - 2 * plane.ghosts();
+    std::array<std::vector<double>, 2> u{std::vector<double>(plane.displacement(0).size()),
+                                         std::vector<double>(plane.displacement(0).size())};
+    for_each_node(plane, [&](std::size_t x, std::size_t y, std::size_t entry) {
+        for (const std::size_t a : {0U, 1U}) {
+            u[a][entry] =
+                p.spacing * (gradient[2 * a] * double(x) + gradient[2 * a + 1] * double(y));
+            plane.displacement(a)[entry] = u[a][entry];
+        }
+    });
+    const double modulus = p.youngs_modulus / (1 - nu * nu);  // plane stress
+    const double sigma_x = modulus * (gradient[0] + nu * gradient[3]);
+    const double sigma_y = modulus * (gradient[3] + nu * gradient[0]);
+    const double sigma_xy = p.youngs_modulus / (2 * (1 + nu)) * (gradient[1] + gradient[2]);
+    const auto length = [&](std::size_t node, std::size_t nodes) {  // of the surface
+        const auto& surface = side.closure->surface;
+        return p.spacing * surface[std::min({node, nodes - 1 - node, surface.size() - 1})];
+    };
+    const auto pull = [&](double duration) {
+        for_each_node(plane, [&](std::size_t x, std::size_t y, std::size_t entry) {
+            const double out_x = (double(x + 1 == nx) - double(x == 0)) * length(y, ny);
+            const double out_y = (double(y + 1 == ny) - double(y == 0)) * length(x, nx);
+            const double push = duration / plane.mass(0, entry);
+            plane.velocity(0)[entry] += push * (out_x * sigma_x + out_y * sigma_xy);
+            plane.velocity(1)[entry] += push * (out_x * sigma_xy + out_y * sigma_y);
+        });
+    };
+    plane.start();
+    pull(-p.time_step / 2);
+    plane.advance(
+        200, [&](auto&, double) { pull(p.time_step); }, [](const auto&) {});
+    double failure = 0;
+    double largest = 0;
+    for_each_node(plane, [&](std::size_t, std::size_t, std::size_t entry) {
+        for (const std::size_t a : {0U, 1U}) {
+            failure = std::max(failure,
+                               std::abs(std::as_const(plane).displacement(a)[entry] - u[a][entry]));
+            largest = std::max(largest, std::abs(u[a][entry]));
+        }
+    });
+    return failure / largest;
+}
+
+}  // namespace
+
+TEST_CASE("closed sides pass the patch test at every radius, corners included") {
+    for (const unsigned radius_squared : {1U, 2U, 4U, 5U, 8U, 9U}) {
+        for (const double G : {0.0, 0.5}) {
+            CAPTURE(radius_squared);
+            CAPTURE(G);
+            // A free body flies off with the square of the steps, by a rounding of its forces.
+            CHECK(failure_of_patch(radius_squared, G, {0.1, 0, 0, 0.02}) < 1e-11);
+            CHECK(failure_of_patch(radius_squared, G, {0, 0.05, 0.05, 0}) < 1e-11);
+            CHECK(failure_of_patch(radius_squared, G, {0.03, 0.1, -0.04, -0.02}) < 1e-11);
+        }
+    }
+}
+
+TEST_CASE("between closed sides the energy is kept, and is a sum of squares") {
+    for (const unsigned radius_squared : {1U, 2U, 4U, 9U, 10U}) {
+        for (const double G : {0.0, 0.5}) {
+            CAPTURE(radius_squared);
+            CAPTURE(G);
+            const nmbc::PlaneModel model = nmbc::nopd2d(radius_squared, nu, G);
+            const nmbc::PlaneSide side = closed(radius_squared);
+            for (const nmbc::PlaneSides& sides :
+                 {nmbc::PlaneSides::all(side),
+                  nmbc::PlaneSides{side, nmbc::FixedSide{}, nmbc::MirrorSide{}, side},
+                  nmbc::PlaneSides{nmbc::PeriodicSide{}, nmbc::PeriodicSide{}, side, side}}) {
+                nmbc::Plane plane(model, sides, parameters_of(model, sides));
+                plane.displacement(0)[plane.entry(3, 4)] = 1;
+                plane.displacement(1)[plane.entry(7, 0)] = -1;
+                plane.start();
+                const double start = plane.energies().staggered;
+                CHECK(start > 0);
+                double drift = 0;
+                for (int step = 0; step < 500; ++step) {
+                    plane.advance(1);
+                    drift = std::max(drift, std::abs(plane.energies().staggered / start - 1));
+                }
+                CHECK(drift < 1e-11);  // 500 steps of roundings
+            }
+        }
+    }
+}
+
+TEST_CASE("P and S waves meet a closed side as the middle of an even whole, to second order") {
+    const nmbc::PlaneModel model = nmbc::nopd2d(4, nu, 0.5);
+    const auto departure = [&](std::size_t component, double width) {
+        const nmbc::PlaneSides strip{closed(4), nmbc::FixedSide{}, nmbc::PeriodicSide{},
+                                     nmbc::PeriodicSide{}};
+        nmbc::PlaneParameters p{.nx = std::size_t(16 * width), .ny = 2, .time_step = 0.5};
+        nmbc::Plane half(model, strip, p);
+        const std::size_t ghosts = half.ghosts();
+        const std::size_t lines = half.grid().nx - 2 * ghosts;
+        p.nx = 2 * lines - 1;
+        nmbc::PlaneSides both = strip;
+        both.left = nmbc::FixedSide{};
+        nmbc::Plane whole(model, both, p);
+        const auto pulse = [&](double x) {  // from the surface
+            return std::exp(-std::pow((std::abs(x) - 6 * width) / width, 2));
+        };
+        const auto fill = [&](nmbc::Plane& plane, std::size_t surface) {
+            for_each_node(plane, [&](std::size_t x, std::size_t, std::size_t entry) {
+                plane.displacement(component)[entry] = pulse(double(x) - double(surface));
+            });
+            plane.start();
+            plane.advance(std::size_t(
+                9 * width / (component == 0 ? model.speed_P() : model.speed_S()) / p.time_step));
+        };
+        fill(half, 0);
+        fill(whole, lines - 1);
+        double error = 0;
+        for (std::size_t x = 0; x < lines; ++x) {
+            const std::size_t row = ghosts * half.grid().nx + ghosts + x;
+            const std::size_t middle = ghosts * whole.grid().nx + ghosts + lines - 1 + x;
+            error = std::max(error, std::abs(std::as_const(half).displacement(component)[row] -
+                                             std::as_const(whole).displacement(component)[middle]));
+        }
+        return error;
+    };
+    for (const std::size_t component : {0U, 1U}) {
+        CAPTURE(component);
+        const double coarse = departure(component, 8);
+        CHECK(coarse < 0.01);
+        CHECK(coarse / departure(component, 16) > 3.5);
+    }
+}
+
+TEST_CASE("what is refused beside closed sides") {
+    const nmbc::PlaneModel model = nmbc::nopd2d(4, nu, 0);
+    const nmbc::PlaneSide side = closed(4);
+    const nmbc::PlaneParameters p{.nx = 20, .ny = 20, .time_step = 0.1};
+    const auto refuses = [&](const nmbc::PlaneModel& plane, const nmbc::PlaneSides& sides) {
+        CHECK_THROWS_AS(nmbc::Plane(plane, sides, p), std::invalid_argument);
+    };
+    CHECK_NOTHROW(nmbc::Plane(model, nmbc::PlaneSides::all(side), p));
+    refuses(nmbc::nopd2d(9, nu, 0), nmbc::PlaneSides::all(side));
+    refuses(nmbc::bond2d(4, {1, 1, 1}), nmbc::PlaneSides::all(side));
+    refuses(model, {side, nmbc::FreeSide{}, side, side});
+    refuses(model, {side, closed(4), side, side});
+    refuses(model, nmbc::PlaneSides::all(nmbc::ClosedSide{}));
+    nmbc::PlaneClosure hollow = nmbcgen::plane_summation_by_parts(4);
+    hollow.nodes[0].volume = 0;
+    refuses(model, nmbc::PlaneSides::all(
+                       nmbc::ClosedSide{std::make_shared<const nmbc::PlaneClosure>(hollow)}));
+}
