@@ -78,7 +78,7 @@ template <class Command>
 void print_with_progress(const Command& command) {
     std::string text;
     {
-        ProgressLine line("examining");
+        ProgressLine line("nmbcgen: examining");
         text = command(std::ref(line));
     }
     print(text);

@@ -40,8 +40,7 @@ void ProgressLine::write_until_stopped() {
     while (!changed_.wait_for(lock, pause, [this] { return stopped_; })) {
         const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(
             std::chrono::steady_clock::now() - start_);
-        std::cerr << "\r\033[Knmbcgen: " << what_
-                  << (all_ > 0 ? fmt::format(", {} of {}", done_, all_) : "")
+        std::cerr << "\r\033[K" << what_ << (all_ > 0 ? fmt::format(", {} of {}", done_, all_) : "")
                   << fmt::format(", {} s", seconds.count()) << std::flush;
         written = true;
         pause = milliseconds(500);

@@ -16,6 +16,7 @@ namespace nmbcgen {
 /// standard error is no terminal.
 class ProgressLine {
   public:
+    /// what: the program and what it does, "nmbcgen: examining"
     explicit ProgressLine(std::string what);
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;

@@ -14,7 +14,7 @@
 
 namespace {
 
-constexpr double nu = 0.3;
+constexpr double poisson = 0.3;
 
 nmbc::PassiveSide half() {
     const std::vector<double> weight{0.5};
@@ -27,7 +27,7 @@ nmbc::PassiveSide half() {
 /// The largest departure over the largest displacement, in 200 steps: a free body flies off with
 /// the square of their number, by a rounding of its forces. gradient: xx, xy, yx, yy.
 double failure_of_patch(double G, const std::array<double, 4>& gradient) {
-    const nmbc::PlaneModel model = nmbc::nopd2d(1, nu, G);
+    const nmbc::PlaneModel model = nmbc::nopd2d(1, poisson, G);
     const auto sides = nmbc::PlaneSides::all(half());
     nmbc::PlaneParameters p{.nx = 12, .ny = 9, .spacing = 0.5, .youngs_modulus = 7, .density = 3};
     p.time_step = 1.8 / std::sqrt(nmbc::highest_eigenvalue(model, sides, p.nx, p.ny)) / p.rate();
@@ -45,10 +45,10 @@ double failure_of_patch(double G, const std::array<double, 4>& gradient) {
             }
         }
     }
-    const double modulus = p.youngs_modulus / (1 - nu * nu);  // plane stress
-    const double sigma_x = modulus * (gradient[0] + nu * gradient[3]);
-    const double sigma_y = modulus * (gradient[3] + nu * gradient[0]);
-    const double sigma_xy = p.youngs_modulus / (2 * (1 + nu)) * (gradient[1] + gradient[2]);
+    const double modulus = p.youngs_modulus / (1 - poisson * poisson);  // plane stress
+    const double sigma_x = modulus * (gradient[0] + poisson * gradient[3]);
+    const double sigma_y = modulus * (gradient[3] + poisson * gradient[0]);
+    const double sigma_xy = p.youngs_modulus / (2 * (1 + poisson)) * (gradient[1] + gradient[2]);
     // On half a cell, in corners from two sides on a quarter of one: the same change of v.
     const auto pull = [&](double duration) {
         const double push = 2 * duration / (p.density * p.spacing);
@@ -90,7 +90,7 @@ TEST_CASE("sides that sum by parts pass the patch test, corners included") {
 }
 
 TEST_CASE("between such sides the energy is kept") {
-    const nmbc::PlaneModel model = nmbc::nopd2d(1, nu, 0.5);
+    const nmbc::PlaneModel model = nmbc::nopd2d(1, poisson, 0.5);
     const auto sides = nmbc::PlaneSides::all(half());
     nmbc::PlaneParameters p{.nx = 12, .ny = 9};
     p.time_step = 1.8 / std::sqrt(nmbc::highest_eigenvalue(model, sides, p.nx, p.ny));

@@ -49,7 +49,7 @@ nmbc::PassiveSide designed_side_of(const PlaneScene& scene) {
             task.choice.poisson = scene.nu;
             task.choice.plane_strain = scene.state == nmbc::StressState::plane_strain;
         }
-        nmbcgen::ProgressLine line("designing passive sides");
+        nmbcgen::ProgressLine line("nmbcrun: designing passive sides");
         nmbc::PassiveSide side = for_runtime(nmbcgen::passive_side(
             task, [&](std::size_t done, std::size_t all) { line(done, all); }));
         side.made_for = model_of(scene);
