@@ -265,5 +265,4 @@ TEST_CASE("models that there are not") {
         NoSuchModel);
     CHECK_THROWS_AS(bond3d({.radius_squared = 2, .weights = {1, -1}}), NoSuchModel);
     CHECK_THROWS_AS(lps2d({.radius_squared = 2, .poisson = 1}), NoSuchModel);
-    CHECK_THROWS_AS(lps3d({.radius_squared = 13, .poisson = 0}), NoSuchModel);
 }

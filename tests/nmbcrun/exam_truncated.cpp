@@ -96,7 +96,7 @@ TEST_CASE("lattices that it does not know") {
     const nmbc::Lattice atoms{{2, -1}, {{nmbc::EnergyPart::strain, 1, {0, -1, 1}}}, {}};
     for (const auto& lattice : {damped, other, atoms}) {
         CHECK_THROWS_WITH_AS(nmbc::Chain(lattice, truncated(2, 1), parameters),
-                             doctest::Contains("know nopd1d of constant influence"),
+                             doctest::Contains("of constant model.influence"),
                              std::invalid_argument);
     }
     CHECK_THROWS_AS(nmbc::Chain(lattice_of(3, 1), truncated(3, 1), {.nodes = 2, .time_step = 0.1}),

@@ -139,8 +139,8 @@ TEST_CASE("NMBC1 in time steps is made without, and one with points is matched i
 }
 
 TEST_CASE("where nothing is certified nothing is recommended") {
-    // NMBC2 of n = 1 is certified for 1/4 <= G <= 1 only.
-    Aim aim = aim_at(2, 1, 2, {0.3, 0.8});
+    // NMBC3 of n = 1 and stride 1, the standard one and those with points alike.
+    Aim aim = aim_at(3, 1, Rational(1, 10), {0.3, 0.8});
     aim.stride = 1;
     CHECK(best_of(contenders(aim, silent)) == nullptr);
     CHECK_THROWS_AS(optimisation(aim, silent), NotStable);
