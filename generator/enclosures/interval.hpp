@@ -80,7 +80,7 @@ ComplexInterval value_at(const EnclosedPolynomial& polynomial, const ComplexInte
 
 EnclosedPolynomial derivative(const EnclosedPolynomial& polynomial);
 
-/// The interval about an exact number.
+/// The interval about an exact number. Throws std::overflow_error where it has no double.
 Interval enclose(const Rational& value);
 
 /// Polynomials whose coefficients are functions of a parameter: at `offset` from its middle they

@@ -15,26 +15,36 @@ Prover::Prover(const Table& table)
     : per_G_(exact_condition(table, Polynomial(std::vector<Rational>{0, 1}))),
       plain_(exact_condition(table, constant(1))) {}
 
-EnclosedCondition Prover::enclosed(const nmbc::Window& window) const {
-    return enclose(window.low > 0 ? per_G_ : plain_, window.low, window.high);
+std::optional<EnclosedCondition> Prover::enclosed(const nmbc::Window& window) const {
+    try {
+        return enclose(window.low > 0 ? per_G_ : plain_, window.low, window.high);
+    } catch (const std::overflow_error&) {  // a coefficient has no double
+        return std::nullopt;
+    }
 }
 
 bool Prover::holds(const nmbc::Window& window, double cfl, Grade least) const {
-    const EnclosedCondition enclosed = this->enclosed(window);
-    const double top = highest_square(enclosed.band).lower();
+    const std::optional<EnclosedCondition> enclosed = this->enclosed(window);
+    if (!enclosed) {
+        return false;
+    }
+    const double top = highest_square(enclosed->band).lower();
     if (!(top > 0 && std::isfinite(top))) {
         return false;
     }
     const Interval tau = hull(Interval(0), square(Interval(cfl)) / top);
-    return no_mode_grows(enclosed, tau) && waves_have_grade(enclosed, tau, least);
+    return no_mode_grows(*enclosed, tau) && waves_have_grade(*enclosed, tau, least);
 }
 
 bool Prover::holds_in_step(const nmbc::Window& window, double time_step, Grade least) const {
-    const EnclosedCondition enclosed = this->enclosed(window);
+    const std::optional<EnclosedCondition> enclosed = this->enclosed(window);
+    if (!enclosed) {
+        return false;
+    }
     constexpr double roundings = 1e-12;
     const Interval step = time_step * Interval(1 - roundings, 1 + roundings);
-    const Interval tau = enclosed.scale * square(step) / 4.0;
-    return no_mode_grows(enclosed, tau) && waves_have_grade(enclosed, tau, least);
+    const Interval tau = enclosed->scale * square(step) / 4.0;
+    return no_mode_grows(*enclosed, tau) && waves_have_grade(*enclosed, tau, least);
 }
 
 std::vector<nmbc::Window> Prover::parts(const nmbc::Window& window, double cfl, Grade least,

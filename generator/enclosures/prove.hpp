@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <nmbc/table.hpp>
+#include <optional>
 #include <vector>
 
 #include "generator/enclosures/condition.hpp"
@@ -34,7 +35,7 @@ class Prover {
     double largest_cfl(const nmbc::Window& window, Grade least) const;
 
   private:
-    EnclosedCondition enclosed(const nmbc::Window& window) const;
+    std::optional<EnclosedCondition> enclosed(const nmbc::Window& window) const;
 
     ExactCondition per_G_;
     ExactCondition plain_;  ///< for G = 0
