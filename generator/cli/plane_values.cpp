@@ -146,7 +146,7 @@ double degrees_of(const Direction& direction) {
 
 std::vector<ObliqueWave> parse_oblique_waves(const std::string& text) {
     return parse_waves<ObliqueWave>(text, [](const std::string& one) {
-        const Direction direction = parse_direction(one);
+        Direction direction = parse_direction(one);
         if (direction.cosine_squared == 0) {
             refuse_along_the_side(one);
         }

@@ -23,9 +23,9 @@ using nmbc::PlaneOffset;
 
 /// A node, counted from the corner, and Q_x or Q_y by its axis.
 struct Bond {
-    std::size_t axis;
-    PlaneOffset from;
-    PlaneOffset to;
+    std::size_t axis = 0;
+    PlaneOffset from{};
+    PlaneOffset to{};
 };
 
 /// A linear function of what is sought.

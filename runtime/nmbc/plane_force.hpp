@@ -188,6 +188,10 @@ class PlaneForce {
     void kick_node(double scale, std::ptrdiff_t x, std::ptrdiff_t y, PlaneField<const Real> u,
                    PlaneField<Real> v, const std::vector<Real>& ring) const {
         const std::ptrdiff_t at = y * pitch_ + x;
+        if (const ClosedRow* const force = closed_row(x, y)) {
+            kick_closed(scale, *force, at, u, v);
+            return;
+        }
         const PlaneWeights own = nodes_.weights(x, y);
         std::array<double, 2> force{};
         for (const auto& bond : nodes_.neighbours(x, y).bonds) {
@@ -409,11 +413,7 @@ void PlaneForce<Real>::kick_rows(double scale, const PlaneRange& rows, PlaneFiel
                 return;
             }
             for (std::ptrdiff_t x = nodes.first; x < nodes.last; ++x) {
-                if (const ClosedRow* const force = closed_row(x, y)) {
-                    kick_closed(scale, *force, y * pitch_ + x, u, v);
-                } else {
-                    kick_node(scale, x, y, u, v, ring);
-                }
+                kick_node(scale, x, y, u, v, ring);
             }
         };
         const PlaneRange plain = plain_force(y);

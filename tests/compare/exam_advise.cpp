@@ -108,7 +108,8 @@ TEST_CASE("predictions do not grow with the run, and are what runs of every leng
            with_pulse(scene_of(1, 0.5, 100, 0), nmbcrun::Shape::packet, 10, 1.2),
            {250.0, 2000.0, 180000.0}},
           {"force", forced, {400.0, 2000.0, 180000.0}}}) {
-        CAPTURE(what);
+        const char* const source = what;
+        CAPTURE(source);
         std::map<std::string, double> before;
         for (const double length : lengths) {
             CAPTURE(length);

@@ -32,6 +32,47 @@ double start_at(std::size_t a, std::size_t x, std::size_t y) {
     return std::sin(double(a + 2 * x * x + 3 * y * y + x * y));
 }
 
+/// Puts the same waves into the quarter and, with their images, into the whole.
+void fill(nmbc::Plane& quarter, nmbc::Plane& whole, const Mirrors& mirrors) {
+    const auto place = [](std::size_t half, bool is_image, std::size_t i) {
+        return is_image ? half - 1 - i : half + i;
+    };
+    const auto put = [&](std::size_t a, std::size_t x, std::size_t y) {
+        const double u = start_at(a, x, y);
+        quarter.displacement(a)[quarter.entry(x, y)] = u;
+        for (const unsigned image : {0U, 1U, 2U, 3U}) {
+            const bool image_x = image % 2 == 1;
+            const bool image_y = image / 2 == 1;
+            const std::size_t at =
+                whole.entry(place(half_x, image_x, x), place(half_y, image_y, y));
+            whole.displacement(a)[at] =
+                u * (image_x ? mirrors.sign(0, a) : 1) * (image_y ? mirrors.sign(1, a) : 1);
+        }
+    };
+    for (const std::size_t a : {0U, 1U}) {
+        for (std::size_t y = 0; y < half_y; ++y) {
+            for (std::size_t x = 0; x < half_x; ++x) {
+                put(a, x, y);
+            }
+        }
+    }
+}
+
+/// The largest difference between the quarter and that of the whole.
+double difference(const nmbc::Plane& quarter, const nmbc::Plane& whole) {
+    double largest = 0;
+    for (const std::size_t a : {0U, 1U}) {
+        for (std::size_t y = 0; y < half_y; ++y) {
+            for (std::size_t x = 0; x < half_x; ++x) {
+                const double own = quarter.displacement(a)[quarter.entry(x, y)];
+                const double other = whole.displacement(a)[whole.entry(half_x + x, half_y + y)];
+                largest = std::max(largest, std::abs(own - other));
+            }
+        }
+    }
+    return largest;
+}
+
 /// The largest difference between a quarter and the whole in 300 steps.
 double departure(const nmbc::PlaneModel& model, const Mirrors& mirrors, double stretch) {
     nmbc::PlaneParameters p{
@@ -44,25 +85,7 @@ double departure(const nmbc::PlaneModel& model, const Mirrors& mirrors, double s
     of_whole.ny *= 2;
     nmbc::Plane quarter(model, sides, p);
     nmbc::Plane whole(model, nmbc::PlaneSides::all(nmbc::FreeSide{}), of_whole);
-    const auto place = [](std::size_t half, bool is_image, std::size_t i) {
-        return is_image ? half - 1 - i : half + i;
-    };
-    for (const std::size_t a : {0U, 1U}) {
-        for (std::size_t y = 0; y < half_y; ++y) {
-            for (std::size_t x = 0; x < half_x; ++x) {
-                const double u = start_at(a, x, y);
-                quarter.displacement(a)[quarter.entry(x, y)] = u;
-                for (const bool image_x : {false, true}) {
-                    for (const bool image_y : {false, true}) {
-                        whole.displacement(
-                            a)[whole.entry(place(half_x, image_x, x), place(half_y, image_y, y))] =
-                            u * (image_x ? mirrors.sign(0, a) : 1) *
-                            (image_y ? mirrors.sign(1, a) : 1);
-                    }
-                }
-            }
-        }
-    }
+    fill(quarter, whole, mirrors);
     const bool breaks = stretch > 0;
     if (breaks) {
         const auto all_may = [](auto, auto) { return false; };
@@ -77,17 +100,6 @@ double departure(const nmbc::PlaneModel& model, const Mirrors& mirrors, double s
     whole.start();
     quarter.advance(300);
     whole.advance(300);
-    double failure = 0;
-    for (const std::size_t a : {0U, 1U}) {
-        for (std::size_t y = 0; y < half_y; ++y) {
-            for (std::size_t x = 0; x < half_x; ++x) {
-                failure = std::max(
-                    failure, std::abs(std::as_const(quarter).displacement(a)[quarter.entry(x, y)] -
-                                      std::as_const(whole).displacement(
-                                          a)[whole.entry(half_x + x, half_y + y)]));
-            }
-        }
-    }
     constexpr double roundings = 1e-11;
     CHECK(quarter.energies().staggered ==
           doctest::Approx(whole.energies().staggered / 4).epsilon(roundings));
@@ -97,7 +109,7 @@ double departure(const nmbc::PlaneModel& model, const Mirrors& mirrors, double s
         CHECK(quarter.released() ==
               doctest::Approx(whole.released() / 4).scale(0).epsilon(roundings));
     }
-    return failure;
+    return difference(quarter, whole);
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ std::vector<NamedBoundary> closures_of(const Scene& scene) {
         }
     }
     std::vector<NamedBoundary> all;
+    all.reserve(kinds.size());
     for (const BoundaryKind kind : kinds) {
         all.push_back({std::string(name_of(kind)), {.kind = kind}});
     }

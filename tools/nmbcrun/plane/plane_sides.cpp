@@ -233,8 +233,10 @@ nmbc::PlaneSides sides_of(const PlaneScene& scene) {
     if (scene.has(SideKind::passive)) {
         passive = designed_side_of(scene);
     }
-    const nmbc::PlaneSide summed =
-        scene.has(SideKind::sbp) ? sbp_side_of(scene) : nmbc::PlaneSide{};
+    nmbc::PlaneSide summed;
+    if (scene.has(SideKind::sbp)) {
+        summed = sbp_side_of(scene);
+    }
     const auto side = [&](std::size_t number) -> nmbc::PlaneSide {
         switch (scene.sides[number].kind) {
             case SideKind::passive:
