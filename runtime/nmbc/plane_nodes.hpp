@@ -76,9 +76,9 @@ class PlaneNodes {
 
     /// Layers beside a closed side with nodes of their own; 0: no side is closed.
     std::ptrdiff_t closed_layers() const { return closed_layers_; }
-    /// nullptr: the node is not near a closed side.
+    /// nullptr: the node is not near a closed side, or it is a ghost.
     const ClosedNode* closed(std::ptrdiff_t x, std::ptrdiff_t y) const {
-        if (closed_layers_ == 0) {
+        if (closed_layers_ == 0 || x < 0 || x >= x_.nodes() || y < 0 || y >= y_.nodes()) {
             return nullptr;
         }
         const std::size_t number =
