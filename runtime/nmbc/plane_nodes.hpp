@@ -78,13 +78,16 @@ class PlaneNodes {
     std::ptrdiff_t closed_layers() const { return closed_layers_; }
     /// nullptr: the node is not near a closed side, or it is a ghost.
     const ClosedNode* closed(std::ptrdiff_t x, std::ptrdiff_t y) const {
-        if (closed_layers_ == 0 || x < 0 || x >= x_.nodes() || y < 0 || y >= y_.nodes()) {
+        if (closed_layers_ == 0) {
             return nullptr;
         }
         const std::size_t number =
             place(x_.depth(x, closed_layers_)) +
             place(y_.depth(y, closed_layers_)) * static_cast<std::size_t>(2 * closed_layers_ + 1);
-        return closed_[number].gradient.empty() ? nullptr : &closed_[number];
+        if (number >= closed_.size() || closed_[number].gradient.empty()) {
+            return nullptr;
+        }
+        return &closed_[number];
     }
 
     PlaneWeights weights(std::ptrdiff_t x, std::ptrdiff_t y) const {
