@@ -114,16 +114,16 @@ class PlaneAxis {
     }
 
     bool is_closed(std::size_t end) const { return is_closed_[end]; }
-    /// How far a node is from the nearest closed side, `most` or more being far, and whether that
-    /// is the high one.
-    struct Depth {
-        std::ptrdiff_t layers = 0;
-        bool is_high = false;
-    };
-    Depth depth(std::ptrdiff_t node, std::ptrdiff_t most) const {
-        const std::ptrdiff_t low = is_closed_[0] ? std::min(node, most) : most;
-        const std::ptrdiff_t high = is_closed_[1] ? std::min(nodes_ - 1 - node, most) : most;
-        return {std::min(low, high), high < low};
+    /// Where a node is between closed sides: its layer at the low one, 0 on it; `layers` where it
+    /// is so far from both, or farther; up to 2 layers on the high one. Beyond such a side there
+    /// are no nodes, and what is asked for is that on it.
+    std::size_t place(std::ptrdiff_t node, std::ptrdiff_t layers) const {
+        const auto depth = [=](bool is_closed, std::ptrdiff_t from_side) {
+            return is_closed ? std::clamp<std::ptrdiff_t>(from_side, 0, layers) : layers;
+        };
+        const std::ptrdiff_t low = depth(is_closed_[0], node);
+        const std::ptrdiff_t high = depth(is_closed_[1], nodes_ - 1 - node);
+        return static_cast<std::size_t>(high < low ? 2 * layers - high : low);
     }
 
     /// How many neighbours there can be towards the low or the high side, up to the horizon.

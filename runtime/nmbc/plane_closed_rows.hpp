@@ -31,26 +31,25 @@ class ClosedRows {
     /// Throws std::invalid_argument where two closed sides are too near to each other.
     explicit ClosedRows(const PlaneNodes& nodes)
         : reached_(nodes.closed_layers() + nodes.horizon()) {
-        const std::ptrdiff_t places = 2 * reached_ + 1;
-        rows_.resize(static_cast<std::size_t>(places * places));
+        rows_.resize(places() * places());
         const auto of_axis = [this](const PlaneAxis& axis) {
             if (axis.is_closed(0) && axis.is_closed(1) && axis.nodes() < 2 * reached_) {
                 throw std::invalid_argument("between closed sides a body needs " +
                                             std::to_string(2 * reached_) + " nodes");
             }
-            std::map<std::ptrdiff_t, std::ptrdiff_t> nodes_of_places;
+            std::map<std::size_t, std::ptrdiff_t> nodes_of_places;
             for (std::ptrdiff_t node = 0; node < axis.nodes(); ++node) {
-                nodes_of_places.try_emplace(place(axis.depth(node, reached_)), node);
+                nodes_of_places.try_emplace(axis.place(node, reached_), node);
             }
             return nodes_of_places;
         };
         const auto xs = of_axis(nodes.x());
         const auto ys = of_axis(nodes.y());
+        const auto far = static_cast<std::size_t>(reached_);
         for (const auto& [place_y, y] : ys) {
             for (const auto& [place_x, x] : xs) {
-                if (place_x != reached_ || place_y != reached_) {
-                    rows_[static_cast<std::size_t>(place_y * places + place_x)] =
-                        row_of(nodes, x, y);
+                if (place_x != far || place_y != far) {
+                    rows_[place_y * places() + place_x] = row_of(nodes, x, y);
                 }
             }
         }
@@ -59,21 +58,17 @@ class ClosedRows {
     bool empty() const { return rows_.empty(); }
     /// nullptr: the force is the lattice's.
     const ClosedRow* at(const PlaneNodes& nodes, std::ptrdiff_t x, std::ptrdiff_t y) const {
-        const std::ptrdiff_t number = place(nodes.y().depth(y, reached_)) * (2 * reached_ + 1) +
-                                      place(nodes.x().depth(x, reached_));
-        const ClosedRow& row = rows_[static_cast<std::size_t>(number)];
+        const ClosedRow& row =
+            rows_[nodes.y().place(y, reached_) * places() + nodes.x().place(x, reached_)];
         return row.entries.empty() ? nullptr : &row;
     }
 
   private:
+    std::size_t places() const { return static_cast<std::size_t>(2 * reached_ + 1); }
+
     using Offset = std::array<int, 2>;
     using Gradient = std::map<Offset, std::array<double, 2>>;
     using Blocks = std::map<Offset, std::array<double, 4>>;
-
-    /// Low layers, further in, high layers.
-    std::ptrdiff_t place(const PlaneAxis::Depth& depth) const {
-        return depth.is_high ? 2 * reached_ - depth.layers : depth.layers;
-    }
 
     /// Of a node, by the offsets from it, itself and all its bonds included.
     static Gradient gradient_of(const PlaneNodes& nodes, std::ptrdiff_t x, std::ptrdiff_t y) {
@@ -161,7 +156,7 @@ class ClosedRows {
     }
 
     std::ptrdiff_t reached_ = 0;
-    std::vector<ClosedRow> rows_{};  // by place() along x and y
+    std::vector<ClosedRow> rows_{};  // by the axes' place()
 };
 
 }  // namespace nmbc::detail

@@ -76,18 +76,15 @@ class PlaneNodes {
 
     /// Layers beside a closed side with nodes of their own; 0: no side is closed.
     std::ptrdiff_t closed_layers() const { return closed_layers_; }
-    /// nullptr: the node is not near a closed side, or it is a ghost.
+    /// nullptr: the node is not near a closed side.
     const ClosedNode* closed(std::ptrdiff_t x, std::ptrdiff_t y) const {
         if (closed_layers_ == 0) {
             return nullptr;
         }
         const std::size_t number =
-            place(x_.depth(x, closed_layers_)) +
-            place(y_.depth(y, closed_layers_)) * static_cast<std::size_t>(2 * closed_layers_ + 1);
-        if (number >= closed_.size() || closed_[number].gradient.empty()) {
-            return nullptr;
-        }
-        return &closed_[number];
+            x_.place(x, closed_layers_) +
+            y_.place(y, closed_layers_) * static_cast<std::size_t>(2 * closed_layers_ + 1);
+        return closed_[number].gradient.empty() ? nullptr : &closed_[number];
     }
 
     PlaneWeights weights(std::ptrdiff_t x, std::ptrdiff_t y) const {
@@ -148,11 +145,6 @@ class PlaneNodes {
 
     void find_neighbours();
     void find_closed_nodes(const PlaneClosure& closure);
-    /// Low layers, further in, high layers.
-    std::size_t place(const PlaneAxis::Depth& depth) const {
-        return static_cast<std::size_t>(depth.is_high ? 2 * closed_layers_ - depth.layers
-                                                      : depth.layers);
-    }
 
     CorrespondenceModel model_;
     PlaneAxis x_;
@@ -161,7 +153,7 @@ class PlaneNodes {
     std::ptrdiff_t pitch_;
     std::vector<PlaneNeighbours> neighbours_{};
     std::ptrdiff_t closed_layers_ = 0;
-    std::vector<ClosedNode> closed_{};  // by place() along x and y
+    std::vector<ClosedNode> closed_{};  // by the axes' place()
 };
 
 inline void PlaneNodes::find_closed_nodes(const PlaneClosure& closure) {

@@ -56,10 +56,9 @@ inline double highest_eigenvalue(const PlaneModel& model, const PlaneSides& side
     return not_found * std::max(highest_eigenvalue(model), estimate);
 }
 
-/// Steps below this one [where E = density = dX = 1] are stable between these sides: dt^2 l + 2 dt
-/// d
-/// <= 4, with l the highest eigenvalue of M^-1 K and d that of M^-1 D of a damped lattice. Throws
-/// as highest_eigenvalue().
+/// Steps below this one [where E = density = dX = 1] are stable between these sides:
+/// dt^2 l + 2 dt d <= 4, with l the highest eigenvalue of M^-1 K and d that of M^-1 D of a damped
+/// lattice. Throws as highest_eigenvalue().
 inline double longest_step(const PlaneModel& model, const PlaneSides& sides, std::size_t nx,
                            std::size_t ny) {
     const double highest = highest_eigenvalue(model, sides, nx, ny);
