@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "tools/nmbcrun/certification/evidence.hpp"
 #include "tools/nmbcrun/output/share_gone.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
 
@@ -19,8 +21,12 @@ std::string heading_of(const Simulation& simulation) {
                 ? fmt::format("boundary  {}\n", heading_of(scene.left))
                 : fmt::format("left      {}\nright     {}\n", heading_of(scene.left),
                               heading_of(scene.right));
-    const std::string& evidence = simulation.plan().evidence;
-    text += evidence.empty() ? "" : fmt::format("stable    {}\n", evidence);
+    if (simulation.plan().objection.empty()) {
+        text += fmt::format("stable    {}\n",
+                            evidence_of(scene, simulation.chain().lattice(),
+                                        table_of(scene, scene.left), table_of(scene, scene.right),
+                                        simulation.plan().time_step / unit_of_time(scene)));
+    }
     return text + fmt::format("chain     {} nodes, dX = {}, c = {:.6g}\n", scene.nodes,
                               scene.spacing, simulation.chain().parameters().wave_speed());
 }

@@ -55,6 +55,7 @@ class Run : public StoppableRun {
 
     const Simulation& simulation() const { return simulation_; }
     const Prospect& prospect() const { return prospect_; }
+    const std::string& heading() const { return heading_; }
 
     /// What the user may not expect of this run, each in one line.
     std::vector<std::string> warnings() const;
@@ -78,6 +79,7 @@ class Run : public StoppableRun {
 
     Simulation simulation_;
     Prospect prospect_;
+    std::string heading_;
     Ledger ledger_;
     std::optional<ChainFiles> files_{};
 };
@@ -86,6 +88,7 @@ Run::Run(const Scene& scene, const RunOptions& options)
     : StoppableRun(scene, options),
       simulation_(scene),
       prospect_(prospect_of(simulation_)),
+      heading_(heading_of(simulation_)),
       ledger_(simulation_.make_ledger()) {
     if (!prospect_.objection.empty() && !scene.allow_amplifying && !scene.allow_unstable) {
         throw Unstable(
@@ -99,8 +102,7 @@ Run::Run(const Scene& scene, const RunOptions& options)
     const Plan& plan = simulation_.plan();
     const auto from =
         claim(identity_of(scene, depends_on_end(scene), plan, inputs_of(scene)), plan);
-    files_.emplace(scene, options.folder,
-                   about(heading_of(simulation_), plan, "cross-section area"),
+    files_.emplace(scene, options.folder, about(heading_, plan, "cross-section area"),
                    from ? from->journals : std::vector<Journal::Mark>());
     if (from) {
         go_on_from(*from);
@@ -203,7 +205,7 @@ void run(const Scene& scene, const RunOptions& options) {
     if (!options.quiet) {
         const Plan& plan = run.simulation().plan();
         const std::string& ends = run.prospect().ends;
-        fmt::print("{}{}time      {} steps of {}\n\n", heading_of(run.simulation()),
+        fmt::print("{}{}time      {} steps of {}\n\n", run.heading(),
                    ends.empty() ? "" : fmt::format("ends      {}\n", ends), plan.steps,
                    heading_of(plan));
     }

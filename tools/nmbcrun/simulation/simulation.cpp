@@ -8,7 +8,6 @@
 #include <nmbc/lattice.hpp>
 
 #include "tools/nmbcrun/certification/certificate.hpp"
-#include "tools/nmbcrun/certification/evidence.hpp"
 #include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
@@ -52,12 +51,8 @@ Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
                .cfl = cfl,
                .limit = automatic.limit}};
     require_memory(scene, lattice, time_step);
-    const nmbc::MatchingTable& left = table_of(scene, scene.left);
-    const nmbc::MatchingTable& right = table_of(scene, scene.right);
-    plan.objection = PairOfEnds(scene, left, right).objection(time_step, cfl);
-    if (plan.objection.empty()) {
-        plan.evidence = evidence_of(scene, lattice, left, right, time_step / unit_of_time(scene));
-    }
+    plan.objection = PairOfEnds(scene, table_of(scene, scene.left), table_of(scene, scene.right))
+                         .objection(time_step, cfl);
     if (!plan.objection.empty() && !scene.allow_unstable) {
         const bool has_choice =
             has_certificate(scene.left.kind) && has_certificate(scene.right.kind);

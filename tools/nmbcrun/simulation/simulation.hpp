@@ -19,7 +19,6 @@ struct Plan : StepPlan {
     /// How the two ends can grow together, in words; empty where they are certified not to. Others
     /// are run only where the scene allows it.
     std::string objection{};
-    std::string evidence{};  ///< what it rests on that there is none; empty where there is one
 };
 
 class Simulation {
