@@ -34,28 +34,23 @@ expect_exit 0
 expect_stderr "broken failed, and is out: no such file"
 expect "its place in the table" grep -qE '^\|  1 \| failed \|' "$scratch/stdout"
 
-# refuses CODE TEXT ARGUMENT..
-refuses() {
-    local expected=$1 text=$2
-    shift 2
-    try "$@"
-    expect_exit "$expected"
-    expect_stderr "$text"
-    expect_no_stdout
+# fails CODE TEXT ARGUMENT..: and leaves no file.
+fails() {
+    refuses "$@"
     expect_nothing_written
 }
 for limit in 0 nan inf 1e308 -1 "" abc; do
-    refuses 2 "argument --limit: '$limit' is not above 0" --limit="$limit"
+    fails 2 "argument --limit: '$limit' is not above 0" --limit="$limit"
 done
 for order in 0 33 1e1 2,,3 ""; do
-    refuses 2 "argument --up-to: '$order' is not an order from 1 to 32" --up-to="$order"
+    fails 2 "argument --up-to: '$order' is not an order from 1 to 32" --up-to="$order"
 done
-refuses 2 "--limit: expected one argument" --limit
-refuses 2 "unrecognized arguments: --nonsense" --nonsense
-refuses 2 "no program nothere (build it first)" nothere
+fails 2 "--limit: expected one argument" --limit
+fails 2 "unrecognized arguments: --nonsense" --nonsense
+fails 2 "no program nothere (build it first)" nothere
 
 program=$generator_bench
-refuses 2 "subcommand is required"
-refuses 2 "--order" solve --order 0
-refuses 2 "--horizon" derive --order 1 --horizon 2,,3
+fails 2 "subcommand is required"
+fails 2 "--order" solve --order 0
+fails 2 "--horizon" derive --order 1 --horizon 2,,3
 finish
