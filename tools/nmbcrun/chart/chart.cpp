@@ -30,6 +30,7 @@
 #include "tools/nmbcrun/output/csv.hpp"
 #include "tools/nmbcrun/output/duration.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
+#include "tools/nmbcrun/output/processor_clock.hpp"
 #include "tools/nmbcrun/output/work.hpp"
 #include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"

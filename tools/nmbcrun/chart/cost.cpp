@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
-#include <ctime>
 #include <nmbc/chain.hpp>
 #include <nmbc/ends.hpp>
 #include <utility>
 
 #include "tools/nmbcrun/chart/trial.hpp"
+#include "tools/nmbcrun/output/processor_clock.hpp"
 #include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 
@@ -71,12 +71,6 @@ std::pair<nmbc::Chain, double> made(const Scene& scene, nmbc::Chain& bare, std::
 }
 
 }  // namespace
-
-double seconds_of_this_thread() {
-    std::timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-}
 
 std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
                                          const std::function<void()>& after_round,

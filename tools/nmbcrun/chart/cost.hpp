@@ -10,9 +10,6 @@
 
 namespace nmbcrun {
 
-/// Of its processor: what other programs take of the machine does not count.
-double seconds_of_this_thread();
-
 inline constexpr std::size_t cost_rounds = 101;
 
 /// What a run takes, in steps of the bare interior.

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <limits>
 
+#include "tools/nmbcrun/output/processor_clock.hpp"
 #include "tools/nmbcrun/plane_compare/side_candidates.hpp"
 
 namespace nmbcrun {
@@ -108,17 +108,6 @@ bool grows(const PlaneScene& scene, const PlaneSideChoice& side, std::size_t ste
     constexpr double roundings = 1e-18;  // of what is left when all has gone
     return most[3] > most[1] && most[3] > roundings * first;
 }
-
-namespace {
-
-/// Of all its threads: what other programs take of the machine does not count.
-double seconds_of_this_process() {
-    std::timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-}
-
-}  // namespace
 
 double relative_cost(PlaneSimulation& simulation, PlaneSimulation& other) {
     const auto nodes = double(other.plane().grid().nx) * double(other.plane().grid().ny);
