@@ -434,6 +434,7 @@ class BasicPlane {
         return side.end == End::left ? layer : static_cast<std::ptrdiff_t>(nodes) - 1 - layer;
     }
     double friction_of(std::size_t number, std::ptrdiff_t layer) const;
+    double volume_of_line(std::size_t number, std::ptrdiff_t line) const;
 
     void add_dashpots();
     void add_line_dashpots(std::size_t number);

@@ -101,8 +101,19 @@ void BasicPlane<Real>::add_dashpots() {
     }
 }
 
+/// That a closed side gives the nodes of a line across another side; 1: it is not beside one.
+template <class Real>
+double BasicPlane<Real>::volume_of_line(std::size_t number, std::ptrdiff_t line) const {
+    const std::ptrdiff_t outermost = node_of_layer(number, 0);
+    const bool is_along_x = plane_sides[number].axis == 0;
+    const std::ptrdiff_t x = is_along_x ? outermost : line;
+    const std::ptrdiff_t y = is_along_x ? line : outermost;
+    return mass_of(0, x, y) / (axis_of(0).mass(0, x) * axis_of(1).mass(0, y));
+}
+
 /// Of the lines of nodes across a side that are not in a corner. Where a sponge along the line's
-/// other axis covers them, its friction joins their dashpots.
+/// other axis covers them, its friction joins their dashpots; beside a closed side they are
+/// weighted by its volumes.
 template <class Real>
 void BasicPlane<Real>::add_line_dashpots(std::size_t number) {
     const auto* const passive = std::get_if<PassiveSide>(&sides_.at(plane_sides[number]));
@@ -119,23 +130,28 @@ void BasicPlane<Real>::add_line_dashpots(std::size_t number) {
     }
     const auto last = static_cast<std::ptrdiff_t>(along == 0 ? nx_ : ny_) - 1;
     const detail::PlaneAxis& other = axis_of(along);
-    std::map<std::array<double, 2>, std::vector<std::ptrdiff_t>> groups;  // by friction
+    std::map<std::array<double, 3>, std::vector<std::ptrdiff_t>> groups;  // by friction, volume
     for (std::ptrdiff_t i = 0; i <= last; ++i) {
         if (!other.is_passive(i)) {
-            groups[{friction_of(2 * along, i), friction_of(2 * along + 1, last - i)}].push_back(
-                i * (axis == 0 ? pitch : 1));
+            groups[{friction_of(2 * along, i), friction_of(2 * along + 1, last - i),
+                    volume_of_line(number, i)}]
+                .push_back(i * (axis == 0 ? pitch : 1));
         }
     }
-    for (const auto& [friction, lines] : groups) {
+    for (const auto& [group, lines] : groups) {
+        const auto times_volume = [V = group[2]](std::vector<double> numbers) {
+            std::ranges::for_each(numbers, [V](double& one) { one *= V; });
+            return numbers;
+        };
         for (std::size_t a = 0; a < 2; ++a) {
             const std::size_t part = a == axis ? 0 : 1;
+            const std::vector<double> mass = times_volume(passive->mass[part]);
             std::vector<typename detail::DashpotGroups<Real>::OfSide> sides{
-                {number, passive->dashpots[part]}};
+                {number, times_volume(passive->dashpots[part])}};
             for (const std::size_t end : {0U, 1U}) {
-                sides.push_back(
-                    {2 * along + end, detail::friction_matrix(friction[end], passive->mass[part])});
+                sides.push_back({2 * along + end, detail::friction_matrix(group[end], mass)});
             }
-            dashpots_.emplace_back(a, offsets, lines, passive->mass[part], std::move(sides),
+            dashpots_.emplace_back(a, offsets, lines, mass, std::move(sides),
                                    parameters_.time_step * parameters_.rate());
         }
     }

@@ -52,6 +52,8 @@ class PlaneAxis {
         passive_ = {passive(low), nodes_ - passive(high)};
         is_closed_ = {std::holds_alternative<ClosedSide>(low),
                       std::holds_alternative<ClosedSide>(high)};
+        cut_layers_ = std::max(is_cut_[0] ? std::max(own(low), horizon_) : 0,
+                               is_cut_[1] ? std::max(own(high), horizon_) : 0);
     }
 
     std::ptrdiff_t nodes() const { return nodes_; }
@@ -113,16 +115,24 @@ class PlaneAxis {
         return node < passive_.first || node >= passive_.last;
     }
 
+    bool is_cut_off(std::size_t end) const { return is_cut_[end]; }
     bool is_closed(std::size_t end) const { return is_closed_[end]; }
-    /// Where a node is between closed sides: its layer at the low one, 0 on it; `layers` where it
-    /// is so far from both, or farther; up to 2 layers on the high one. Beyond such a side there
-    /// are no nodes, and what is asked for is that on it.
+    /// Whether so few layers are between the node and a closed side.
+    bool is_beside_closed(std::ptrdiff_t node, std::ptrdiff_t layers) const {
+        return (is_closed_[0] && node < layers) || (is_closed_[1] && nodes_ - 1 - node < layers);
+    }
+    /// Layers beside sides that are cut off, closed ones included, where nodes have a gradient or
+    /// weights of their own; 0: there are no such sides.
+    std::ptrdiff_t cut_layers() const { return cut_layers_; }
+    /// Where a node is between sides that are cut off: its layer at the low one, 0 on it; `layers`
+    /// where it is so far from both, or farther; up to 2 layers on the high one. Beyond such a side
+    /// there are no nodes, and what is asked for is that on it.
     std::size_t place(std::ptrdiff_t node, std::ptrdiff_t layers) const {
-        const auto depth = [=](bool is_closed, std::ptrdiff_t from_side) {
-            return is_closed ? std::clamp<std::ptrdiff_t>(from_side, 0, layers) : layers;
+        const auto depth = [=](bool is_cut, std::ptrdiff_t from_side) {
+            return is_cut ? std::clamp<std::ptrdiff_t>(from_side, 0, layers) : layers;
         };
-        const std::ptrdiff_t low = depth(is_closed_[0], node);
-        const std::ptrdiff_t high = depth(is_closed_[1], nodes_ - 1 - node);
+        const std::ptrdiff_t low = depth(is_cut_[0], node);
+        const std::ptrdiff_t high = depth(is_cut_[1], nodes_ - 1 - node);
         return static_cast<std::size_t>(high < low ? 2 * layers - high : low);
     }
 
@@ -193,6 +203,7 @@ class PlaneAxis {
     Range stressed_{};
     Range kicked_{};
     std::array<bool, 2> is_closed_{};
+    std::ptrdiff_t cut_layers_ = 0;
     Range passive_{};  ///< between the layers of passive sides
 };
 

@@ -7,8 +7,6 @@
 #include <cstddef>
 #include <map>
 #include <nmbc/plane_nodes.hpp>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,15 +26,10 @@ struct ClosedRow {
 class ClosedRows {
   public:
     ClosedRows() = default;
-    /// Throws std::invalid_argument where two closed sides are too near to each other.
     explicit ClosedRows(const PlaneNodes& nodes)
-        : reached_(nodes.closed_layers() + nodes.horizon()) {
+        : reached_(std::max(nodes.x().cut_layers(), nodes.y().cut_layers()) + nodes.horizon()) {
         rows_.resize(places() * places());
         const auto of_axis = [this](const PlaneAxis& axis) {
-            if (axis.is_closed(0) && axis.is_closed(1) && axis.nodes() < 2 * reached_) {
-                throw std::invalid_argument("between closed sides a body needs " +
-                                            std::to_string(2 * reached_) + " nodes");
-            }
             std::map<std::size_t, std::ptrdiff_t> nodes_of_places;
             for (std::ptrdiff_t node = 0; node < axis.nodes(); ++node) {
                 nodes_of_places.try_emplace(axis.place(node, reached_), node);
@@ -45,10 +38,11 @@ class ClosedRows {
         };
         const auto xs = of_axis(nodes.x());
         const auto ys = of_axis(nodes.y());
-        const auto far = static_cast<std::size_t>(reached_);
+        const std::ptrdiff_t layers = nodes.closed_layers() + nodes.horizon();
         for (const auto& [place_y, y] : ys) {
             for (const auto& [place_x, x] : xs) {
-                if (place_x != far || place_y != far) {
+                if (nodes.x().is_beside_closed(x, layers) ||
+                    nodes.y().is_beside_closed(y, layers)) {
                     rows_[place_y * places() + place_x] = row_of(nodes, x, y);
                 }
             }
@@ -75,14 +69,16 @@ class ClosedRows {
         Gradient gradient{{Offset{}, {0, 0}}};
         const ClosedNode* const own = nodes.closed(x, y);
         const PlaneNeighbours& near = nodes.neighbours(x, y);
+        const auto& [xx, xy, yy] = near.inverse_shape;
         for (const PlaneNeighbours::Bond& bond : near.bonds) {
             gradient[{bond.x, bond.y}] =
-                own != nullptr
-                    ? std::array{0.0, 0.0}
-                    : std::array{near.inverse_shape[0] * bond.x, near.inverse_shape[2] * bond.y};
+                own != nullptr ? std::array{0.0, 0.0}
+                               : std::array{xx * bond.x + xy * bond.y, xy * bond.x + yy * bond.y};
         }
         if (own == nullptr) {
-            return gradient;  // of a whole family, in which the node's own factors vanish
+            gradient[{0, 0}] = {-xx * near.sum_x - xy * near.sum_y,
+                                -xy * near.sum_x - yy * near.sum_y};
+            return gradient;
         }
         for (const ClosedNode::Entry& entry : own->gradient) {
             gradient[{entry.x, entry.y}] = entry.along;
@@ -143,13 +139,12 @@ class ClosedRows {
             add_energy(nodes, {x, y}, {bond.x, bond.y}, stiffness);
         }
         ClosedRow row;
-        const double mass = nodes.weights(x, y).mass[0];
+        const std::array<double, 2> mass = nodes.weights(x, y).mass;
         for (const auto& [offset, block] : stiffness) {
-            std::array<double, 4> factors{};
-            std::ranges::transform(block, factors.begin(),
-                                   [mass](double entry) { return -entry / mass; });
             if (offset != Offset{}) {
-                row.entries.push_back({offset[1] * nodes.pitch() + offset[0], factors});
+                row.entries.push_back({offset[1] * nodes.pitch() + offset[0],
+                                       {-block[0] / mass[0], -block[1] / mass[0],
+                                        -block[2] / mass[1], -block[3] / mass[1]}});
             }
         }
         return row;

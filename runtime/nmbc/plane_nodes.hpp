@@ -2,6 +2,7 @@
 /// The nodes of a rectangle between its sides: their neighbours, weights and gradients.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <nmbc/correspondence_model.hpp>
@@ -82,18 +83,17 @@ class PlaneNodes {
             return nullptr;
         }
         const std::size_t number =
-            x_.place(x, closed_layers_) +
-            y_.place(y, closed_layers_) * static_cast<std::size_t>(2 * closed_layers_ + 1);
+            x_.place(x, closed_places_) + y_.place(y, closed_places_) * places();
         return closed_[number].gradient.empty() ? nullptr : &closed_[number];
     }
 
+    /// Beside a closed side, those of the other sides times its volume.
     PlaneWeights weights(std::ptrdiff_t x, std::ptrdiff_t y) const {
-        if (const ClosedNode* const own = closed(x, y)) {
-            return {own->volume, own->volume, {own->volume, own->volume}};
-        }
-        return {x_.strain(x) * y_.strain(y),
-                x_.stabilisation(x) * y_.stabilisation(y),
-                {x_.mass(0, x) * y_.mass(0, y), x_.mass(1, x) * y_.mass(1, y)}};
+        const ClosedNode* const own = closed(x, y);
+        const double V = own == nullptr ? 1 : own->volume;
+        return {V * x_.strain(x) * y_.strain(y),
+                V * x_.stabilisation(x) * y_.stabilisation(y),
+                {V * x_.mass(0, x) * y_.mass(0, y), V * x_.mass(1, x) * y_.mass(1, y)}};
     }
 
     const PlaneNeighbours& neighbours(std::ptrdiff_t x, std::ptrdiff_t y) const {
@@ -145,6 +145,10 @@ class PlaneNodes {
 
     void find_neighbours();
     void find_closed_nodes(const PlaneClosure& closure);
+    ClosedNode closed_node_at(const PlaneClosure& closure,
+                              const std::array<std::size_t, 2>& place) const;
+    static void make_exact(ClosedNode& node);
+    std::size_t places() const { return static_cast<std::size_t>(2 * closed_places_ + 1); }
 
     CorrespondenceModel model_;
     PlaneAxis x_;
@@ -153,33 +157,86 @@ class PlaneNodes {
     std::ptrdiff_t pitch_;
     std::vector<PlaneNeighbours> neighbours_{};
     std::ptrdiff_t closed_layers_ = 0;
+    std::ptrdiff_t closed_places_ = 0;  // beside each side that is cut off
     std::vector<ClosedNode> closed_{};  // by the axes' place()
 };
 
 inline void PlaneNodes::find_closed_nodes(const PlaneClosure& closure) {
     closed_layers_ = static_cast<std::ptrdiff_t>(closure.layers);
-    const std::size_t places = 2 * closure.layers + 1;
-    closed_.resize(places * places);
-    for (std::size_t y = 0; y < places; ++y) {
-        for (std::size_t x = 0; x < places; ++x) {
-            const int sign_x = x > closure.layers ? -1 : 1;
-            const int sign_y = y > closure.layers ? -1 : 1;
-            const std::size_t i = x > closure.layers ? places - 1 - x : x;
-            const std::size_t j = y > closure.layers ? places - 1 - y : y;
-            if (i == closure.layers && j == closure.layers) {
-                continue;  // the lattice's own
-            }
-            const PlaneClosure::Node& node = closure.nodes[j * (closure.layers + 1) + i];
-            ClosedNode& own = closed_[y * places + x];
-            own.volume = node.volume;
-            for (const PlaneClosure::Entry& entry : node.gradient) {
-                const int to_x = sign_x * entry.x;
-                const int to_y = sign_y * entry.y;
-                own.gradient.push_back({to_y * pitch_ + to_x,
-                                        to_x,
-                                        to_y,
-                                        {sign_x * entry.along_x, sign_y * entry.along_y}});
-            }
+    closed_places_ = std::max(closed_layers_, horizon_);
+    for (std::size_t y = 0; y < places(); ++y) {
+        for (std::size_t x = 0; x < places(); ++x) {
+            closed_.push_back(closed_node_at(closure, {x, y}));
+        }
+    }
+}
+
+/// Where the lattice is cut off by another side, too, neighbours beyond that side are not there.
+inline ClosedNode PlaneNodes::closed_node_at(const PlaneClosure& closure,
+                                             const std::array<std::size_t, 2>& place) const {
+    const auto far = static_cast<std::size_t>(closed_places_);
+    std::array<int, 2> sign{1, 1};
+    std::array<std::size_t, 2> layer{closure.layers, closure.layers};
+    std::array<int, 2> beyond{};  // the first step that leads out of the body; 0: none does
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const PlaneAxis& own = axis == 0 ? x_ : y_;
+        const std::size_t end = place[axis] > far ? 1 : 0;
+        const std::size_t depth = end == 1 ? 2 * far - place[axis] : place[axis];
+        if (depth == far || !own.is_cut_off(end)) {
+            continue;
+        }
+        sign[axis] = end == 1 ? -1 : 1;
+        if (own.is_closed(end)) {
+            layer[axis] = std::min(depth, closure.layers);
+        } else {
+            beyond[axis] = static_cast<int>(depth) + 1;
+        }
+    }
+    ClosedNode node;
+    if (layer[0] == closure.layers && layer[1] == closure.layers) {
+        return node;  // the lattice's own
+    }
+    const PlaneClosure::Node& given = closure.nodes[layer[1] * (closure.layers + 1) + layer[0]];
+    node.volume = given.volume;
+    for (const PlaneClosure::Entry& entry : given.gradient) {
+        const int x = sign[0] * entry.x;
+        const int y = sign[1] * entry.y;
+        const bool is_there =
+            (beyond[0] == 0 || entry.x > -beyond[0]) && (beyond[1] == 0 || entry.y > -beyond[1]);
+        if (is_there) {
+            node.gradient.push_back(
+                {y * pitch_ + x, x, y, {sign[0] * entry.along_x, sign[1] * entry.along_y}});
+        }
+    }
+    if (node.gradient.size() < given.gradient.size()) {
+        make_exact(node);
+    }
+    return node;
+}
+
+/// Gives linear displacements their own gradient again, by the least change of the factors, which
+/// is that of a cut family where they were the lattice's own.
+inline void PlaneNodes::make_exact(ClosedNode& node) {
+    std::array<double, 3> shape{};  // xx, xy, yy
+    std::array<std::array<double, 2>, 2> missing{{{1, 0}, {0, 1}}};
+    for (const ClosedNode::Entry& entry : node.gradient) {
+        shape[0] += entry.x * entry.x;
+        shape[1] += entry.x * entry.y;
+        shape[2] += entry.y * entry.y;
+        for (std::size_t b = 0; b < 2; ++b) {
+            missing[b][0] -= entry.along[b] * entry.x;
+            missing[b][1] -= entry.along[b] * entry.y;
+        }
+    }
+    const double determinant = shape[0] * shape[2] - shape[1] * shape[1];
+    if (!(determinant > 0)) {
+        throw std::invalid_argument("beside a closed side a node has too few neighbours");
+    }
+    for (ClosedNode::Entry& entry : node.gradient) {
+        const double by_x = (shape[2] * entry.x - shape[1] * entry.y) / determinant;
+        const double by_y = (shape[0] * entry.y - shape[1] * entry.x) / determinant;
+        for (std::size_t b = 0; b < 2; ++b) {
+            entry.along[b] += missing[b][0] * by_x + missing[b][1] * by_y;
         }
     }
 }

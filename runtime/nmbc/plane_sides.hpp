@@ -37,8 +37,9 @@ struct MirrorSide {
 };
 
 /// The body ends there, on its outermost nodes, closed with such gradients: of planes of
-/// correspondence of this radius. Beside it other sides may be closed by the same, and not be free
-/// or passive. Units E = density = dX = 1.
+/// correspondence of this radius. Other sides may be closed by the same only. Where it meets a free
+/// or passive one, nodes have the volumes of both, and gradients of the neighbours that are there.
+/// Units E = density = dX = 1.
 struct ClosedSide {
     std::shared_ptr<const PlaneClosure> closure{};
 };
@@ -276,10 +277,8 @@ inline void require_valid(const ClosedSide& side) {
 inline std::shared_ptr<const PlaneClosure> closure_of(const PlaneSides& sides,
                                                       unsigned radius_squared) {
     std::shared_ptr<const PlaneClosure> closure;
-    bool is_cut_otherwise = false;
     for (const Side place : plane_sides) {
         const auto* const closed = std::get_if<ClosedSide>(&sides.at(place));
-        is_cut_otherwise = is_cut_otherwise || (closed == nullptr && is_cut(sides.at(place)));
         if (closed != nullptr && closure != nullptr && closed->closure != closure) {
             throw std::invalid_argument("the closed sides of a body must share one closure");
         }
@@ -288,9 +287,6 @@ inline std::shared_ptr<const PlaneClosure> closure_of(const PlaneSides& sides,
     if (closure != nullptr && closure->radius_squared != radius_squared) {
         throw std::invalid_argument(
             "a closed side is of planes of correspondence, and of one family radius");
-    }
-    if (closure != nullptr && is_cut_otherwise) {
-        throw std::invalid_argument("beside a closed side no side may be free or passive");
     }
     return closure;
 }

@@ -134,15 +134,6 @@ nmbc::PlaneSide sbp_side_of(const PlaneScene& scene) {
         throw SceneError(fmt::format("sides of kind \"sbp\" are for model.radius2 up to {}, not {}",
                                      nmbcgen::largest_closed_radius_squared, scene.radius_squared));
     }
-    for (const SideKind kind : {SideKind::passive, SideKind::free}) {
-        if (scene.has(kind)) {
-            throw SceneError(fmt::format(
-                "above model.radius2 = 1 a side of kind \"sbp\" has no corner with one of kind "
-                "\"{}\": take \"sponge\" or \"extended\" where waves are to leave, or \"sbp\" on "
-                "all free sides",
-                name_of(kind)));
-        }
-    }
     return nmbc::ClosedSide{std::make_shared<const nmbc::PlaneClosure>(
         nmbcgen::plane_summation_by_parts(scene.radius_squared))};
 }
