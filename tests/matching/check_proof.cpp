@@ -200,7 +200,7 @@ TEST_CASE("no number of the damping can be changed, G open, fixed or zero") {
             }
             coefficient = before;
         }
-        CHECK(mutants > 20);
+        CHECK(mutants > 30);
     }
 }
 

@@ -9,8 +9,9 @@
 
 namespace nmbcgen::test {
 
-/// For each number in the text: one more, the other sign, and its first digit made one more
-/// (9 becomes 0). "12 -7" has the mutants "13 -7", "-12 -7", "22 -7", "12 -8", "12 7".
+/// For each number in the text: one more, one less, the other sign, and each of its digits in
+/// turn made one more (9 becomes 0). "12 -7" has the mutants "13 -7", "11 -7", "-12 -7", "22 -7",
+/// "12 -8", "12 -6", "12 7".
 inline std::set<std::string> mutations(const std::string& text) {
     constexpr const char* digits = "0123456789";
     std::set<std::string> mutants;
@@ -24,13 +25,16 @@ inline std::set<std::string> mutations(const std::string& text) {
             number.substr(std::min(number.find_first_not_of('0'), end - begin - 1)));
         put(Integer(value + 1).str());
         if (value > 0) {
+            put(Integer(value - 1).str());
             const bool negative = begin > 0 && text[begin - 1] == '-';
             mutants.insert(negative ? text.substr(0, begin - 1) + text.substr(begin)
                                     : text.substr(0, begin) + "-" + text.substr(begin));
         }
-        std::string other = number;
-        other[0] = other[0] == '9' ? '0' : char(other[0] + 1);
-        put(other);
+        for (std::size_t i = 0; i < number.size(); ++i) {
+            std::string other = number;
+            other[i] = other[i] == '9' ? '0' : char(other[i] + 1);
+            put(other);
+        }
         begin = text.find_first_of(digits, end);
     }
     mutants.erase(text);
