@@ -101,14 +101,16 @@ void BasicPlane<Real>::add_dashpots() {
     }
 }
 
-/// That a closed side gives the nodes of a line across another side; 1: it is not beside one.
+/// That closed sides give the nodes of a line across another side; 1: it is not near one.
 template <class Real>
 double BasicPlane<Real>::volume_of_line(std::size_t number, std::ptrdiff_t line) const {
     const std::ptrdiff_t outermost = node_of_layer(number, 0);
-    const bool is_along_x = plane_sides[number].axis == 0;
-    const std::ptrdiff_t x = is_along_x ? outermost : line;
-    const std::ptrdiff_t y = is_along_x ? line : outermost;
-    return mass_of(0, x, y) / (axis_of(0).mass(0, x) * axis_of(1).mass(0, y));
+    const auto* const force = std::get_if<detail::PlaneForce<Real>>(&force_);
+    if (force == nullptr) {
+        return 1;
+    }
+    return plane_sides[number].axis == 0 ? force->volume(outermost, line)
+                                         : force->volume(line, outermost);
 }
 
 /// Of the lines of nodes across a side that are not in a corner. Where a sponge along the line's

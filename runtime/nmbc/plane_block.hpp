@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <nmbc/plane_model.hpp>
 #include <nmbc/plane_sides.hpp>
 #include <stdexcept>
@@ -52,8 +53,6 @@ class PlaneAxis {
         passive_ = {passive(low), nodes_ - passive(high)};
         is_closed_ = {std::holds_alternative<ClosedSide>(low),
                       std::holds_alternative<ClosedSide>(high)};
-        cut_layers_ = std::max(is_cut_[0] ? std::max(own(low), horizon_) : 0,
-                               is_cut_[1] ? std::max(own(high), horizon_) : 0);
     }
 
     std::ptrdiff_t nodes() const { return nodes_; }
@@ -115,31 +114,47 @@ class PlaneAxis {
         return node < passive_.first || node >= passive_.last;
     }
 
-    bool is_cut_off(std::size_t end) const { return is_cut_[end]; }
-    bool is_closed(std::size_t end) const { return is_closed_[end]; }
-    /// Whether so few layers are between the node and a closed side.
-    bool is_beside_closed(std::ptrdiff_t node, std::ptrdiff_t layers) const {
-        return (is_closed_[0] && node < layers) || (is_closed_[1] && nodes_ - 1 - node < layers);
+    /// Layers between a node and the nearest of some sides.
+    struct Depth {
+        std::ptrdiff_t layers = 0;  ///< 0: on the side, or beyond it
+        bool is_high = false;       ///< of the high side
+    };
+    /// From a closed side; `layers`, of the low side: the node is so far from both, or farther.
+    Depth from_closed(std::ptrdiff_t node, std::ptrdiff_t layers) const {
+        return depth(is_closed_, node, layers);
     }
     /// Layers beside sides that are cut off, closed ones included, where nodes have a gradient or
     /// weights of their own; 0: there are no such sides.
-    std::ptrdiff_t cut_layers() const { return cut_layers_; }
+    std::ptrdiff_t cut_layers() const {
+        return std::max(is_cut_[0] ? stressed_.first : 0, is_cut_[1] ? nodes_ - stressed_.last : 0);
+    }
     /// Where a node is between sides that are cut off: its layer at the low one, 0 on it; `layers`
     /// where it is so far from both, or farther; up to 2 layers on the high one. Beyond such a side
     /// there are no nodes, and what is asked for is that on it.
     std::size_t place(std::ptrdiff_t node, std::ptrdiff_t layers) const {
-        const auto depth = [=](bool is_cut, std::ptrdiff_t from_side) {
-            return is_cut ? std::clamp<std::ptrdiff_t>(from_side, 0, layers) : layers;
-        };
-        const std::ptrdiff_t low = depth(is_cut_[0], node);
-        const std::ptrdiff_t high = depth(is_cut_[1], nodes_ - 1 - node);
-        return static_cast<std::size_t>(high < low ? 2 * layers - high : low);
+        const Depth from_cut = depth(is_cut_, node, layers);
+        return static_cast<std::size_t>(from_cut.is_high ? 2 * layers - from_cut.layers
+                                                         : from_cut.layers);
+    }
+    /// A node of each place() that there is.
+    std::map<std::size_t, std::ptrdiff_t> nodes_of_places(std::ptrdiff_t layers) const {
+        std::map<std::size_t, std::ptrdiff_t> nodes;
+        const Range all = with_energy();
+        for (std::ptrdiff_t node = all.first; node < all.last; ++node) {
+            nodes.try_emplace(place(node, layers), node);
+        }
+        return nodes;
     }
 
     /// How many neighbours there can be towards the low or the high side, up to the horizon.
     std::ptrdiff_t neighbours(bool is_high, std::ptrdiff_t node) const {
         const std::ptrdiff_t there = is_high ? nodes_ - 1 - node : node;
         return is_cut_[is_high ? 1 : 0] ? std::clamp<std::ptrdiff_t>(there, 0, horizon_) : horizon_;
+    }
+
+    /// Whether a bond this far along the axis leads to a node that is there.
+    bool reaches(std::ptrdiff_t node, std::ptrdiff_t step) const {
+        return -step <= neighbours(false, node) && step <= neighbours(true, node);
     }
 
     /// Nodes one of which has the neighbours of any.
@@ -167,6 +182,15 @@ class PlaneAxis {
         }
         const int across = mirror->is_odd ? 1 : -1;
         return axis == 0 ? std::array{across, -across} : std::array{-across, across};
+    }
+    Depth depth(const std::array<bool, 2>& sides, std::ptrdiff_t node,
+                std::ptrdiff_t layers) const {
+        const auto from = [layers](bool is_there, std::ptrdiff_t side) {
+            return is_there ? std::clamp<std::ptrdiff_t>(side, 0, layers) : layers;
+        };
+        const std::ptrdiff_t low = from(sides[0], node);
+        const std::ptrdiff_t high = from(sides[1], nodes_ - 1 - node);
+        return {std::min(low, high), high < low};
     }
     bool is_mirrored(std::ptrdiff_t node) const {
         return (node < 0 && mirrors_[0][0] != 0) || (node >= nodes_ && mirrors_[1][0] != 0);
@@ -203,7 +227,6 @@ class PlaneAxis {
     Range stressed_{};
     Range kicked_{};
     std::array<bool, 2> is_closed_{};
-    std::ptrdiff_t cut_layers_ = 0;
     Range passive_{};  ///< between the layers of passive sides
 };
 

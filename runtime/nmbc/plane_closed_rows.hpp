@@ -29,20 +29,12 @@ class ClosedRows {
     explicit ClosedRows(const PlaneNodes& nodes)
         : reached_(std::max(nodes.x().cut_layers(), nodes.y().cut_layers()) + nodes.horizon()) {
         rows_.resize(places() * places());
-        const auto of_axis = [this](const PlaneAxis& axis) {
-            std::map<std::size_t, std::ptrdiff_t> nodes_of_places;
-            for (std::ptrdiff_t node = 0; node < axis.nodes(); ++node) {
-                nodes_of_places.try_emplace(axis.place(node, reached_), node);
-            }
-            return nodes_of_places;
-        };
-        const auto xs = of_axis(nodes.x());
-        const auto ys = of_axis(nodes.y());
-        const std::ptrdiff_t layers = nodes.closed_layers() + nodes.horizon();
-        for (const auto& [place_y, y] : ys) {
+        const auto xs = nodes.x().nodes_of_places(reached_);
+        const std::ptrdiff_t far = nodes.closed_layers() + nodes.horizon();
+        for (const auto& [place_y, y] : nodes.y().nodes_of_places(reached_)) {
             for (const auto& [place_x, x] : xs) {
-                if (nodes.x().is_beside_closed(x, layers) ||
-                    nodes.y().is_beside_closed(y, layers)) {
+                if (nodes.x().from_closed(x, far).layers < far ||
+                    nodes.y().from_closed(y, far).layers < far) {
                     rows_[place_y * places() + place_x] = row_of(nodes, x, y);
                 }
             }

@@ -61,6 +61,8 @@ class PlaneForce {
     double mass(std::size_t component, std::ptrdiff_t x, std::ptrdiff_t y) const {
         return nodes_.weights(x, y).mass[component];
     }
+    /// That closed sides give a node.
+    double volume(std::ptrdiff_t x, std::ptrdiff_t y) const { return nodes_.volume(x, y); }
 
     /// Of the nodes first .. last-1 of a row.
     PlanePotential potential_of_row(std::ptrdiff_t y, std::ptrdiff_t first, std::ptrdiff_t last,

@@ -51,6 +51,26 @@ struct ClosedNode {
     std::vector<Entry> gradient{};
 };
 
+/// xx, xy, yy of the inverse of the shape tensor, the sum of R R^T over bonds R. Throws
+/// std::invalid_argument where they all have one direction.
+template <class Bonds>
+std::array<double, 3> inverse_shape_of(const Bonds& bonds) {
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+    for (const auto& bond : bonds) {
+        xx += bond.x * bond.x;
+        xy += bond.x * bond.y;
+        yy += bond.y * bond.y;
+    }
+    const double determinant = xx * yy - xy * xy;
+    if (!(determinant > 0)) {
+        throw std::invalid_argument(
+            "the body is too thin: a node has neighbours in one direction only");
+    }
+    return {yy / determinant, -xy / determinant, xx / determinant};
+}
+
 /// The nodes of the plane: what each weighs, which neighbours it has, and the gradient there.
 class PlaneNodes {
   public:
@@ -83,14 +103,18 @@ class PlaneNodes {
             return nullptr;
         }
         const std::size_t number =
-            x_.place(x, closed_places_) + y_.place(y, closed_places_) * places();
+            x_.place(x, closed_reach()) + y_.place(y, closed_reach()) * places();
         return closed_[number].gradient.empty() ? nullptr : &closed_[number];
     }
 
-    /// Beside a closed side, those of the other sides times its volume.
-    PlaneWeights weights(std::ptrdiff_t x, std::ptrdiff_t y) const {
+    /// That closed sides give a node; 1: it is not near one.
+    double volume(std::ptrdiff_t x, std::ptrdiff_t y) const {
         const ClosedNode* const own = closed(x, y);
-        const double V = own == nullptr ? 1 : own->volume;
+        return own == nullptr ? 1 : own->volume;
+    }
+    /// Those of the other sides, times the volume.
+    PlaneWeights weights(std::ptrdiff_t x, std::ptrdiff_t y) const {
+        const double V = volume(x, y);
         return {V * x_.strain(x) * y_.strain(y),
                 V * x_.stabilisation(x) * y_.stabilisation(y),
                 {V * x_.mass(0, x) * y_.mass(0, y), V * x_.mass(1, x) * y_.mass(1, y)}};
@@ -145,10 +169,12 @@ class PlaneNodes {
 
     void find_neighbours();
     void find_closed_nodes(const PlaneClosure& closure);
-    ClosedNode closed_node_at(const PlaneClosure& closure,
-                              const std::array<std::size_t, 2>& place) const;
+    ClosedNode closed_node_at(const PlaneClosure& closure, std::ptrdiff_t x,
+                              std::ptrdiff_t y) const;
     static void make_exact(ClosedNode& node);
-    std::size_t places() const { return static_cast<std::size_t>(2 * closed_places_ + 1); }
+    /// Layers beside each side that is cut off, where the nodes of a closed one are unlike others.
+    std::ptrdiff_t closed_reach() const { return std::max(closed_layers_, horizon_); }
+    std::size_t places() const { return static_cast<std::size_t>(2 * closed_reach() + 1); }
 
     CorrespondenceModel model_;
     PlaneAxis x_;
@@ -157,55 +183,43 @@ class PlaneNodes {
     std::ptrdiff_t pitch_;
     std::vector<PlaneNeighbours> neighbours_{};
     std::ptrdiff_t closed_layers_ = 0;
-    std::ptrdiff_t closed_places_ = 0;  // beside each side that is cut off
     std::vector<ClosedNode> closed_{};  // by the axes' place()
 };
 
 inline void PlaneNodes::find_closed_nodes(const PlaneClosure& closure) {
     closed_layers_ = static_cast<std::ptrdiff_t>(closure.layers);
-    closed_places_ = std::max(closed_layers_, horizon_);
-    for (std::size_t y = 0; y < places(); ++y) {
-        for (std::size_t x = 0; x < places(); ++x) {
-            closed_.push_back(closed_node_at(closure, {x, y}));
+    closed_.resize(places() * places());
+    const auto xs = x_.nodes_of_places(closed_reach());
+    for (const auto& [place_y, y] : y_.nodes_of_places(closed_reach())) {
+        for (const auto& [place_x, x] : xs) {
+            closed_[place_y * places() + place_x] = closed_node_at(closure, x, y);
         }
     }
 }
 
 /// Where the lattice is cut off by another side, too, neighbours beyond that side are not there.
-inline ClosedNode PlaneNodes::closed_node_at(const PlaneClosure& closure,
-                                             const std::array<std::size_t, 2>& place) const {
-    const auto far = static_cast<std::size_t>(closed_places_);
-    std::array<int, 2> sign{1, 1};
-    std::array<std::size_t, 2> layer{closure.layers, closure.layers};
-    std::array<int, 2> beyond{};  // the first step that leads out of the body; 0: none does
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        const PlaneAxis& own = axis == 0 ? x_ : y_;
-        const std::size_t end = place[axis] > far ? 1 : 0;
-        const std::size_t depth = end == 1 ? 2 * far - place[axis] : place[axis];
-        if (depth == far || !own.is_cut_off(end)) {
-            continue;
-        }
-        sign[axis] = end == 1 ? -1 : 1;
-        if (own.is_closed(end)) {
-            layer[axis] = std::min(depth, closure.layers);
-        } else {
-            beyond[axis] = static_cast<int>(depth) + 1;
-        }
-    }
+inline ClosedNode PlaneNodes::closed_node_at(const PlaneClosure& closure, std::ptrdiff_t x,
+                                             std::ptrdiff_t y) const {
+    const PlaneAxis::Depth from_x = x_.from_closed(x, closed_layers_);
+    const PlaneAxis::Depth from_y = y_.from_closed(y, closed_layers_);
     ClosedNode node;
-    if (layer[0] == closure.layers && layer[1] == closure.layers) {
+    if (from_x.layers == closed_layers_ && from_y.layers == closed_layers_) {
         return node;  // the lattice's own
     }
-    const PlaneClosure::Node& given = closure.nodes[layer[1] * (closure.layers + 1) + layer[0]];
+    const PlaneClosure::Node& given =
+        closure
+            .nodes[static_cast<std::size_t>(from_y.layers * (closed_layers_ + 1) + from_x.layers)];
     node.volume = given.volume;
+    const int sign_x = from_x.is_high ? -1 : 1;
+    const int sign_y = from_y.is_high ? -1 : 1;
     for (const PlaneClosure::Entry& entry : given.gradient) {
-        const int x = sign[0] * entry.x;
-        const int y = sign[1] * entry.y;
-        const bool is_there =
-            (beyond[0] == 0 || entry.x > -beyond[0]) && (beyond[1] == 0 || entry.y > -beyond[1]);
-        if (is_there) {
-            node.gradient.push_back(
-                {y * pitch_ + x, x, y, {sign[0] * entry.along_x, sign[1] * entry.along_y}});
+        const int to_x = sign_x * entry.x;
+        const int to_y = sign_y * entry.y;
+        if (x_.reaches(x, to_x) && y_.reaches(y, to_y)) {
+            node.gradient.push_back({to_y * pitch_ + to_x,
+                                     to_x,
+                                     to_y,
+                                     {sign_x * entry.along_x, sign_y * entry.along_y}});
         }
     }
     if (node.gradient.size() < given.gradient.size()) {
@@ -217,26 +231,18 @@ inline ClosedNode PlaneNodes::closed_node_at(const PlaneClosure& closure,
 /// Gives linear displacements their own gradient again, by the least change of the factors, which
 /// is that of a cut family where they were the lattice's own.
 inline void PlaneNodes::make_exact(ClosedNode& node) {
-    std::array<double, 3> shape{};  // xx, xy, yy
+    const auto [xx, xy, yy] = inverse_shape_of(node.gradient);
     std::array<std::array<double, 2>, 2> missing{{{1, 0}, {0, 1}}};
     for (const ClosedNode::Entry& entry : node.gradient) {
-        shape[0] += entry.x * entry.x;
-        shape[1] += entry.x * entry.y;
-        shape[2] += entry.y * entry.y;
         for (std::size_t b = 0; b < 2; ++b) {
             missing[b][0] -= entry.along[b] * entry.x;
             missing[b][1] -= entry.along[b] * entry.y;
         }
     }
-    const double determinant = shape[0] * shape[2] - shape[1] * shape[1];
-    if (!(determinant > 0)) {
-        throw std::invalid_argument("beside a closed side a node has too few neighbours");
-    }
     for (ClosedNode::Entry& entry : node.gradient) {
-        const double by_x = (shape[2] * entry.x - shape[1] * entry.y) / determinant;
-        const double by_y = (shape[0] * entry.y - shape[1] * entry.x) / determinant;
         for (std::size_t b = 0; b < 2; ++b) {
-            entry.along[b] += missing[b][0] * by_x + missing[b][1] * by_y;
+            entry.along[b] += missing[b][0] * (xx * entry.x + xy * entry.y) +
+                              missing[b][1] * (xy * entry.x + yy * entry.y);
         }
     }
 }
@@ -251,27 +257,14 @@ inline void PlaneNodes::find_neighbours() {
             if (!near.bonds.empty()) {
                 continue;
             }
-            double xx = 0;
-            double xy = 0;
-            double yy = 0;
             for (const PlaneOffset& bond : family) {
-                if (-bond.x > x_.neighbours(false, x) || bond.x > x_.neighbours(true, x) ||
-                    -bond.y > y_.neighbours(false, y) || bond.y > y_.neighbours(true, y)) {
-                    continue;
+                if (x_.reaches(x, bond.x) && y_.reaches(y, bond.y)) {
+                    near.bonds.push_back({bond.y * pitch_ + bond.x, bond.x, bond.y});
+                    near.sum_x += bond.x;
+                    near.sum_y += bond.y;
                 }
-                near.bonds.push_back({bond.y * pitch_ + bond.x, bond.x, bond.y});
-                xx += bond.x * bond.x;
-                xy += bond.x * bond.y;
-                yy += bond.y * bond.y;
-                near.sum_x += bond.x;
-                near.sum_y += bond.y;
             }
-            const double determinant = xx * yy - xy * xy;
-            if (!(determinant > 0)) {
-                throw std::invalid_argument(
-                    "the body is too thin: a node has neighbours in one direction only");
-            }
-            near.inverse_shape = {yy / determinant, -xy / determinant, xx / determinant};
+            near.inverse_shape = inverse_shape_of(near.bonds);
         }
     }
 }
