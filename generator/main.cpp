@@ -25,7 +25,9 @@
 #include "generator/emit/emit.hpp"
 #include "generator/lattice/projection.hpp"
 #include "generator/names/names.hpp"
+#include "generator/names/printable.hpp"
 #include "generator/pipeline.hpp"
+#include "generator/stability/least_nodes.hpp"
 #include "generator/support/exit_code.hpp"
 #include "generator/support/files.hpp"
 #include "generator/support/progress_line.hpp"
@@ -38,6 +40,7 @@ int write_one(const Request& request) {
         table_name(request.specification) + std::string(request.format->ending);
     if (!request.to_stdout) {
         require_short_name(name);
+        require_writable(request.folder / name);  // before what may take minutes
     }
     const Table table = request.certified
                             ? certified({request.specification}, request.cache).front()
@@ -53,6 +56,13 @@ int write_one(const Request& request) {
     } else {
         write_and_name({{request.folder / name, request.format->emit(table)}});
     }
+    if (table.certificate && table.specification.stabilisation &&
+        table.certificate->modal.empty()) {
+        std::cerr
+            << "nmbcgen: warning: " << why_uncertified(table)
+            << ". Programs refuse it. --require-stable says where it is stable, nmbcgen recommend "
+               "what to take in its place\n";
+    }
     return done;
 }
 
@@ -61,15 +71,16 @@ int check(const Request& request) {
     require_folder(folder);  // the fresh set takes a minute
     const std::vector<TextFile> fresh = committed_files(request.folder, request.cache);
     if (const std::string others = other_files(folder, fresh); !others.empty()) {
-        std::cerr << "not of the committed set, and not compared: " << others << "\n";
+        std::cerr << "not of the committed set, and not compared: " << printable(others) << "\n";
     }
     const std::string report = staleness(folder, fresh);
     if (report.empty()) {
-        std::cerr << "up to date: " << folder.string() << "\n";
+        std::cerr << "up to date: " << printable(folder.string()) << "\n";
         return done;
     }
-    std::cerr << report << "The tables in " << folder.string()
-              << " are stale. To write them anew: nmbcgen --all --out " << folder.string() << "\n";
+    const std::string name = printable(folder.string());
+    std::cerr << report << "The tables in " << name
+              << " are stale. To write them anew: nmbcgen --all --out " << name << "\n";
     return does_not_hold;
 }
 
@@ -143,6 +154,7 @@ int run(const Request& request) {
         case Action::check:
             return check(request);
         case Action::all_tables:
+            require_writable(request.folder / "tables.hpp");  // before what takes minutes
             write_and_name(committed_files(request.folder, request.cache));
             return done;
         case Action::recommend:
@@ -203,7 +215,7 @@ int run(const Request& request) {
 
 /// What is wrong, in a line, and the exit code of that.
 int report(const std::string& what, ExitCode code) {
-    std::cerr << "nmbcgen: " << what << "\n";
+    std::cerr << "nmbcgen: " << printable_lines(what) << "\n";
     return code;
 }
 
@@ -224,6 +236,8 @@ int report_failure() {
     } catch (const NotProvable& reason) {
         return report(reason.what(), bad_input);
     } catch (const NotStable& reason) {
+        return report(reason.what(), unstable);
+    } catch (const NotCertifiable& reason) {
         return report(reason.what(), unstable);
     } catch (const FileError& error) {
         return report(error.what(), file_failed);

@@ -13,22 +13,11 @@
 #include "generator/cli/settle.hpp"
 #include "generator/cli/whole_number.hpp"
 #include "generator/exact/rational.hpp"
+#include "generator/names/printable.hpp"
+#include "generator/support/command_line_problem.hpp"
 #include "generator/support/files.hpp"
 
 namespace nmbcgen {
-namespace {
-
-/// What CLI11 says, but of what is no part of coupling: that, and not that one is required.
-std::string problem_of(const CLI::ParseError& error, const CLI::App& coupling) {
-    const auto unknown = coupling.remaining();
-    return coupling.parsed() && coupling.get_subcommands().empty() && !unknown.empty()
-               ? "coupling: '" + unknown.front().substr(0, 60) +
-                     "' is no part of it; allowed: stencil, cases, waves"
-               : error.what();
-}
-
-}  // namespace
-
 std::variant<Request, int> parse_command_line(int argc, char** argv) {
     Request request;
     bool all = false;
@@ -139,7 +128,7 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
         print(text.str());
         return exit_code;
     } catch (const CLI::ParseError& error) {
-        std::cerr << "nmbcgen: " << problem_of(error, *coupling) << "\nSee nmbcgen --help.\n";
+        std::cerr << "nmbcgen: " << printable(problem_of(error, app)) << "\nSee nmbcgen --help.\n";
         return 2;
     }
     return request;

@@ -25,14 +25,15 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
     auto* const prove = app.add_subcommand(
         "prove", "say what of a certificate is proved by enclosures (docs/explanation/proofs.md)");
     const SpecificationOptions options = add_specification(*prove, request, pending);
-    for (CLI::Option* other : {options.match, options.damping, options.cfl, options.time_step}) {
+    for (CLI::Option* other : {options.match, options.damping}) {
         prove->remove_option(other);
     }
     options.order->required();
     require_one_of(*prove, options.horizon, options.radius);
     add_parsed(*prove, "--up-to", request.proof.cfl, parse_fraction,
                "prove all steps up to this cfl, too (default: continuous time alone)")
-        ->excludes(options.G);
+        ->excludes(options.G)
+        ->excludes(options.time_step);
     add_parsed(*prove, "--finest", request.proof.finest, parse_fraction,
                "do not halve intervals of G below this (default: a thousandth of the window)")
         ->excludes(options.G);
@@ -125,7 +126,7 @@ CLI::App* add_recommend(CLI::App& app, Request& request, Pending& pending) {
         *recommend, "--G", question.G, parse_rational,
         "stabilisation G of the model (of nopd2d: g = G/pi), an exact number such as 1/2 or 0.3");
     add_parsed(*recommend, "--order", question.order, parse_recommended_order,
-               "this order only (default: 1 to 4)");
+               "this order only (default: 1 to 6)");
     add_parsed(*recommend, "--tolerance", question.tolerance, parse_fraction,
                "the part of the energy that may be reflected, mean over the band (default 1e-6, or "
                "the next power of ten up to 0.1 that can be kept)");

@@ -11,7 +11,7 @@ namespace nmbcgen {
 
 /// nmbcgen reflect, with the same options for the condition.
 CLI::App* add_reflect(CLI::App& app, Request& request, Pending& pending);
-/// nmbcgen prove, of what is matched in continuous time and not damped.
+/// nmbcgen prove, of what is not damped.
 CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending);
 /// nmbcgen dispersion.
 CLI::App* add_dispersion(CLI::App& app, Curves& curves, Pending& pending);

@@ -4,10 +4,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <map>
-#include <nmbc/plane_family.hpp>
+#include <nmbc/correspondence_model.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -47,21 +46,23 @@ int along(const PlaneOffset& offset, std::size_t axis) {
 
 class Parts {
   public:
-    explicit Parts(unsigned radius_squared)
-        : family_(nmbc::plane_family(radius_squared)),
-          beside_(std::max(int(nmbc::horizon_of(radius_squared)), 2)),
-          corner_(beside_ + 1) {
-        for (const PlaneOffset& bond : family_) {
-            shape_ += bond.x * bond.x;
+    explicit Parts(const nmbc::CorrespondenceModel& model)
+        : family_(nmbc::detail::weighted_family(model)),
+          beside_(std::max(int(model.horizon()), 2)),
+          corner_(beside_ + 1),
+          shape_(nmbc::detail::whole_shape(model)) {
+        for (const auto& [x, y, influence] : family_) {
+            influences_[{x, y}] = influence;
         }
         demand_sides();
         demand_corner();
         solve();
     }
 
-    nmbc::PlaneClosure closure(unsigned radius_squared) {
-        const auto layers = std::size_t(corner_);
-        nmbc::PlaneClosure closure{.radius_squared = radius_squared, .layers = layers};
+    nmbc::PlaneClosure closure(const nmbc::CorrespondenceModel& model) {
+        nmbc::PlaneClosure closure{.radius_squared = model.radius_squared,
+                                   .influence = model.influence,
+                                   .layers = std::size_t(corner_)};
         for (int j = 0; j <= corner_; ++j) {
             for (int i = 0; i <= corner_; ++i) {
                 closure.nodes.push_back(node_at({i, j}));
@@ -107,7 +108,7 @@ class Parts {
     /// The entry of Q; of a corner, too, where that is asked for.
     Linear entry(const Bond& bond, bool is_in_corner) {
         const PlaneOffset step{bond.to.x - bond.from.x, bond.to.y - bond.from.y};
-        Linear entry{along(step, bond.axis) / shape_};
+        Linear entry{influences_.at({step.x, step.y}) * along(step, bond.axis) / shape_};
         add_side(entry, bond.axis == 0, bond.from.x, bond.to.x, step.y);
         if (!is_in_corner) {
             return entry;
@@ -144,7 +145,7 @@ class Parts {
     /// Sum of Q over a node's bonds, and its moments along x and y.
     std::array<Linear, 3> moments(std::size_t axis, const PlaneOffset& node, bool is_in_corner) {
         std::array<Linear, 3> moments;
-        for (const PlaneOffset& bond : family_) {
+        for (const auto& bond : family_) {
             const PlaneOffset to{node.x + bond.x, node.y + bond.y};
             if (to.x < 0 || (is_in_corner && to.y < 0)) {
                 continue;
@@ -221,7 +222,7 @@ class Parts {
 
     nmbc::PlaneClosure::Node node_at(const PlaneOffset& near) {
         // Far from a side: so far that all its neighbours are.
-        const int far = 2 * corner_ + int(std::sqrt(shape_)) + 1;
+        const int far = 3 * corner_;
         const PlaneOffset node{near.x == corner_ ? far : near.x, near.y == corner_ ? far : near.y};
         const double V = value_of(volume(node));
         if (!(V > 0)) {
@@ -229,7 +230,7 @@ class Parts {
                                     std::to_string(V));
         }
         nmbc::PlaneClosure::Node result{.volume = V};
-        for (const PlaneOffset& bond : family_) {
+        for (const auto& bond : family_) {
             const PlaneOffset to{node.x + bond.x, node.y + bond.y};
             if (to.x >= 0 && to.y >= 0) {
                 result.gradient.push_back({bond.x, bond.y, value_of(entry({0, node, to}, true)) / V,
@@ -239,10 +240,11 @@ class Parts {
         return result;
     }
 
-    std::vector<PlaneOffset> family_;
+    std::vector<nmbc::detail::WeightedBond> family_;
+    std::map<std::array<int, 2>, double> influences_{};  // of bonds
     int beside_;
     int corner_;
-    double shape_ = 0;  ///< sum of x^2 over a family
+    double shape_;  ///< sum of the influence times x^2 over a family
     std::map<Key, Index> places_{};
     std::vector<double> near_{};
     std::vector<Linear> demands_{};
@@ -251,8 +253,8 @@ class Parts {
 
 }  // namespace
 
-nmbc::PlaneClosure plane_summation_by_parts(unsigned radius_squared) {
-    return Parts(radius_squared).closure(radius_squared);
+nmbc::PlaneClosure plane_summation_by_parts(const nmbc::CorrespondenceModel& model) {
+    return Parts(model).closure(model);
 }
 
 }  // namespace nmbcgen

@@ -9,6 +9,7 @@
 
 #include "generator/commands/recommend.hpp"
 #include "generator/stability/discrete.hpp"
+#include "generator/stability/modal.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {

@@ -16,6 +16,7 @@
 #include "generator/exact/rational.hpp"
 #include "generator/families/projected.hpp"
 #include "generator/families/vector_family.hpp"
+#include "generator/passive/plane_side.hpp"
 #include "generator/plane/side_reflection.hpp"
 #include "generator/support/on_all_cores.hpp"
 
@@ -23,7 +24,6 @@ namespace nmbcgen {
 namespace {
 
 constexpr std::array angles{0.0, 20.0, 35.0, 40.0, 60.0, 80.0};  // from the normal [degrees]
-constexpr double reflected_xi = 0.1;
 
 constexpr double drift_shift = 0.002;  // [c/dX] 1e-3 of the factors' other entries
 
@@ -63,9 +63,8 @@ template <class Reflected>
 std::string reflections_of(const PlaneLattice& lattice, Reflected reflected) {
     std::string text;
     for (const double angle : angles) {
-        text +=
-            fmt::format("  {:.3f}/{:.3f}", reflected(told_wave(lattice, true, reflected_xi, angle)),
-                        reflected(told_wave(lattice, false, reflected_xi, angle)));
+        text += fmt::format("  {:.3f}/{:.3f}", reflected(told_wave(lattice, true, long_xi, angle)),
+                            reflected(told_wave(lattice, false, long_xi, angle)));
     }
     return text;
 }
@@ -196,7 +195,7 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
         widest_designed_angle(*passive),
         std::sqrt(passive->task.highest_eigenvalue / passive->highest_eigenvalue), table,
         side_samples.waves, side_samples.waves + 1, side_samples.layers, side_samples.other_layers,
-        side_samples.wave_numbers + 1, side_samples.nodes, side_samples.nodes, reflected_xi);
+        side_samples.wave_numbers + 1, side_samples.nodes, side_samples.nodes, long_xi);
 }
 
 std::string side_reflection_csv(const SideTask& model, const std::vector<AbsorbedWave>& absorbed,

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <tuple>
 
 #include "generator/enclosures/prove.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/certify.hpp"
 #include "generator/stability/discrete.hpp"
+#include "generator/stability/modal.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -19,6 +22,15 @@ constexpr double farthest = 8;  ///< from the low end of a window that has no hi
 
 std::string in_steps(double cfl) {
     return cfl > 0 ? fmt::format("in every step up to cfl {:g}", cfl) : "in continuous time";
+}
+
+/// Of a condition that is matched in it.
+std::string in_own_step(const Specification& what) {
+    return fmt::format("in its step of {} dX/c", to_string(what.time_step));
+}
+
+double own_step(const Specification& what) {
+    return nearest_double(what.time_step);
 }
 
 std::string heading(const Specification& what) {
@@ -43,23 +55,36 @@ std::string at_one_G(const Specification& what, const Table& table, const Prover
     const nmbc::Window about = window_about(G);
     const HalfSpace half_space = make_half_space(derive(what), G);  // or there is none
     std::string text = heading(what);
+    const auto in_one_step = [&](Grade grade) {
+        return fmt::format(
+            "{} {}; sampled: {}",
+            prover.holds_in_step(about, own_step(what), grade) ? "proved" : "not proved",
+            in_own_step(what),
+            stability_grade(stepped(half_space, own_step(what))) >= grade ? "stable"
+                                                                          : "not stable");
+    };
+    const auto in_all_steps = [&](Grade grade) {
+        const double proved = prover.largest_cfl(about, grade);
+        const double sampled = stable_range(half_space, grade).largest;
+        return fmt::format("{}; sampled: {}",
+                           proved < 0   ? "nothing proved"
+                           : proved > 0 ? fmt::format("proved {}", in_steps(proved))
+                                        : "proved in continuous time alone",
+                           sampled > 0 ? fmt::format("cfl {:.2f}", sampled) : "none");
+    };
     std::size_t done = 0;
     for (const auto& [name, grade] :
          {std::pair("paired", Grade::paired), std::pair("contractive", Grade::contractive)}) {
         progress(done++, 2);
-        const double proved = prover.largest_cfl(about, grade);
-        const double sampled = stable_range(half_space, grade).largest;
-        text += fmt::format("{:<12} {}: {}; sampled: {}\n", name, place,
-                            proved < 0   ? "nothing proved"
-                            : proved > 0 ? fmt::format("proved {}", in_steps(proved))
-                                         : "proved in continuous time alone",
-                            sampled > 0 ? fmt::format("cfl {:.2f}", sampled) : "none");
+        text += fmt::format("{:<12} {}: {}\n", name, place,
+                            own_step(what) > 0 ? in_one_step(grade) : in_all_steps(grade));
     }
     return text;
 }
 
-std::string of_window(const StabilityWindow& window, const char* grade_name, Grade grade,
-                      const Prover& prover, const ProofTask& task, const Progress& progress) {
+std::string of_window(const StabilityWindow& window, const char* grade_name,
+                      const std::function<bool(const nmbc::Window&)>& holds, const ProofTask& task,
+                      const Progress& progress) {
     const double low = window.low.inner;
     const double high = window.high ? window.high->inner : low + farthest;
     const double finest = task.finest.value_or((high - low) / 1000);
@@ -68,7 +93,7 @@ std::string of_window(const StabilityWindow& window, const char* grade_name, Gra
         progress(std::size_t(in_all * (G - low) / std::max(high - low, finest)),
                  std::size_t(in_all));
     };
-    const auto parts = prover.parts({low, high}, task.cfl, grade, finest, told);
+    const auto parts = parts_where(holds, {low, high}, finest, told);
     double proved = 0;
     std::string text = fmt::format(
         "{:<12} {:.6f} .. {}\n", grade_name, low,
@@ -95,12 +120,18 @@ std::string proof_text(const Specification& what, const ProofTask& task, const P
         throw NotProvable("no G in this model: prove it at --G 0");
     }
     const Certificate certificate = certify(table);
-    std::string text = heading(what) + fmt::format("{}\n", in_steps(task.cfl));
-    for (const StabilityWindow& window : certificate.modal) {
-        text += of_window(window, "paired", Grade::paired, prover, task, progress);
-    }
-    for (const StabilityWindow& window : certificate.contractive) {
-        text += of_window(window, "contractive", Grade::contractive, prover, task, progress);
+    const bool is_stepped = own_step(what) > 0;
+    std::string text = heading(what) + (is_stepped ? in_own_step(what) : in_steps(task.cfl)) + "\n";
+    for (const auto& [name, grade, windows] :
+         {std::tuple("paired", Grade::paired, &certificate.modal),
+          std::tuple("contractive", Grade::contractive, &certificate.contractive)}) {
+        const auto holds = [&, least = grade](const nmbc::Window& piece) {
+            return is_stepped ? prover.holds_in_step(piece, own_step(what), least)
+                              : prover.holds(piece, task.cfl, least);
+        };
+        for (const StabilityWindow& window : *windows) {
+            text += of_window(window, name, holds, task, progress);
+        }
     }
     return text;
 }

@@ -20,7 +20,8 @@ struct NotProvable : std::runtime_error {
 };
 
 /// Where G is open, the parts of the certified windows in which the grade is proved, in continuous
-/// time and in all steps up to a cfl; at one G the largest cfl up to which it is.
+/// time and in all steps up to a cfl; at one G the largest cfl up to which it is. Of a condition
+/// that is matched in time steps, in its own step alone.
 /// Throws NotProvable.
 std::string proof_text(const Specification& what, const ProofTask& task, const Progress& progress);
 

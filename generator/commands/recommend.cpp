@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "generator/commands/candidates.hpp"
+#include "generator/commands/scene_settings.hpp"
 #include "generator/enclosures/prove.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/names/names.hpp"
@@ -53,6 +55,31 @@ std::string table_of(const std::vector<Candidate>& all, const Question& question
     return text;
 }
 
+/// How a scene of nmbcrun takes the best one; where its table has to be made, the first that needs
+/// none, if one is within the tolerance.
+std::string in_a_scene(const std::vector<Candidate>& all, double tolerance) {
+    const Candidate& best = all.front();
+    std::string text = fmt::format("  settings   {}\n", scene_settings(best));
+    if (is_committed(best.what)) {
+        return text;
+    }
+    text += fmt::format("  table      to be made beside the scene: {} --format json --out FOLDER\n",
+                        regenerating_command(best.what));
+    const auto ready = std::ranges::find_if(all, [tolerance](const Candidate& other) {
+        return other.certified.largest > 0 && other.reflected <= tolerance &&
+               is_committed(other.what);
+    });
+    if (ready != all.end()) {
+        text += fmt::format("  ready      NMBC{}, stride {}, {}reflects {:.1e}: {}\n",
+                            ready->what.order, ready->what.stride,
+                            ready->what.time_step != 0
+                                ? "matched in its steps, "
+                                : fmt::format("in steps of cfl {:.2f}, ", ready->cfl),
+                            ready->reflected, scene_settings(*ready));
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string recommendation(const Question& question, const Progress& progress) {
@@ -85,14 +112,14 @@ std::string recommendation(const Question& question, const Progress& progress) {
     const bool matched = best.what.time_step != 0;
     return fmt::format(
         "NMBC{}, stride {}, tau = {}, {}steps of cfl {:.2f}, at horizon {}, G = {}\n"
-        "  command    {}\n"
+        "  command    {}\n{}"
         "  certified  stable with both ends alike, in chains of {} interior nodes and more, in {}; "
         "{}{}\n"
         "  reflected  {:.1e} of the energy in steps of cfl {:.2f}, dt = {:.4g} dX/c\n"
         "  loss       {:.1e} of the energy\n\n{}",
         best.what.order, best.what.stride, to_string(best.what.damping),
         matched ? "matched in " : "", best.cfl, best.what.horizon, to_string(question.G),
-        regenerating_command(best.what), certificate.least_nodes,
+        regenerating_command(best.what), in_a_scene(all, tolerance), certificate.least_nodes,
         matched ? "these steps, of which it takes no others" : in_words(best.certified),
         name_of(certificate.paired),
         projected_family(question.family)

@@ -105,7 +105,34 @@ void require_stable_in_plane(const Specification& what, const ProjectedFamily& p
         options, to_string(model.g)));
 }
 
+/// A family without G has one of 0.
+HalfSpace half_space_of(const Table& table) {
+    return make_half_space(table, table.specification.stabilisation.value_or(0));
+}
+
+bool only_in_too_long_steps(const Table& table) {
+    return table.specification.time_step != 0 &&
+           stability_grade(half_space_of(table)) != Grade::none;
+}
+
 }  // namespace
+
+std::string why_uncertified(const Table& table) {
+    const Specification& what = table.specification;
+    const Rational G = what.stabilisation.value_or(0);
+    return fmt::format(
+        "NMBC{} at horizon {}, stride {},{}{}{} G = {} is not {}", what.order, what.horizon,
+        what.stride,
+        what.points.empty() ? std::string() : " matched at " + matching_text(what) + ",",
+        what.damping != 0 ? " damping " + to_string(what.damping) + "," : std::string(),
+        what.time_step != 0 ? " steps of " + to_string(what.time_step) + "," : std::string(),
+        to_string(G),
+        only_in_too_long_steps(table)
+            ? fmt::format("certified in these steps, of cfl {:.3f}: {:.2f} is the largest one",
+                          cfl_of(half_space_of(table), nearest_double(what.time_step)),
+                          stable_range(half_space_of(table)).largest)
+            : "stable: " + how_it_fails(table, G));
+}
 
 void require_stable(const Table& table) {
     if (!table.certificate->modal.empty()) {
@@ -115,22 +142,8 @@ void require_stable(const Table& table) {
         return;
     }
     const Specification& what = table.specification;
-    const Rational G = what.stabilisation.value_or(0);  // of a family without it
-    const HalfSpace half_space = make_half_space(table, G);
-    const bool only_too_long = what.time_step != 0 && stability_grade(half_space) != Grade::none;
-    std::string message = fmt::format(
-        "NMBC{} at horizon {}, stride {},{}{}{} G = {} is not {}. Nothing was written.", what.order,
-        what.horizon, what.stride,
-        what.points.empty() ? std::string() : " matched at " + matching_text(what) + ",",
-        what.damping != 0 ? " damping " + to_string(what.damping) + "," : std::string(),
-        what.time_step != 0 ? " steps of " + to_string(what.time_step) + "," : std::string(),
-        to_string(G),
-        only_too_long
-            ? fmt::format("certified in these steps, of cfl {:.3f}: {:.2f} is the largest one",
-                          cfl_of(half_space, nearest_double(what.time_step)),
-                          stable_range(half_space).largest)
-            : "stable: " + how_it_fails(table, G));
-    if (only_too_long || !what.points.empty()) {
+    std::string message = why_uncertified(table) + ". Nothing was written.";
+    if (!what.points.empty() || only_in_too_long_steps(table)) {
         throw NotStable(message);
     }
     constexpr unsigned quick = 5;  // above, windows take minutes

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 #include "generator/table/table.hpp"
 
@@ -12,6 +13,9 @@ namespace nmbcgen {
 struct NotStable : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+/// How a table at a fixed G, whose certificate is empty, is not stable there.
+std::string why_uncertified(const Table& table);
 
 /// Throws NotStable where the modal certificate of a table at a fixed G does not cover that G, and,
 /// of a wave of a plane, where the condition grows or amplifies as a side of the plane, with its

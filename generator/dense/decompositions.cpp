@@ -3,6 +3,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <cmath>
+#include <complex>
 
 namespace nmbcgen {
 namespace {
@@ -19,7 +21,19 @@ VectorXd ascending_eigenvalues(const Matrix& matrix) {
 
 template <class Matrix>
 double largest_of_square(const Matrix& X) {
-    return X.size() == 0 ? 0 : ascending_eigenvalues(Matrix(X.adjoint() * X))(X.cols() - 1);
+    if (X.size() == 0) {
+        return 0;
+    }
+    const Matrix square = X.adjoint() * X;
+    if (square.cols() == 1) {
+        return std::real(square(0, 0));
+    }
+    if (square.cols() == 2) {
+        const double mean = std::real(square(0, 0) + square(1, 1)) / 2;
+        const double half_difference = std::real(square(0, 0) - square(1, 1)) / 2;
+        return mean + std::hypot(half_difference, std::abs(square(1, 0)));
+    }
+    return ascending_eigenvalues(square)(square.cols() - 1);
 }
 
 }  // namespace
@@ -30,6 +44,29 @@ VectorXcd eigenvalues(const MatrixXd& matrix) {
 
 VectorXcd eigenvalues(const MatrixXcd& matrix) {
     return matrix.eigenvalues();
+}
+
+VectorXcd eigenvalues_of_hessenberg(const MatrixXd& matrix) {
+    const double scale = matrix.cwiseAbs().maxCoeff();
+    if (scale == 0) {
+        return VectorXcd::Zero(matrix.rows());
+    }
+    Eigen::RealSchur<MatrixXd> schur(matrix.rows());
+    schur.computeFromHessenberg(matrix / scale, MatrixXd(), false);
+    const MatrixXd& T = schur.matrixT();  // with blocks of two rows for complex pairs
+    VectorXcd values(T.rows());
+    for (Eigen::Index i = 0; i < T.rows(); ++i) {
+        if (i + 1 == T.rows() || T(i + 1, i) == 0) {
+            values(i) = T(i, i);
+            continue;
+        }
+        const double half = (T(i, i) - T(i + 1, i + 1)) / 2;
+        const double imaginary = std::sqrt(std::abs(half * half + T(i + 1, i) * T(i, i + 1)));
+        const std::complex<double> value(T(i + 1, i + 1) + half, imaginary);
+        values(i) = value;
+        values(++i) = std::conj(value);
+    }
+    return scale * values;
 }
 
 Eigenpairs eigenpairs(const MatrixXd& matrix) {

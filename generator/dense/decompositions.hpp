@@ -12,6 +12,9 @@ namespace nmbcgen {
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix);
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXcd& matrix);
 
+/// Likewise, of one that is 0 below its first subdiagonal; quicker.
+Eigen::VectorXcd eigenvalues_of_hessenberg(const Eigen::MatrixXd& matrix);
+
 struct Eigenpairs {
     Eigen::VectorXcd values;
     Eigen::MatrixXcd vectors;  ///< columns, in the order of the values

@@ -260,10 +260,17 @@ class Pairing {
 
 class Sweep {
   public:
-    Sweep(const EnclosedCondition& condition, Grade least)
-        : c_(condition), least_(least), finest_(std::max(1e-6, spread_of(condition.band) / 4)) {}
+    Sweep(const EnclosedCondition& condition, Grade least, int most_boxes)
+        : c_(condition),
+          least_(least),
+          finest_(std::max(1e-10, spread_of(condition.band) / 4)),
+          boxes_left_(most_boxes) {}
 
-    bool holds(const Interval& square, const Interval& tau, double top) const {
+    bool holds(const Interval& square, const Interval& tau, double top) {
+        if (boxes_left_ == 0) {
+            return false;
+        }
+        --boxes_left_;
         if (holds_in_one(square, tau)) {
             return true;
         }
@@ -319,7 +326,8 @@ class Sweep {
 
     const EnclosedCondition& c_;
     Grade least_;
-    double finest_;
+    double finest_;  ///< of the band; in smaller boxes roundings decide
+    int boxes_left_;
 };
 
 }  // namespace
@@ -348,9 +356,10 @@ double spread_of(const EnclosedPolynomial& band) {
     return spread / top;
 }
 
-bool waves_have_grade(const EnclosedCondition& condition, const Interval& tau, Grade least) {
+bool waves_have_grade(const EnclosedCondition& condition, const Interval& tau, Grade least,
+                      int most_boxes) {
     const double top = highest_square(condition.band).upper();
-    return Sweep(condition, least).holds(Interval(0, top), tau, top);
+    return Sweep(condition, least, most_boxes).holds(Interval(0, top), tau, top);
 }
 
 }  // namespace nmbcgen

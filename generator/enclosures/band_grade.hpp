@@ -20,9 +20,10 @@
 
 namespace nmbcgen {
 
-/// tau: as in condition.hpp. By subdivision of the frequencies and of tau; false where that is
-/// undecided.
-bool waves_have_grade(const EnclosedCondition& condition, const Interval& tau, Grade least);
+/// tau: as in condition.hpp. By subdivision of the frequencies and of tau into boxes, at most so
+/// many; false where that is undecided.
+bool waves_have_grade(const EnclosedCondition& condition, const Interval& tau, Grade least,
+                      int most_boxes);
 
 /// The largest value of the band.
 Interval highest_square(const EnclosedPolynomial& band);

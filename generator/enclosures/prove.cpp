@@ -10,6 +10,13 @@
 #include "generator/exact/rational_function.hpp"
 
 namespace nmbcgen {
+namespace {
+
+// A box takes 0.02 ms at n = 1, 0.3 ms at n = 6. Most proofs take a tenth of these numbers.
+constexpr int boxes_of_every_step = 65536;
+constexpr int boxes_of_one_step = 4096;  // every run proves its own step
+
+}  // namespace
 
 Prover::Prover(const Table& table)
     : per_G_(exact_condition(table, Polynomial(std::vector<Rational>{0, 1}))),
@@ -33,7 +40,8 @@ bool Prover::holds(const nmbc::Window& window, double cfl, Grade least) const {
         return false;
     }
     const Interval tau = hull(Interval(0), square(Interval(cfl)) / top);
-    return no_mode_grows(*enclosed, tau) && waves_have_grade(*enclosed, tau, least);
+    return no_mode_grows(*enclosed, tau) &&
+           waves_have_grade(*enclosed, tau, least, boxes_of_every_step);
 }
 
 bool Prover::holds_in_step(const nmbc::Window& window, double time_step, Grade least) const {
@@ -44,30 +52,8 @@ bool Prover::holds_in_step(const nmbc::Window& window, double time_step, Grade l
     constexpr double roundings = 1e-12;
     const Interval step = time_step * Interval(1 - roundings, 1 + roundings);
     const Interval tau = enclosed->scale * square(step) / 4.0;
-    return no_mode_grows(*enclosed, tau) && waves_have_grade(*enclosed, tau, least);
-}
-
-std::vector<nmbc::Window> Prover::parts(const nmbc::Window& window, double cfl, Grade least,
-                                        double finest,
-                                        const std::function<void(double)>& told) const {
-    std::vector<nmbc::Window> found;
-    const std::function<void(const nmbc::Window&)> collect = [&](const nmbc::Window& piece) {
-        told(piece.low);
-        const double middle = piece.low + (piece.high - piece.low) / 2;
-        if (holds(piece, cfl, least)) {
-            if (!found.empty() && found.back().high == piece.low) {
-                found.back().high = piece.high;
-            } else {
-                found.push_back(piece);
-            }
-        } else if (piece.high - piece.low > 2 * finest && piece.low < middle &&
-                   middle < piece.high) {
-            collect({piece.low, middle});
-            collect({middle, piece.high});
-        }
-    };
-    collect(window);
-    return found;
+    return no_mode_grows(*enclosed, tau) &&
+           waves_have_grade(*enclosed, tau, least, boxes_of_one_step);
 }
 
 double Prover::largest_cfl(const nmbc::Window& window, Grade least) const {
@@ -81,6 +67,29 @@ double Prover::largest_cfl(const nmbc::Window& window, Grade least) const {
         (holds(window, middle / 100.0, least) ? proved : open) = middle;
     }
     return proved / 100.0;
+}
+
+std::vector<nmbc::Window> parts_where(const std::function<bool(const nmbc::Window&)>& holds,
+                                      const nmbc::Window& window, double finest,
+                                      const std::function<void(double)>& told) {
+    std::vector<nmbc::Window> found;
+    const std::function<void(const nmbc::Window&)> collect = [&](const nmbc::Window& piece) {
+        told(piece.low);
+        const double middle = piece.low + (piece.high - piece.low) / 2;
+        if (holds(piece)) {
+            if (!found.empty() && found.back().high == piece.low) {
+                found.back().high = piece.high;
+            } else {
+                found.push_back(piece);
+            }
+        } else if (piece.high - piece.low > 2 * finest && piece.low < middle &&
+                   middle < piece.high) {
+            collect({piece.low, middle});
+            collect({middle, piece.high});
+        }
+    };
+    collect(window);
+    return found;
 }
 
 nmbc::Window window_about(const Rational& G) {

@@ -25,11 +25,6 @@ class Prover {
     /// The same in one leapfrog step [dX/c] alone, to its roundings.
     bool holds_in_step(const nmbc::Window& window, double time_step, Grade least) const;
 
-    /// The parts of a window, ascending, in which it holds: by halves, to no less than `finest`.
-    /// told: the G that is reached.
-    std::vector<nmbc::Window> parts(const nmbc::Window& window, double cfl, Grade least,
-                                    double finest, const std::function<void(double)>& told) const;
-
     /// The largest cfl, in hundredths, up to which it holds; less than 0 where it does not even in
     /// continuous time.
     double largest_cfl(const nmbc::Window& window, Grade least) const;
@@ -40,6 +35,12 @@ class Prover {
     ExactCondition per_G_;
     ExactCondition plain_;  ///< for G = 0
 };
+
+/// The parts of a window of G, ascending, in which something holds: by halves, to no less than
+/// `finest`. told: the G that is reached.
+std::vector<nmbc::Window> parts_where(const std::function<bool(const nmbc::Window&)>& holds,
+                                      const nmbc::Window& window, double finest,
+                                      const std::function<void(double)>& told);
 
 /// One double, or its neighbours about a number that is none.
 nmbc::Window window_about(const Rational& G);

@@ -78,11 +78,14 @@ Integer floor(const Rational& value) {
 }
 
 double nearest_double(const Rational& value) {
-    if (value == 0) {
+    return nearest_double(numerator(value), denominator(value));
+}
+
+double nearest_double(const Integer& signed_numerator, const Integer& denominator) {
+    if (signed_numerator == 0) {
         return 0.0;
     }
-    const Integer numerator = abs(boost::multiprecision::numerator(value));
-    const Integer denominator = boost::multiprecision::denominator(value);
+    const Integer numerator = abs(signed_numerator);
 
     // Scale by 2^-exponent so that the quotient has 53 or 54 bits; below the normal range
     // fewer bits are kept, so that a subnormal result is rounded once, too.
@@ -110,7 +113,7 @@ double nearest_double(const Rational& value) {
     if (std::isinf(result)) {
         throw std::overflow_error("a number beyond 1.8e308 has no double");
     }
-    return value < 0 ? -result : result;
+    return signed_numerator < 0 ? -result : result;
 }
 
 }  // namespace nmbcgen

@@ -26,4 +26,7 @@ Integer floor(const Rational& value);
 /// Throws std::overflow_error where |value| rounds to infinity.
 double nearest_double(const Rational& value);
 
+/// The double nearest to numerator/denominator, denominator > 0; they may have a common factor.
+double nearest_double(const Integer& numerator, const Integer& denominator);
+
 }  // namespace nmbcgen

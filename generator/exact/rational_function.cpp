@@ -7,26 +7,6 @@
 #include "generator/exact/polynomial_gcd.hpp"
 
 namespace nmbcgen {
-namespace {
-
-Integer common_denominator_of_coefficients(const Polynomial& polynomial) {
-    Integer result = 1;
-    for (const Rational& coefficient : polynomial.data()) {
-        result = lcm(result, denominator(coefficient));
-    }
-    return result;
-}
-
-IntegerPolynomial times(const Polynomial& polynomial, const Integer& factor) {
-    std::vector<Integer> coefficients;
-    for (const Rational& coefficient : polynomial.data()) {
-        coefficients.push_back(numerator(coefficient * factor));
-    }
-    return IntegerPolynomial(std::move(coefficients));
-}
-
-}  // namespace
-
 ExactFunction reduce(const Polynomial& numerator, const Polynomial& denominator) {
     if (denominator.is_zero()) {
         throw std::domain_error("a rational function needs a denominator other than 0");
@@ -36,15 +16,15 @@ ExactFunction reduce(const Polynomial& numerator, const Polynomial& denominator)
     }
     // Boost divides integer polynomials by pseudo-division, which scales the quotient; over the
     // rationals the quotient is exact.
-    const Polynomial divisor = over_rationals(
-        primitive_gcd(times(numerator, common_denominator_of_coefficients(numerator)),
-                      times(denominator, common_denominator_of_coefficients(denominator))));
+    const Polynomial divisor =
+        over_rationals(primitive_gcd(over_integers(numerator, common_denominator(numerator)),
+                                     over_integers(denominator, common_denominator(denominator))));
     const Polynomial reduced_numerator = numerator / divisor;
     const Polynomial reduced_denominator = denominator / divisor;
-    const Integer scale = lcm(common_denominator_of_coefficients(reduced_numerator),
-                              common_denominator_of_coefficients(reduced_denominator));
-    IntegerPolynomial top = times(reduced_numerator, scale);
-    IntegerPolynomial bottom = times(reduced_denominator, scale);
+    const Integer scale =
+        lcm(common_denominator(reduced_numerator), common_denominator(reduced_denominator));
+    IntegerPolynomial top = over_integers(reduced_numerator, scale);
+    IntegerPolynomial bottom = over_integers(reduced_denominator, scale);
     Integer content = gcd(boost::math::tools::content(top), boost::math::tools::content(bottom));
     if (bottom.data().back() < 0) {
         content = -content;
@@ -60,6 +40,30 @@ ExactFunction to_rational_function(const Polynomial& polynomial) {
 
 Polynomial over_rationals(const IntegerPolynomial& polynomial) {
     return Polynomial(std::vector<Rational>(polynomial.data().begin(), polynomial.data().end()));
+}
+
+Integer common_denominator(const Polynomial& polynomial) {
+    Integer result = 1;
+    for (const Rational& coefficient : polynomial.data()) {
+        result = lcm(result, denominator(coefficient));
+    }
+    return result;
+}
+
+IntegerPolynomial over_integers(const Polynomial& polynomial, const Integer& multiple) {
+    std::vector<Integer> coefficients;
+    for (const Rational& coefficient : polynomial.data()) {
+        coefficients.push_back(numerator(coefficient) * (multiple / denominator(coefficient)));
+    }
+    return IntegerPolynomial(std::move(coefficients));
+}
+
+IntegerPolynomial binomial(int sign, std::size_t power) {
+    std::vector<Integer> coefficients{1};
+    for (std::size_t k = 0; k < power; ++k) {
+        coefficients.push_back(coefficients[k] * sign * (power - k) / (k + 1));
+    }
+    return IntegerPolynomial(std::move(coefficients));
 }
 
 Polynomial constant(const Rational& value) {

@@ -18,6 +18,15 @@ ExactFunction to_rational_function(const Polynomial& polynomial);
 /// The same coefficients over Q.
 Polynomial over_rationals(const IntegerPolynomial& polynomial);
 
+/// The least common denominator of its coefficients.
+Integer common_denominator(const Polynomial& polynomial);
+
+/// polynomial * multiple, where multiple is one of its common denominator.
+IntegerPolynomial over_integers(const Polynomial& polynomial, const Integer& multiple);
+
+/// (1 + sign x)^power
+IntegerPolynomial binomial(int sign, std::size_t power);
+
 /// The constant polynomial.
 Polynomial constant(const Rational& value);
 

@@ -11,7 +11,7 @@
 #include "generator/exact/rational_function.hpp"
 #include "generator/matching/local.hpp"
 #include "generator/matching/moebius.hpp"
-#include "generator/matching/solve.hpp"
+#include "generator/matching/points_equations.hpp"
 
 namespace nmbcgen {
 namespace {

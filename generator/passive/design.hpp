@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Passive edges that reflect little.
+/// The design of passive edges that reflect little. What they do in a step is the runtime's:
+/// nmbc/passive.hpp, and in a plane nmbc/plane_dashpots.hpp.
 #pragma once
 
 #include <functional>

@@ -126,6 +126,21 @@ DesignedSide passive_side(const SideTask& model, const DesignProgress& progress)
                          {lattice.speed_P, lattice.speed_S}, wave_numbers, progress);
 }
 
+std::vector<double> reflected_by_side(const SideTask& model, const DesignedSide& side,
+                                      std::span<const double> degrees) {
+    const PlaneLattice lattice =
+        plane_lattice(find_vector_family(model.family).describe(model.choice), model.g, 0);
+    const auto reflected = [&](bool is_P, double angle) {
+        return reflected_by_edge(side.task, side.edge, wave_at(lattice, is_P, long_xi, angle));
+    };
+    std::vector<double> most;
+    most.reserve(degrees.size());
+    for (const double angle : degrees) {
+        most.push_back(std::max(reflected(true, angle), reflected(false, angle)));
+    }
+    return most;
+}
+
 nmbc::PassiveSide for_runtime(const DesignedSide& side) {
     const PassiveEdge& edge = side.edge;
     return {.strain = entries_of(edge.strain),

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <nmbc/plane_sides.hpp>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "generator/passive/design.hpp"
 #include "generator/table/vector_model.hpp"
@@ -41,7 +43,14 @@ ArrivingWave wave_at(const PlaneLattice& lattice, bool is_P, double xi, double d
 /// is found.
 DesignedSide passive_side(const SideTask& model, const DesignProgress& progress = {});
 
-/// The same as the runtime takes it.
+inline constexpr double long_xi = 0.1;  ///< of the waves of reflected_by_side() [1/dX]
+
+/// Of long waves at each of these angles from the normal [degrees]: the part of the energy that
+/// comes back, of P or S waves, whichever is larger. Throws as wave_at().
+std::vector<double> reflected_by_side(const SideTask& model, const DesignedSide& side,
+                                      std::span<const double> degrees);
+
+/// The side as the runtime takes it.
 nmbc::PassiveSide for_runtime(const DesignedSide& side);
 
 }  // namespace nmbcgen

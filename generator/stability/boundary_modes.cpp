@@ -2,39 +2,19 @@
 #include "generator/stability/boundary_modes.hpp"
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_complex.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
+#include <vector>
 
-#include "generator/exact/rational.hpp"
-#include "generator/exact/rational_function.hpp"
+#include "generator/stability/mode_polynomial.hpp"
 #include "generator/stability/polynomial_roots.hpp"
 
 namespace nmbcgen {
 namespace {
 
 using Complex = std::complex<double>;
-
-/// (1 - w)^power
-Polynomial power_of_one_minus_w(std::size_t power) {
-    Polynomial result = constant(1);
-    const Polynomial factor(std::vector<Rational>{1, -1});
-    for (std::size_t i = 0; i < power; ++i) {
-        result *= factor;
-    }
-    return result;
-}
-
-/// sigma^2 C^2 - B^2 of an undamped lattice, up to a factor, in w. Matching puts zeros at w = 0
-/// (k = 1).
-Polynomial boundary_mode_polynomial(const HalfSpace& h) {
-    if (h.time_step == 0) {
-        return h.modes;
-    }
-    const Rational half_step = Rational(h.time_step) / 2;
-    return h.modes - constant(half_step * half_step) * h.modes_in_steps;
-}
 
 bool on_unit_circle(Complex w) {
     // k = (1+y)/(1-y) has |k| = 1 where y = sqrt(w) is imaginary.
@@ -45,58 +25,54 @@ double wave_number_of(Complex w) {
     return 2 * std::atan(std::sqrt(-w.real()));
 }
 
+/// Whether C(k) has lost its digits; c_0 = 1.
+bool cancels(Complex C) {
+    constexpr double few_digits = 1e-5;
+    return std::abs(C) < few_digits;
+}
+
 /// y O(w) / E(w), which is sigma where sigma C = B.
 Complex rate_at(const HalfSpace& h, Complex y) {
     const Complex k = (1.0 + y) / (1.0 - y);
-    return evaluate_B(h, k) / evaluate_C(h, k);
+    const auto [C, B] = evaluate_condition(h, k);
+    return B / C;
 }
 
-/// A polynomial in w = y^2 as one in y.
-Polynomial in_y(const Polynomial& in_w) {
-    std::vector<Rational> coefficients;
-    for (const Rational& coefficient : in_w.data()) {
-        coefficients.insert(coefficients.end(), {coefficient, 0});
+using Precise = boost::multiprecision::cpp_complex_100;
+
+/// To a hundred digits.
+std::vector<Precise::value_type> rounded(const auto& exact) {
+    std::vector<Precise::value_type> coefficients;
+    coefficients.reserve(exact.size());
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        coefficients.emplace_back(exact[i]);
     }
-    return Polynomial(std::move(coefficients));
+    return coefficients;
 }
 
-/// C(k) and B(k) times (1-y)^{Ns}.
-Polynomial C_in_y(const HalfSpace& h) {
-    return in_y(h.E) + Polynomial(std::vector<Rational>{0, 1}) * in_y(h.F);
-}
-
-Polynomial B_in_y(const HalfSpace& h) {
-    return in_y(h.H) + Polynomial(std::vector<Rational>{0, 1}) * in_y(h.O);
-}
-
-/// The same of a damped one, in y: with zeta from B/C = sigma, the interior's equation is
-///     B^2 + tau sigma B (C - B dt/2) + omega^2 (C^2 - B^2 dt^2/4) = 0
-Polynomial boundary_mode_polynomial_in_y(const HalfSpace& h) {
-    const Polynomial dt = constant(Rational(h.time_step));
-    const Polynomial C = C_in_y(h);
-    const Polynomial B = B_in_y(h);
-    const Polynomial whole = in_y(power_of_one_minus_w(h.reach())) * B * B;
-    const Polynomial half_step = constant(Rational(1, 2)) * dt * B;
-    return whole + in_y(h.D) * B * (C - half_step) - in_y(h.L) * (C - half_step) * (C + half_step);
-}
-
-/// The y = (k-1)/(k+1), |k| < 1, of all waves that obey the boundary condition for a zeta.
-std::vector<Complex> evanescent_solutions(const HalfSpace& h) {
-    std::vector<Complex> solutions;
-    if (!h.is_damped()) {
-        for (const Complex w : nonzero_roots(boundary_mode_polynomial(h))) {
-            if (!on_unit_circle(w)) {
-                solutions.push_back(-std::sqrt(w));
-            }
+/// rate_at() a zero of the mode polynomial that doubles only approximate, by exact coefficients:
+/// next to a G where C and B share a zero near it, as near C(1) = 0, both nearly cancel there.
+Complex precise_rate_at(const HalfSpace& h, const IntegerPolynomial& modes, Complex zero) {
+    const auto coefficients = rounded(modes);
+    Precise precise(zero.real(), zero.imag());
+    constexpr int most = 50;
+    for (int i = 0; i < most; ++i) {
+        const auto [value, slope] = evaluate_with_slope(coefficients, precise);
+        if (slope == 0 || value == 0) {
+            break;
         }
-        return solutions;
-    }
-    for (const Complex y : nonzero_roots(boundary_mode_polynomial_in_y(h))) {
-        if (y.real() < 0) {
-            solutions.push_back(y);
+        const Precise change = value / slope;
+        precise -= change;
+        if (abs(change) <= abs(precise) * Precise::value_type("1e-90")) {
+            break;
         }
     }
-    return solutions;
+    const auto at = [&](const Polynomial& f) {
+        return evaluate_with_slope(rounded(f), precise).value;
+    };
+    const Precise sigma = h.is_damped() ? Precise(at(B_in_y(h)) / at(C_in_y(h)))
+                                        : Precise(-sqrt(precise) * at(h.O) / at(h.E));
+    return {sigma.real().convert_to<double>(), sigma.imag().convert_to<double>()};
 }
 
 /// Wave numbers of the zeros of C and of B on the unit circle. Damping moves them off it, but what
@@ -133,32 +109,46 @@ double growth_of(const HalfSpace& h, Complex sigma) {
 
 }  // namespace
 
-std::optional<Complex> growing_mode(const HalfSpace& half_space) {
+BoundaryModes::BoundaryModes(const HalfSpace& half_space)
+    : half_space_(half_space), modes_(mode_polynomial(half_space)), zeros_(nonzero_roots(modes_)) {}
+
+std::optional<Complex> BoundaryModes::growing() const {
     constexpr double roundings = 1e-9;
     std::optional<Complex> fastest;
-    for (const Complex y : evanescent_solutions(half_space)) {
-        const Complex sigma = rate_at(half_space, y);
-        if (sigma.real() > roundings &&
-            (!fastest || growth_of(half_space, sigma) > growth_of(half_space, *fastest))) {
-            fastest = sigma;
+    for (const Complex zero : zeros_) {
+        const bool decays = half_space_.is_damped() ? zero.real() < 0 : !on_unit_circle(zero);
+        if (!decays) {
+            continue;
+        }
+        const Complex y = half_space_.is_damped() ? zero : -std::sqrt(zero);
+        // Chains are stepped in doubles: what grows in these grows, whatever exact numbers say.
+        std::vector<Complex> rates{rate_at(half_space_, y)};
+        if (cancels(evaluate_condition(half_space_, (1.0 + y) / (1.0 - y)).C)) {
+            rates.push_back(precise_rate_at(half_space_, modes_, zero));
+        }
+        for (const Complex sigma : rates) {
+            if (sigma.real() > roundings &&
+                (!fastest || growth_of(half_space_, sigma) > growth_of(half_space_, *fastest))) {
+                fastest = sigma;
+            }
         }
     }
     return fastest;
 }
 
-std::optional<double> resonance(const HalfSpace& h) {
-    if (h.is_damped()) {
+std::optional<double> BoundaryModes::resonance() const {
+    if (half_space_.is_damped()) {
         return std::nullopt;  // its waves are not on the unit circle
     }
-    for (const Complex w : nonzero_roots(boundary_mode_polynomial(h))) {
+    for (const Complex w : zeros_) {
         if (!on_unit_circle(w)) {
             continue;
         }
         const double xi = wave_number_of(w);
         // i omega C = B at k = exp(i xi) for omega of either sign; at omega > 0 the wave is
         // k = exp(i sign xi), with group velocity -sign omega'(xi) inwards.
-        const double omega = rate_at(h, Complex(0, std::tan(xi / 2))).imag();
-        const double velocity = -omega_squared_slope(h, xi) / (2 * omega);
+        const double omega = rate_at(half_space_, Complex(0, std::tan(xi / 2))).imag();
+        const double velocity = -omega_squared_slope(half_space_, xi) / (2 * omega);
         if (velocity > 1e-6) {
             return xi;
         }
@@ -172,7 +162,7 @@ std::vector<double> critical_frequencies(const HalfSpace& half_space) {
     wave_numbers.insert(wave_numbers.end(), zeros.begin(), zeros.end());
     // Extrema of omega: zeros of its slope in x = cos xi. Two about to meet may have become a
     // complex pair by roundings; they count all the same.
-    for (const Complex x : polynomial_roots(derivative(in_cosine(half_space.symbol)))) {
+    for (const Complex x : polynomial_roots(derivative(half_space.symbol_in_cosine))) {
         if (std::abs(x.imag()) < 1e-7 && std::abs(x.real()) < 1) {
             wave_numbers.push_back(std::acos(x.real()));
         }

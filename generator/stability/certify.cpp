@@ -8,7 +8,6 @@
 #include "generator/stability/critical_values.hpp"
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/least_nodes.hpp"
-#include "generator/stability/modal.hpp"
 #include "generator/stability/modal_windows.hpp"
 #include "generator/stability/own_step.hpp"
 #include "generator/stability/scalar.hpp"
@@ -25,11 +24,12 @@ Certificate certify_at(const Table& table, const Rational& G) {
     if (!half_space.is_damped() && scalar_reflection_is_bounded(half_space)) {
         certificate.reflection = {{exact, exact}};
     }
-    const Grade grade = stability_grade(half_space);
+    StepGrades grades(half_space);
+    const Grade grade = grades.in(0);
     if (grade != Grade::none) {
         certificate.modal = {{edge, edge}};
         const auto steps_of = [&](Grade least) {
-            const auto [from, cfl] = stable_range(half_space, least);
+            const auto [from, cfl] = stable_range(grades, least);
             return cfl > from ? std::vector{StableStep{{edge.inner, edge.inner}, cfl, from}}
                               : std::vector<StableStep>();
         };
@@ -46,11 +46,11 @@ Certificate certify_open(const Table& table) {
     Certificate certificate;
     certificate.poles = poles(even_and_odd_parts(table));
     ModalWindows modal = modal_windows(table);
-    certificate.max_cfl = stable_steps(table, modal.modal, modal.critical, Grade::paired);
+    StableSteps steps(table, modal.critical);
+    certificate.max_cfl = steps.over(modal.modal, Grade::paired);
     if (table.model.damping.empty()) {
         certificate.reflection = scalar_windows(table);
-        certificate.max_cfl_contractive =
-            stable_steps(table, modal.contractive, modal.critical, Grade::contractive);
+        certificate.max_cfl_contractive = steps.over(modal.contractive, Grade::contractive);
     }
     certificate.modal = std::move(modal.modal);
     certificate.contractive = std::move(modal.contractive);

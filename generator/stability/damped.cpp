@@ -15,16 +15,11 @@ namespace {
 
 /// Where to look closely: what the undamped band and the zeros of C and B suggest, and as far above
 /// the band as there are waves in time steps, or else four times its top.
-std::vector<double> frequencies_of(const HalfSpace& left, const HalfSpace& right) {
-    std::vector<double> frequencies = critical_frequencies(left);
+std::vector<double> all_frequencies(std::vector<double> frequencies, double time_step) {
     const double top = frequencies.back();
-    if (&right != &left) {
-        const std::vector<double> others = critical_frequencies(right);
-        frequencies.insert(frequencies.end(), others.begin(), others.end());
-    }
     constexpr double lowest = 1e-5;
     constexpr double highest = 4;
-    const double end = left.time_step > 0 ? (1 - 1e-9) * 2 / left.time_step : highest * top;
+    const double end = time_step > 0 ? (1 - 1e-9) * 2 / time_step : highest * top;
     for (const double part : {0.05, 0.25, 0.5, 0.75, 1.05, 1.25, 2.0}) {
         frequencies.push_back(part * top);
     }
@@ -40,8 +35,8 @@ bool interior_is_stable(const HalfSpace& h) {
     if (h.time_step == 0) {
         return true;  // sigma >= 0: it is a sum of squares
     }
-    const std::vector<double> square = in_cosine(h.symbol);
-    const std::vector<double> damping = in_cosine(h.damping);
+    const std::vector<double>& square = h.symbol_in_cosine;
+    const std::vector<double>& damping = h.damping_in_cosine;
     const double half_step = h.time_step / 2;
     std::vector<double> load;
     for (std::size_t i = 0; i < square.size(); ++i) {
@@ -51,18 +46,23 @@ bool interior_is_stable(const HalfSpace& h) {
     for (const std::complex<double> x : polynomial_roots(derivative(load))) {
         extrema.push_back(std::clamp(x.real(), -1.0, 1.0));
     }
-    return std::ranges::all_of(
-        extrema, [&](double x) { return evaluate_with_slope(load, x).value.real() <= 1; });
+    return std::ranges::all_of(extrema,
+                               [&](double x) { return evaluate_with_slope(load, x).value <= 1; });
 }
 
-Peak damped_amplification(const HalfSpace& left, const HalfSpace& right, std::size_t nodes,
-                          double enough) {
+Peak damped_amplification(const HalfSpace& left, const HalfSpace& right,
+                          const std::vector<double>& critical, std::size_t nodes, double enough) {
     const auto round_trip = [&](double omega) {
         const Reflection one = reflection(left, omega);
         return damped_round_trip_supremum(
             one, &right == &left ? one : reflection(right, omega, one.outgoing), nodes);
     };
-    return largest_over_band(frequencies_of(left, right), round_trip, enough, Sampling::smooth);
+    return largest_over_band(all_frequencies(critical, left.time_step), round_trip, enough,
+                             Sampling::smooth);
+}
+
+Peak damped_amplification(const HalfSpace& both, std::size_t nodes) {
+    return damped_amplification(both, both, critical_frequencies(both), nodes);
 }
 
 }  // namespace nmbcgen

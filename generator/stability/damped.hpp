@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "generator/stability/band_search.hpp"
 #include "generator/stability/half_space.hpp"
@@ -21,8 +22,12 @@ bool interior_is_stable(const HalfSpace& half_space);
 /// leave but for a part of the order omega^2; and at G = 0, where short waves creep at the
 /// zero-energy modes, what they gain at an end and what they lose on the way both go with
 /// sqrt(omega), so that what holds there holds below. The search ends at the first value above
-/// `enough`.
-Peak damped_amplification(const HalfSpace& left, const HalfSpace& right, std::size_t nodes,
+/// `enough`. critical: critical_frequencies() of both ends, ascending.
+Peak damped_amplification(const HalfSpace& left, const HalfSpace& right,
+                          const std::vector<double>& critical, std::size_t nodes,
                           double enough = std::numeric_limits<double>::infinity());
+
+/// Likewise, of like ends.
+Peak damped_amplification(const HalfSpace& both, std::size_t nodes);
 
 }  // namespace nmbcgen

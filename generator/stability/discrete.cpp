@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "generator/dense/decompositions.hpp"
+#include "generator/stability/boundary_modes.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -61,6 +63,21 @@ void take_ghosts_from_end(Eigen::MatrixXd& map, const LatticeEnd& end, const Num
     }
 }
 
+/// The map of u and v/unit, where the unit is about omega_max: in a wave of the top of the band
+/// both are about as large as each other. It is a similar map, whose double eigenvalues roundings
+/// split less where G is large. The unit is a power of 2, which rounds nothing.
+Eigen::MatrixXd in_like_units(Eigen::MatrixXd map, const HalfSpace& lattice) {
+    const Eigen::Index all = map.rows() / 2;
+    double bound = lattice.symbol[0];  // of omega^2
+    for (std::size_t m = 1; m < lattice.symbol.size(); ++m) {
+        bound += 2 * std::abs(lattice.symbol[m]);
+    }
+    const double unit = std::exp2(std::round(std::log2(bound) / 2));
+    map.topRightCorner(all, all) *= unit;
+    map.bottomLeftCorner(all, all) /= unit;
+    return map;
+}
+
 /// Adds factor (symbol_0 + sum_m symbol_m (k^m + k^-m)) to a row, about the given column.
 void add_stencil(Eigen::MatrixXd::RowXpr row, Eigen::Index centre, double factor,
                  const std::vector<double>& symbol) {
@@ -72,19 +89,26 @@ void add_stencil(Eigen::MatrixXd::RowXpr row, Eigen::Index centre, double factor
     }
 }
 
+/// The map on u on all nodes and v on the interior ones: undamped steps read no other v, so that
+/// what is left out has the eigenvalue 0.
+Eigen::MatrixXd without_ghost_velocities(const Eigen::MatrixXd& map, Eigen::Index all,
+                                         Eigen::Index interior) {
+    std::vector<Eigen::Index> kept(std::size_t(all + interior));
+    std::iota(kept.begin(), kept.begin() + all, Eigen::Index(0));
+    std::iota(kept.begin() + all, kept.end(), all + (all - interior) / 2);
+    return map(kept, kept);
+}
+
 /// StepRange::from, below a stable cfl. Only boundary modes change their character in short steps:
 /// the whole grade is asked for once, at about 0.01, and about the edge. dt = unit * cfl.
-template <class Stable>
-double first_without_growth(const HalfSpace& half_space, double unit, double stable,
-                            const Stable& stable_in) {
+double first_without_growth(StepGrades& grades, double unit, double stable, Grade least) {
     constexpr double smallest = 1e-5;
     constexpr double ratio = 1.5;
     constexpr int in_full = 4;
     for (int i = 1; stable > smallest; ++i) {
         double unstable = stable / ratio;
-        const bool holds = i == in_full
-                               ? stable_in(unit * unstable)
-                               : !growing_mode(stepped(half_space, unit * unstable)).has_value();
+        const bool holds =
+            i == in_full ? grades.in(unit * unstable) >= least : !grades.grows_in(unit * unstable);
         if (holds) {
             stable = unstable;
             continue;
@@ -92,7 +116,7 @@ double first_without_growth(const HalfSpace& half_space, double unit, double sta
         constexpr double resolved = 1.01;
         while (stable > resolved * unstable) {
             const double middle = std::sqrt(stable * unstable);
-            (stable_in(unit * middle) ? stable : unstable) = middle;
+            (grades.in(unit * middle) >= least ? stable : unstable) = middle;
         }
         return std::ceil(1000 * stable) / 1000;
     }
@@ -156,14 +180,18 @@ Eigen::VectorXcd eigenvalues_by_parity(const Eigen::MatrixXd& matrix, Eigen::Ind
 
 double spectral_radius(const LatticeEnd& both, std::size_t nodes, double time_step) {
     const auto all = Eigen::Index(nodes + 2 * both.half_space.reach());
-    return eigenvalues_by_parity(one_step_map(both, both, nodes, time_step), all)
-        .cwiseAbs()
-        .maxCoeff();
+    Eigen::MatrixXd map =
+        in_like_units(one_step_map(both, both, nodes, time_step), both.half_space);
+    if (!both.half_space.is_damped()) {
+        map = without_ghost_velocities(map, all, Eigen::Index(nodes));
+    }
+    return eigenvalues_by_parity(map, all).cwiseAbs().maxCoeff();
 }
 
 double spectral_radius(const LatticeEnd& left, const LatticeEnd& right, std::size_t nodes,
                        double time_step) {
-    return eigenvalues(one_step_map(left, right, nodes, time_step)).cwiseAbs().maxCoeff();
+    const Eigen::MatrixXd map = one_step_map(left, right, nodes, time_step);
+    return eigenvalues(in_like_units(map, left.half_space)).cwiseAbs().maxCoeff();
 }
 
 double maximum_frequency(const HalfSpace& half_space) {
@@ -175,12 +203,15 @@ double cfl_of(const HalfSpace& half_space, double time_step) {
 }
 
 StepRange stable_range(const HalfSpace& half_space, Grade least) {
-    const double top = maximum_frequency(half_space);
-    KnownModes modes(half_space);
-    const auto stable_in = [&](double time_step) {
-        return stability_grade(stepped(half_space, time_step), modes) >= least;
+    StepGrades grades(half_space);
+    return stable_range(grades, least);
+}
+
+StepRange stable_range(StepGrades& grades, Grade least) {
+    const double top = grades.maximum_frequency();
+    const auto stable_at = [&](int hundredths) {
+        return grades.in(2 * hundredths / (100 * top)) >= least;
     };
-    const auto stable_at = [&](int hundredths) { return stable_in(2 * hundredths / (100 * top)); };
     constexpr int coarse = 5;
     int largest = 0;
     while (largest + coarse < 100 && stable_at(largest + coarse)) {
@@ -190,7 +221,7 @@ StepRange stable_range(const HalfSpace& half_space, Grade least) {
         ++largest;
     }
     const double shortest_known = std::min(coarse, largest) / 100.0;
-    return {first_without_growth(half_space, 2 / top, shortest_known, stable_in), largest / 100.0};
+    return {first_without_growth(grades, 2 / top, shortest_known, least), largest / 100.0};
 }
 
 }  // namespace nmbcgen

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "generator/stability/lattice_end.hpp"
-#include "generator/stability/modal.hpp"
+#include "generator/stability/step_grades.hpp"
 
 namespace nmbcgen {
 
@@ -51,6 +51,7 @@ struct StepRange {
 ///              0.001; 0 where none does
 /// A condition near a pole in G has a zero k of C close to 0, where omega^2(k) is so large that its
 /// mode is stiff: it decays in continuous time, and grows in all but the shortest and longer steps.
+StepRange stable_range(StepGrades& grades, Grade least);
 StepRange stable_range(const HalfSpace& half_space, Grade least = Grade::paired);
 
 }  // namespace nmbcgen

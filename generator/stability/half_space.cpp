@@ -3,58 +3,66 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
+#include "generator/stability/mode_polynomial.hpp"
 
 namespace nmbcgen {
 namespace {
 
-/// (1 + sign y)^power as a polynomial in y.
-Polynomial binomial(int sign, std::size_t power) {
-    std::vector<Rational> coefficients{1};
-    for (std::size_t k = 0; k < power; ++k) {
-        coefficients.push_back(coefficients[k] * sign * Rational(power - k) / Rational(k + 1));
+IntegerPolynomial integer(const Integer& value) {
+    return IntegerPolynomial(std::vector<Integer>{value});
+}
+
+Polynomial quotient(const IntegerPolynomial& numerator, const Integer& denominator) {
+    std::vector<Rational> coefficients;
+    for (const Integer& coefficient : numerator.data()) {
+        coefficients.emplace_back(coefficient, denominator);
     }
     return Polynomial(std::move(coefficients));
 }
 
 /// Every second coefficient of a polynomial in y, from y^first on: a polynomial in w = y^2.
-Polynomial every_second(const Polynomial& in_y, std::size_t first) {
-    std::vector<Rational> coefficients;
+template <class Number>
+boost::math::tools::polynomial<Number> every_second(
+    const boost::math::tools::polynomial<Number>& in_y, std::size_t first) {
+    std::vector<Number> coefficients;
     for (std::size_t k = first; k < in_y.size(); k += 2) {
         coefficients.push_back(in_y[k]);
     }
-    return Polynomial(std::move(coefficients));
+    return boost::math::tools::polynomial<Number>(std::move(coefficients));
 }
 
 /// symbol_0 + sum_m symbol_m (k^m + k^-m) times (1-w)^r, r the reach, as a polynomial in w, from
 /// k^m + k^-m = ((1+y)^{2m} + (1-y)^{2m}) / (1-w)^m.
 Polynomial in_w(const std::vector<Rational>& symbol) {
     const std::size_t reach = symbol.size() - 1;
-    Polynomial sum = constant(symbol[0]) * binomial(-1, reach);
-    for (std::size_t m = 1; m <= reach; ++m) {
-        const Polynomial pair = binomial(1, 2 * m) + binomial(-1, 2 * m);
-        sum += constant(symbol[m]) * every_second(pair, 0) * binomial(-1, reach - m);
+    const Integer denominator = common_denominator(Polynomial(std::vector(symbol)));
+    IntegerPolynomial sum;
+    for (std::size_t m = 0; m <= reach; ++m) {
+        const IntegerPolynomial pair =
+            m == 0 ? integer(1) : every_second(binomial(1, 2 * m) + binomial(-1, 2 * m), 0);
+        sum += integer(numerator(symbol[m] * denominator)) * pair * binomial(-1, reach - m);
     }
-    return sum;
+    return quotient(sum, denominator);
 }
 
 /// k^{sj} times (1-y)^{Ns}, a polynomial in y.
-Polynomial power_in_y(std::size_t j, std::size_t order, std::size_t stride) {
+IntegerPolynomial power_in_y(std::size_t j, std::size_t order, std::size_t stride) {
     return binomial(1, j * stride) * binomial(-1, (order - j) * stride);
 }
 
 /// sum_j coefficients_j k^{sj} times (1-y)^{Ns}, a polynomial in y.
 Polynomial in_y(const std::vector<Rational>& coefficients, std::size_t stride) {
     const std::size_t order = coefficients.size() - 1;
-    Polynomial sum;
+    const Integer denominator = common_denominator(Polynomial(std::vector(coefficients)));
+    IntegerPolynomial sum;
     for (std::size_t j = 0; j <= order; ++j) {
-        sum += constant(coefficients[j]) * power_in_y(j, order, stride);
+        sum += integer(numerator(coefficients[j] * denominator)) * power_in_y(j, order, stride);
     }
-    return sum;
+    return quotient(sum, denominator);
 }
 
 /// Likewise for coefficients in Q[G]: every second power of y from y^first on, by power of w.
@@ -63,9 +71,9 @@ std::vector<Polynomial> every_second_in_y(const std::vector<Polynomial>& coeffic
     const std::size_t order = coefficients.size() - 1;
     std::vector<Polynomial> sum(order * stride / 2 + 1);
     for (std::size_t j = 0; j <= order; ++j) {
-        const Polynomial powers = every_second(power_in_y(j, order, stride), first);
+        const IntegerPolynomial powers = every_second(power_in_y(j, order, stride), first);
         for (std::size_t i = 0; i < powers.size(); ++i) {
-            sum[i] += coefficients[j] * constant(powers[i]);
+            sum[i] += coefficients[j] * constant(Rational(powers[i]));
         }
     }
     while (sum.back().is_zero()) {
@@ -100,6 +108,30 @@ std::complex<double> horner(const std::vector<double>& coefficients, std::comple
     return sum;
 }
 
+/// symbol_0 + 2 sum symbol_m cos(m xi) as a polynomial in cos xi, ascending.
+std::vector<double> in_cosine(const std::vector<double>& symbol) {
+    if (symbol.empty()) {
+        return {};
+    }
+    std::vector<double> before(symbol.size(), 0.0);  // T_{m-1}
+    std::vector<double> now(symbol.size(), 0.0);     // T_m
+    std::vector<double> sum(symbol.size(), 0.0);
+    before[0] = 1;
+    now[1] = 1;
+    sum[0] = symbol[0];
+    for (std::size_t m = 1; m < symbol.size(); ++m) {
+        for (std::size_t i = 0; i < symbol.size(); ++i) {
+            sum[i] += 2 * symbol[m] * now[i];
+        }
+        std::vector<double> next(symbol.size(), 0.0);  // 2 x T_m - T_{m-1}
+        for (std::size_t i = 0; i < symbol.size(); ++i) {
+            next[i] = (i > 0 ? 2 * now[i - 1] : 0) - before[i];
+        }
+        before = std::exchange(now, next);
+    }
+    return sum;
+}
+
 }  // namespace
 
 HalfSpace make_half_space(const Table& table, const Rational& G) {
@@ -126,18 +158,14 @@ HalfSpace make_half_space(const Table& table, const Rational& G) {
                          .F = every_second(C, 1),
                          .H = every_second(B, 0),
                          .modes = {},
-                         .modes_in_steps = {},
                          .symbol = rounded(symbol),
                          .damping = rounded(damping),
+                         .symbol_in_cosine = in_cosine(rounded(symbol)),
+                         .damping_in_cosine = in_cosine(rounded(damping)),
                          .c = rounded(c),
                          .b = rounded(b),
                          .stride = int(stride)};
-    if (!half_space.is_damped()) {
-        const auto& [L, E, O] = std::tie(half_space.L, half_space.E, half_space.O);
-        const Polynomial of_B = Polynomial(std::vector<Rational>{0, 1}) * O * O;
-        half_space.modes = L * E * E - of_B * binomial(-1, half_space.reach());
-        half_space.modes_in_steps = of_B * L;
-    }
+    half_space.modes = mode_coefficients(half_space);
     return half_space;
 }
 
@@ -171,12 +199,12 @@ std::complex<double> damped_rate(const HalfSpace& half_space, double omega) {
     return omega * std::complex<double>(sine, std::sqrt(1 - sine * sine));
 }
 
-std::complex<double> evaluate_C(const HalfSpace& half_space, std::complex<double> k) {
-    return horner(half_space.c, std::pow(k, half_space.stride));
-}
-
-std::complex<double> evaluate_B(const HalfSpace& half_space, std::complex<double> k) {
-    return horner(half_space.b, std::pow(k, half_space.stride));
+CAndB evaluate_condition(const HalfSpace& half_space, std::complex<double> k) {
+    std::complex<double> step = k;
+    for (int i = 1; i < half_space.stride; ++i) {
+        step *= k;
+    }
+    return {horner(half_space.c, step), horner(half_space.b, step)};
 }
 
 double omega_squared(const HalfSpace& half_space, double xi) {
@@ -195,26 +223,6 @@ double symbol_at(const std::vector<double>& symbol, double xi) {
     double sum = symbol[0];
     for (std::size_t m = 1; m < symbol.size(); ++m) {
         sum += 2 * symbol[m] * std::cos(double(m) * xi);
-    }
-    return sum;
-}
-
-std::vector<double> in_cosine(const std::vector<double>& symbol) {
-    std::vector<double> before(symbol.size(), 0.0);  // T_{m-1}
-    std::vector<double> now(symbol.size(), 0.0);     // T_m
-    std::vector<double> sum(symbol.size(), 0.0);
-    before[0] = 1;
-    now[1] = 1;
-    sum[0] = symbol[0];
-    for (std::size_t m = 1; m < symbol.size(); ++m) {
-        for (std::size_t i = 0; i < symbol.size(); ++i) {
-            sum[i] += 2 * symbol[m] * now[i];
-        }
-        std::vector<double> next(symbol.size(), 0.0);  // 2 x T_m - T_{m-1}
-        for (std::size_t i = 0; i < symbol.size(); ++i) {
-            next[i] = (i > 0 ? 2 * now[i - 1] : 0) - before[i];
-        }
-        before = std::exchange(now, next);
     }
     return sum;
 }

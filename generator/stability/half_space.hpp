@@ -21,6 +21,7 @@
 /// that is omega(k).
 #pragma once
 
+#include <array>
 #include <complex>
 #include <vector>
 
@@ -35,13 +36,14 @@ struct HalfSpace {
     Polynomial D;  ///< 0 where nothing is damped, as are F and H
     Polynomial F;
     Polynomial H;
-    /// Of an undamped lattice, sigma^2 C^2 - B^2 up to a factor is modes - (dt/2)^2 modes_in_steps.
-    Polynomial modes;
-    Polynomial modes_in_steps;
-    std::vector<double> symbol;   ///< symbol[m], m = 0 .. r, rounded
-    std::vector<double> damping;  ///< damping[m], m = 0 .. r, rounded
-    std::vector<double> c;        ///< c_0 .. c_N, rounded
-    std::vector<double> b;        ///< b_0 .. b_N, rounded
+    std::array<IntegerPolynomial, 3> modes;  ///< mode_coefficients() (mode_polynomial.hpp)
+    std::vector<double> symbol;              ///< symbol[m], m = 0 .. r, rounded
+    std::vector<double> damping;             ///< damping[m], m = 0 .. r, rounded
+    /// omega^2 and tau sigma as polynomials in x = cos xi, ascending; no terms: not damped.
+    std::vector<double> symbol_in_cosine;
+    std::vector<double> damping_in_cosine;
+    std::vector<double> c;  ///< c_0 .. c_N, rounded
+    std::vector<double> b;  ///< b_0 .. b_N, rounded
     int stride = 1;
     double time_step = 0;  ///< dt [dX/c] of leapfrog; 0: continuous time
 
@@ -75,16 +77,18 @@ std::complex<double> boundary_rate(const HalfSpace& half_space, double omega);
 std::complex<double> damped_rate(const HalfSpace& half_space, double omega);
 
 /// C(k) and B(k).
-std::complex<double> evaluate_C(const HalfSpace& half_space, std::complex<double> k);
-std::complex<double> evaluate_B(const HalfSpace& half_space, std::complex<double> k);
+struct CAndB {
+    std::complex<double> C;
+    std::complex<double> B;
+};
+
+CAndB evaluate_condition(const HalfSpace& half_space, std::complex<double> k);
 
 /// omega^2 at real wave number xi, and its derivative by xi.
 double omega_squared(const HalfSpace& half_space, double xi);
 double omega_squared_slope(const HalfSpace& half_space, double xi);
 
-/// symbol_0 + 2 sum symbol_m cos(m xi), such as omega^2 or tau sigma; then as a polynomial in
-/// x = cos xi, ascending.
+/// symbol_0 + 2 sum symbol_m cos(m xi), such as omega^2 or tau sigma.
 double symbol_at(const std::vector<double>& symbol, double xi);
-std::vector<double> in_cosine(const std::vector<double>& symbol);
 
 }  // namespace nmbcgen

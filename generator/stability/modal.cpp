@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "generator/dense/decompositions.hpp"
 #include "generator/stability/band_search.hpp"
 #include "generator/stability/damped.hpp"
+#include "generator/stability/merging_waves.hpp"
 #include "generator/stability/reflection.hpp"
 #include "generator/table/certificate.hpp"
 
@@ -16,21 +16,12 @@ namespace {
 
 using Complex = std::complex<double>;
 
-double like_ends_supremum(const Reflection& reflection) {
-    return std::sqrt(round_trip_supremum(reflection, reflection));
-}
-
-/// sigma_max(R).
-double norm(const Reflection& reflection) {
-    return std::sqrt(squared_spectral_norm(reflection.matrix));
-}
-
-/// Of a damped lattice, without boundary modes. The search ends at an amplification above `enough`.
-ModalVerdict damped_verdict(const HalfSpace& half_space, double enough) {
+/// Of a damped lattice, without boundary modes.
+ModalVerdict damped_verdict(const HalfSpace& half_space) {
     if (!interior_is_stable(half_space)) {
         return {.failure = Failure::amplified_wave};
     }
-    const Peak highest = damped_amplification(half_space, half_space, least_damped_nodes, enough);
+    const Peak highest = damped_amplification(half_space, least_damped_nodes);
     ModalVerdict verdict;
     verdict.supremum = std::sqrt(highest.value);
     if (verdict.supremum > amplification_limit) {
@@ -45,39 +36,20 @@ ModalVerdict damped_verdict(const HalfSpace& half_space, double enough) {
 
 }  // namespace
 
-Grade stability_grade(const HalfSpace& half_space) {
-    KnownModes modes(half_space);
-    return stability_grade(half_space, modes);
+double like_ends_supremum(const Reflection& reflection) {
+    return std::sqrt(round_trip_supremum(reflection, reflection));
 }
 
-Grade stability_grade(const HalfSpace& half_space, KnownModes& modes) {
-    if (verdict_without_incident_waves(half_space).failure != Failure::none) {
-        return Grade::none;
-    }
-    if (half_space.is_damped()) {
-        return damped_verdict(half_space, amplification_limit).failure == Failure::none
-                   ? Grade::paired
-                   : Grade::none;
-    }
-    const std::vector<double> frequencies = critical_frequencies(half_space);
-    const auto holds = [&](double (*size)(const Reflection&)) {
-        const auto size_at = [&](double omega) {
-            return size(reflection(half_space, omega, modes.at(omega)));
-        };
-        const Peak peak = largest_over_band(frequencies, size_at, amplification_limit);
-        return peak.value <= amplification_limit;
-    };
-    if (holds(norm)) {
-        return Grade::contractive;
-    }
-    return holds(like_ends_supremum) ? Grade::paired : Grade::none;
+double norm(const Reflection& reflection) {
+    return std::sqrt(squared_spectral_norm(reflection.matrix));
 }
 
 ModalVerdict verdict_without_incident_waves(const HalfSpace& half_space) {
-    if (const auto growth = growing_mode(half_space)) {
+    const BoundaryModes modes(half_space);
+    if (const auto growth = modes.growing()) {
         return {.failure = Failure::growing_mode, .growth = *growth};
     }
-    if (const auto xi = resonance(half_space)) {
+    if (const auto xi = modes.resonance()) {
         return {.failure = Failure::resonance, .wave_number = *xi};
     }
     return {};
@@ -89,7 +61,7 @@ ModalVerdict modal_verdict(const HalfSpace& half_space) {
         return alone;
     }
     if (half_space.is_damped()) {
-        return damped_verdict(half_space, std::numeric_limits<double>::infinity());
+        return damped_verdict(half_space);
     }
     double largest_norm = 0;
     const auto supremum = [&](double omega) {
@@ -97,11 +69,13 @@ ModalVerdict modal_verdict(const HalfSpace& half_space) {
         largest_norm = std::max(largest_norm, norm(R));
         return like_ends_supremum(R);
     };
-    const Peak highest = largest_over_band(critical_frequencies(half_space), supremum);
+    const std::vector<double> critical = critical_frequencies(half_space);
+    const Peak highest = largest_over_band(critical, supremum);
+    const Grade most = grade_of_narrow_pieces(half_space, critical);
     ModalVerdict verdict;
     verdict.supremum = highest.value;
-    verdict.contractive = largest_norm <= amplification_limit;
-    if (highest.value > amplification_limit) {
+    verdict.contractive = largest_norm <= amplification_limit && most == Grade::contractive;
+    if (highest.value > amplification_limit || most == Grade::none) {
         verdict.failure = Failure::amplified_wave;
     }
     if (highest.omega > 0) {

@@ -12,7 +12,7 @@
 #include <complex>
 
 #include "generator/stability/boundary_modes.hpp"
-#include "generator/stability/modes.hpp"
+#include "generator/stability/reflection.hpp"
 #include "generator/table/certificate.hpp"
 
 namespace nmbcgen {
@@ -43,10 +43,13 @@ ModalVerdict verdict_without_incident_waves(const HalfSpace& half_space);
 
 ModalVerdict modal_verdict(const HalfSpace& half_space);
 
-/// The grade alone, paired where sup rho <= 1, contractive where sigma_max <= 1, too: quicker than
-/// modal_verdict(), as it stops at the first failure. `modes` are those of the half space's
-/// lattice.
-Grade stability_grade(const HalfSpace& half_space, KnownModes& modes);
+/// The grade alone (step_grades.hpp), in the half space's own step.
 Grade stability_grade(const HalfSpace& half_space);
+
+/// sup over D of rho(R D), R the reflection of both ends.
+double like_ends_supremum(const Reflection& reflection);
+
+/// sigma_max(R).
+double norm(const Reflection& reflection);
 
 }  // namespace nmbcgen

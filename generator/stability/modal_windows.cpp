@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "generator/exact/algebraic_number.hpp"
-#include "generator/stability/band_search.hpp"
 #include "generator/stability/critical_values.hpp"
 #include "generator/stability/modal.hpp"
 
@@ -98,9 +97,7 @@ class Search {
         } else if (low) {
             found.push_back({*low, std::nullopt});
         }
-        std::erase_if(found, [this](const StabilityWindow& window) {
-            return is_sliver(window) || (!damped_ && is_unseen(window));
-        });
+        std::erase_if(found, is_sliver);
         found = without(jordan_values_, Failure::jordan_block,
                         without(poles_, Failure::pole, std::move(found)));
         if (damped_) {
@@ -164,15 +161,15 @@ class Search {
         return edge;
     }
 
-    /// The critical value an edge in [low, high] is: one that is as near as the bracket is wide,
-    /// or one that makes the window smaller and lies so near that what is amplified between them
-    /// cannot be told from 1.
+    /// The critical value, of a damped lattice with C(1) = 0, an edge in [low, high] is: one that
+    /// is as near as the bracket is wide, or one that makes the window smaller and lies so near
+    /// that what is amplified between them cannot be told from 1.
     std::optional<AlgebraicNumber> exact_edge(double low, double high, bool opens) const {
         constexpr double width = 1e-6;
         constexpr double indistinct = 1e-4;
         std::optional<AlgebraicNumber> nearest;
         double distance = HUGE_VAL;
-        for (const AlgebraicNumber& value : critical_) {
+        for (const AlgebraicNumber& value : damped_ ? jordan_values_ : critical_) {
             const double candidate = nearest_double(value);
             const double from = low - (opens ? width : indistinct);
             const double to = high + (opens ? indistinct : width);
@@ -256,23 +253,6 @@ class Search {
         constexpr double narrowest = 5e-3;
         return window.low.inner > 0 && window.high &&
                window.high->inner - window.low.inner < narrowest;
-    }
-
-    /// Likewise where the window is wider, but ends at both sides because the band between the two
-    /// extrema becomes too narrow, not because nothing is amplified in it.
-    bool is_unseen(const StabilityWindow& window) const {
-        return window.low.inner > 0 && window.high && has_narrow_piece(window.low.inner) &&
-               has_narrow_piece(window.high->inner);
-    }
-
-    bool has_narrow_piece(double G) const {
-        const std::vector<double> frequencies = critical_frequencies(half_space_at(G));
-        const double top = frequencies.back();
-        const auto is_narrow = [top](double one, double next) {
-            constexpr double roundings = 1e-14;
-            return next - one > roundings * top && next - one < 2 * narrowest_piece * top;
-        };
-        return std::ranges::adjacent_find(frequencies, is_narrow) != frequencies.end();
     }
 
     /// The nearest double not below the value, or not above it.

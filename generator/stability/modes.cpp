@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "generator/stability/polynomial_roots.hpp"
 
@@ -34,8 +35,8 @@ Complex decaying_one(const HalfSpace& h, double omega, Complex k, Complex dampin
 
 std::vector<Mode> damped_outgoing_modes(const HalfSpace& h, double omega) {
     const Complex rate = damped_rate(h, omega);
-    const std::vector<double> square = in_cosine(h.symbol);
-    const std::vector<double> damping = in_cosine(h.damping);
+    const std::vector<double>& square = h.symbol_in_cosine;
+    const std::vector<double>& damping = h.damping_in_cosine;
     std::vector<Complex> polynomial(square.size());
     for (std::size_t i = 0; i < polynomial.size(); ++i) {
         polynomial[i] = square[i] + rate * damping[i];
@@ -56,7 +57,7 @@ std::vector<Mode> damped_outgoing_modes(const HalfSpace& h, double omega) {
 }
 
 std::vector<Mode> undamped_outgoing_modes(const HalfSpace& h, double omega) {
-    std::vector<double> polynomial = in_cosine(h.symbol);
+    std::vector<double> polynomial = h.symbol_in_cosine;
     polynomial[0] -= omega * omega;
     std::vector<Mode> modes;
     for (const Complex x : polynomial_roots(polynomial)) {
@@ -80,10 +81,15 @@ std::vector<Mode> undamped_outgoing_modes(const HalfSpace& h, double omega) {
 std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega) {
     std::vector<Mode> modes = half_space.is_damped() ? damped_outgoing_modes(half_space, omega)
                                                      : undamped_outgoing_modes(half_space, omega);
-    std::ranges::sort(modes, {}, [](const Mode& mode) {
-        return std::tuple(!mode.travels(), std::abs(std::arg(mode.k)), std::abs(mode.k),
-                          std::arg(mode.k));
-    });
+    using Key = std::tuple<bool, double, double, double>;
+    std::vector<std::pair<Key, Mode>> keyed;
+    keyed.reserve(modes.size());
+    for (const Mode& mode : modes) {
+        const double angle = std::arg(mode.k);
+        keyed.push_back({{!mode.travels(), std::abs(angle), std::abs(mode.k), angle}, mode});
+    }
+    std::ranges::sort(keyed, {}, &std::pair<Key, Mode>::first);
+    std::ranges::transform(keyed, modes.begin(), &std::pair<Key, Mode>::second);
     return modes;
 }
 

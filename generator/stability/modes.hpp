@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Waves of the lattice at one frequency.
+/// Waves of the lattice at one frequency: the roots k of its dispersion relation, and their group
+/// velocities.
 #pragma once
 
 #include <complex>

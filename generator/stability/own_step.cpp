@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -19,7 +20,7 @@ class OwnStep {
         : table_(table), dt_(nearest_double(table.specification.time_step)) {}
 
     /// What is left of the pieces.
-    std::vector<StableStep> pieces(const std::vector<StableStep>& steps, Grade least) const {
+    std::vector<StableStep> pieces(const std::vector<StableStep>& steps, Grade least) {
         std::vector<StableStep> found;
         for (StableStep step : steps) {
             step.window.high = last_within(step);
@@ -58,11 +59,15 @@ class OwnStep {
         return inside;
     }
 
-    bool has_grade(const StableStep& step, Grade least) const {
+    bool has_grade(const StableStep& step, Grade least) {
         // At an edge of a window there may be a pole, or sup rho is 1.
         const double near = 1e-6 * (step.window.high - step.window.low);
         const auto holds = [&](double G) {
-            return stability_grade(stepped(half_space_at(G), dt_)) >= least;
+            const auto [grade, is_new] = known_.try_emplace(G);
+            if (is_new) {
+                grade->second = stability_grade(stepped(half_space_at(G), dt_));
+            }
+            return grade->second >= least;
         };
         return holds(step.window.low + near) && holds((step.window.low + step.window.high) / 2) &&
                holds(step.window.high - near);
@@ -70,6 +75,7 @@ class OwnStep {
 
     const Table& table_;
     double dt_;
+    std::map<double, Grade> known_;  ///< by G
 };
 
 /// The windows of which these are the pieces; edges that are not those of `windows` are where the
@@ -122,7 +128,7 @@ std::vector<StableStep> within(const std::vector<StabilityWindow>& windows,
 }  // namespace
 
 void cut_to_own_step(const Table& table, Certificate& certificate) {
-    const OwnStep own(table);
+    OwnStep own(table);
     certificate.max_cfl = own.pieces(certificate.max_cfl, Grade::paired);
     certificate.modal = joined(certificate.max_cfl, certificate.modal);
     certificate.max_cfl_contractive =

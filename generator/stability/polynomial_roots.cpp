@@ -6,6 +6,8 @@
 
 #include "generator/dense/decompositions.hpp"
 #include "generator/exact/rational.hpp"
+#include "generator/exact/rational_function.hpp"
+#include "generator/stability/simultaneous_roots.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -15,10 +17,10 @@ using Complex = std::complex<double>;
 /// A Newton step or three on sum_i a_i x^i, as long as they help.
 template <class Scalar>
 Complex polished(const std::vector<Scalar>& a, Complex x) {
-    ValueAndSlope here = evaluate_with_slope(a, x);
+    ValueAndSlope<Complex> here = evaluate_with_slope(a, x);
     for (int i = 0; i < 3 && here.slope != 0.0; ++i) {
         const Complex next = x - here.value / here.slope;
-        const ValueAndSlope there = evaluate_with_slope(a, next);
+        const ValueAndSlope<Complex> there = evaluate_with_slope(a, next);
         if (std::abs(there.value) >= std::abs(here.value)) {
             break;
         }
@@ -43,6 +45,9 @@ void balance(Matrix& matrix) {
             if (row <= 0 || column <= 0) {
                 continue;
             }
+            if (row < 2 * column && column < 2 * row) {
+                continue;  // the factor is 1
+            }
             const double factor = std::exp2(std::round(std::log2(row / column) / 2));
             if (column * factor + row / factor < worth_it * (column + row)) {
                 matrix.col(i) *= factor;
@@ -51,6 +56,15 @@ void balance(Matrix& matrix) {
             }
         }
     }
+}
+
+/// Of a companion matrix.
+Eigen::VectorXcd eigenvalues_of(const Eigen::MatrixXd& matrix) {
+    return eigenvalues_of_hessenberg(matrix);
+}
+
+Eigen::VectorXcd eigenvalues_of(const Eigen::MatrixXcd& matrix) {
+    return eigenvalues(matrix);
 }
 
 template <class Scalar>
@@ -72,7 +86,7 @@ std::vector<Complex> roots_of(const std::vector<Scalar>& coefficients) {
         }
     }
     balance(companion);
-    const Eigen::VectorXcd values = eigenvalues(companion);
+    const Eigen::VectorXcd values = eigenvalues_of(companion);
     std::vector<Complex> roots(values.begin(), values.end());
     for (Complex& root : roots) {
         root = polished(coefficients, root);
@@ -81,18 +95,18 @@ std::vector<Complex> roots_of(const std::vector<Scalar>& coefficients) {
 }
 
 /// An exact polynomial rounded, scaled to a largest coefficient of 1, zeros at w = 0 divided out.
-std::vector<double> rounded_without_zeros(const Polynomial& polynomial) {
+std::vector<double> rounded_without_zeros(const IntegerPolynomial& polynomial) {
     std::size_t first = 0;
     while (first < polynomial.size() && polynomial[first] == 0) {
         ++first;
     }
-    Rational largest = 0;
+    Integer largest = 0;
     for (std::size_t i = first; i < polynomial.size(); ++i) {
-        largest = std::max(largest, Rational(abs(polynomial[i])));
+        largest = std::max(largest, Integer(abs(polynomial[i])));
     }
     std::vector<double> coefficients;
     for (std::size_t i = first; i < polynomial.size(); ++i) {
-        coefficients.push_back(nearest_double(polynomial[i] / largest));
+        coefficients.push_back(nearest_double(polynomial[i], largest));
     }
     return coefficients;
 }
@@ -104,6 +118,11 @@ std::vector<Complex> polynomial_roots(const std::vector<double>& coefficients) {
 }
 
 std::vector<Complex> polynomial_roots(const std::vector<Complex>& coefficients) {
+    if (!coefficients.empty() && coefficients.front() != 0.0 && coefficients.back() != 0.0) {
+        if (const auto roots = simultaneous_roots(coefficients)) {
+            return *roots;
+        }
+    }
     return roots_of(coefficients);
 }
 
@@ -116,6 +135,10 @@ std::vector<double> derivative(const std::vector<double>& coefficients) {
 }
 
 std::vector<Complex> nonzero_roots(const Polynomial& polynomial) {
+    return nonzero_roots(over_integers(polynomial, common_denominator(polynomial)));
+}
+
+std::vector<Complex> nonzero_roots(const IntegerPolynomial& polynomial) {
     return roots_of(rounded_without_zeros(polynomial));
 }
 

@@ -16,18 +16,21 @@ std::vector<std::complex<double>> polynomial_roots(
 
 /// The roots other than 0 of an exact polynomial.
 std::vector<std::complex<double>> nonzero_roots(const Polynomial& polynomial);
+std::vector<std::complex<double>> nonzero_roots(const IntegerPolynomial& polynomial);
 
 /// Of a polynomial that is not empty.
 std::vector<double> derivative(const std::vector<double>& coefficients);
 
+template <class Number>
 struct ValueAndSlope {
-    std::complex<double> value;
-    std::complex<double> slope;
+    Number value{0};
+    Number slope{0};
 };
 
-template <class Scalar>
-ValueAndSlope evaluate_with_slope(const std::vector<Scalar>& coefficients, std::complex<double> x) {
-    ValueAndSlope at_x{0, 0};
+template <class Scalar, class Number>
+ValueAndSlope<Number> evaluate_with_slope(const std::vector<Scalar>& coefficients,
+                                          const Number& x) {
+    ValueAndSlope<Number> at_x;
     for (std::size_t i = coefficients.size(); i-- > 0;) {
         at_x.slope = at_x.slope * x + at_x.value;
         at_x.value = at_x.value * x + coefficients[i];

@@ -11,9 +11,21 @@ namespace {
 
 using Complex = std::complex<double>;
 
-Complex residual(const HalfSpace& half_space, double omega, Complex k) {
-    return boundary_rate(half_space, omega) * evaluate_C(half_space, k) - evaluate_B(half_space, k);
-}
+/// Delta(k) = sigma C(k) - B(k) at one frequency.
+class Residual {
+  public:
+    Residual(const HalfSpace& half_space, double omega)
+        : half_space_(half_space), sigma_(boundary_rate(half_space, omega)) {}
+
+    Complex operator()(Complex k) const {
+        const auto [C, B] = evaluate_condition(half_space_, k);
+        return sigma_ * C - B;
+    }
+
+  private:
+    const HalfSpace& half_space_;
+    Complex sigma_;
+};
 
 }  // namespace
 
@@ -31,25 +43,31 @@ Reflection reflection(const HalfSpace& half_space, double omega, const std::vect
                                       out, [](const Mode& mode) { return mode.travels(); }));
     result.amplitudes = Eigen::MatrixXcd(all, travelling);
     result.matrix = Eigen::MatrixXcd(travelling, travelling);
+    const Residual residual(half_space, omega);
+    std::vector<Complex> inverse;  // 1/k_l
+    inverse.reserve(out.size());
+    for (const Mode& mode : out) {
+        inverse.push_back(1.0 / mode.k);
+    }
     // Delta(k_o) prod_{l != o} (1/k_o - 1/k_l)
     std::vector<Complex> denominators;
-    for (const Mode& mode : out) {
-        Complex product = residual(half_space, omega, mode.k);
-        for (const Mode& other : out) {
-            product *= &other == &mode ? 1.0 : 1.0 / mode.k - 1.0 / other.k;
+    for (std::size_t o = 0; o < out.size(); ++o) {
+        Complex product = residual(out[o].k);
+        for (std::size_t l = 0; l < out.size(); ++l) {
+            product *= l == o ? 1.0 : inverse[o] - inverse[l];
         }
         denominators.push_back(product);
     }
     for (Eigen::Index i = 0; i < travelling; ++i) {
         const Complex inverse_incident = out[std::size_t(i)].k;
-        Complex numerator = -residual(half_space, omega, 1.0 / inverse_incident);
-        for (const Mode& other : out) {
-            numerator *= inverse_incident - 1.0 / other.k;
+        Complex numerator = -residual(inverse[std::size_t(i)]);
+        for (const Complex other : inverse) {
+            numerator *= inverse_incident - other;
         }
         for (Eigen::Index o = 0; o < all; ++o) {
             const Mode& mode = out[std::size_t(o)];
-            const Complex amplitude =
-                numerator / ((inverse_incident - 1.0 / mode.k) * denominators[std::size_t(o)]);
+            const Complex amplitude = numerator / ((inverse_incident - inverse[std::size_t(o)]) *
+                                                   denominators[std::size_t(o)]);
             result.amplitudes(o, i) = amplitude;
             if (o < travelling) {
                 const double flux = half_space.is_damped()
@@ -64,18 +82,20 @@ Reflection reflection(const HalfSpace& half_space, double omega, const std::vect
 
 Complex scalar_reflection(const HalfSpace& half_space, double xi) {
     const double omega = std::sqrt(omega_squared(half_space, xi));
-    return -residual(half_space, omega, std::polar(1.0, xi)) /
-           residual(half_space, omega, std::polar(1.0, -xi));
+    const Residual residual(half_space, omega);
+    return -residual(std::polar(1.0, xi)) / residual(std::polar(1.0, -xi));
 }
 
 double round_trip_supremum(const Reflection& one, const Reflection& other) {
     const Eigen::Index waves = one.matrix.rows();
+    Eigen::VectorXd angles(waves);
+    for (Eigen::Index wave = 0; wave < waves; ++wave) {
+        angles(wave) = std::arg(one.outgoing[std::size_t(wave)].k);
+    }
     Eigen::MatrixXd X(waves, waves);
     for (Eigen::Index o = 0; o < waves; ++o) {
         for (Eigen::Index i = 0; i < waves; ++i) {
-            const double half_sum = (std::arg(one.outgoing[std::size_t(o)].k) +
-                                     std::arg(one.outgoing[std::size_t(i)].k)) /
-                                    2;
+            const double half_sum = (angles(o) + angles(i)) / 2;
             // eta_o + eta_i is sin(half_sum) over two cosines, which are positive.
             const double size =
                 std::sqrt(std::abs(one.matrix(o, i)) * std::abs(other.matrix(i, o)));
@@ -89,6 +109,9 @@ double damped_round_trip_supremum(const Reflection& one, const Reflection& other
                                   std::size_t nodes) {
     const Eigen::Index waves = one.matrix.rows();
     const auto k = [&one](Eigen::Index wave) { return one.outgoing[std::size_t(wave)].k; };
+    // By abs2: abs would care for what overflows, and take most of the time.
+    const Eigen::MatrixXd sizes = one.matrix.cwiseAbs2().cwiseSqrt();
+    const Eigen::MatrixXd other_sizes = other.matrix.cwiseAbs2().cwiseSqrt();
     Eigen::VectorXd faded(waves);  // by the way from end to end
     for (Eigen::Index wave = 0; wave < waves; ++wave) {
         faded(wave) = std::pow(std::abs(k(wave)), double(nodes) + 1);
@@ -99,9 +122,9 @@ double damped_round_trip_supremum(const Reflection& one, const Reflection& other
             // y_o + y_i is this over (1 + k_o)(1 + k_i)/2, a factor of the row and one of the
             // column
             const Complex sum = k(o) * k(i) - 1.0;
-            const double size = std::sqrt(std::abs(one.matrix(o, i)) *
-                                          std::abs(other.matrix(i, o)) * faded(o) * faded(i));
-            X(o, i) = size * std::conj(sum) / std::abs(sum);
+            const double squared =
+                sizes(o, i) * other_sizes(i, o) * faded(o) * faded(i) / std::norm(sum);
+            X(o, i) = std::sqrt(squared) * std::conj(sum);
         }
     }
     return squared_spectral_norm(X);

@@ -8,6 +8,7 @@
 
 #include "generator/stability/band_search.hpp"
 #include "generator/stability/damped.hpp"
+#include "generator/stability/mode_polynomial.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -21,6 +22,7 @@ HalfSpace without_condition(HalfSpace lattice) {
     lattice.c = {1};
     lattice.b = {0};
     lattice.stride = 1;
+    lattice.modes = mode_coefficients(lattice);
     return lattice;
 }
 
@@ -44,13 +46,19 @@ double round_trip_supremum_at(const LatticeEnd& left, const LatticeEnd& right, d
     return round_trip_supremum(reflection(left, omega), reflection(right, omega));
 }
 
-Peak largest_undamped(const LatticeEnd& left, const LatticeEnd& right) {
+/// Of both ends, ascending.
+std::vector<double> critical_frequencies(const LatticeEnd& left, const LatticeEnd& right) {
     std::vector<double> frequencies = critical_frequencies(left.half_space);
     const std::vector<double> others = critical_frequencies(right.half_space);
     frequencies.insert(frequencies.end(), others.begin(), others.end());
     std::ranges::sort(frequencies);
-    return largest_over_band(
-        frequencies, [&](double omega) { return round_trip_supremum_at(left, right, omega); });
+    return frequencies;
+}
+
+Peak largest_undamped(const LatticeEnd& left, const LatticeEnd& right) {
+    return largest_over_band(critical_frequencies(left, right), [&](double omega) {
+        return round_trip_supremum_at(left, right, omega);
+    });
 }
 
 Peak largest_damped(const LatticeEnd& left, const LatticeEnd& right, std::size_t nodes) {
@@ -58,12 +66,12 @@ Peak largest_damped(const LatticeEnd& left, const LatticeEnd& right, std::size_t
     // like ends, where a round trip is two of its own.
     for (const auto& [end, opposite] : {std::pair(&left, &right), std::pair(&right, &left)}) {
         if (end->kind == LatticeEnd::Kind::free) {
-            const HalfSpace& like = opposite->half_space;
-            const Peak twice = damped_amplification(like, like, 2 * nodes);
+            const Peak twice = damped_amplification(opposite->half_space, 2 * nodes);
             return {std::sqrt(twice.value), twice.omega};
         }
     }
-    return damped_amplification(left.half_space, right.half_space, nodes);
+    return damped_amplification(left.half_space, right.half_space,
+                                critical_frequencies(left, right), nodes);
 }
 
 /// Of the wave that fades least at this frequency; of several that travel the least one.

@@ -4,10 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <stdexcept>
-
-#include "generator/stability/discrete.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -50,10 +46,12 @@ class Common {
     double highest_ = 0;
 };
 
-class Steps {
+}  // namespace
+
+/// The pieces of one grade.
+class StableSteps::Pieces {
   public:
-    Steps(const Table& table, const std::vector<double>& critical, Grade least)
-        : table_(table), critical_(critical), least_(least) {}
+    Pieces(StableSteps& all, Grade least) : all_(all), least_(least) {}
 
     void cover(const StabilityWindow& window) {
         constexpr double far = 8;
@@ -85,7 +83,8 @@ class Steps {
 
   private:
     StepRange steps_at(double G) const {
-        return stable_range(make_half_space(table_, Rational(G)), least_);
+        const Ranges& ranges = all_.ranges_at(G);
+        return least_ == Grade::contractive ? ranges.contractive : ranges.paired;
     }
 
     /// At an edge sup rho is 1 or there is a pole; a millionth of the window off, neither.
@@ -108,13 +107,11 @@ class Steps {
 
     /// At the critical values between them a range may have its least value.
     void add_beside_critical(double low, double high, std::vector<StepRange>& ranges) {
-        for (const double critical : critical_) {
+        for (const double critical : all_.critical_) {
             constexpr double aside = 1e-5;
             for (const double G : {critical * (1 - aside), critical * (1 + aside)}) {
                 if (low < G && G < high) {
-                    const auto [known, is_new] = beside_critical_.try_emplace(G);
-                    known->second = is_new ? steps_at(G) : known->second;
-                    ranges.push_back(known->second);
+                    ranges.push_back(steps_at(G));
                 }
             }
         }
@@ -133,23 +130,33 @@ class Steps {
         }
     }
 
-    const Table& table_;
-    const std::vector<double>& critical_;
+    StableSteps& all_;
     Grade least_;
-    std::map<double, StepRange> beside_critical_;  ///< by G
     std::vector<StableStep> steps_;
 };
 
-}  // namespace
+StableSteps::StableSteps(const Table& table, const std::vector<double>& critical)
+    : table_(table), critical_(critical) {}
 
-std::vector<StableStep> stable_steps(const Table& table,
-                                     const std::vector<StabilityWindow>& windows,
-                                     const std::vector<double>& critical, Grade least) {
-    Steps steps(table, critical, least);
-    for (const StabilityWindow& window : windows) {
-        steps.cover(window);
+const StableSteps::Ranges& StableSteps::ranges_at(double G) {
+    const auto [entry, is_new] = known_.try_emplace(G);
+    if (is_new) {
+        StepGrades grades(make_half_space(table_, Rational(G)));
+        entry->second.paired = stable_range(grades, Grade::paired);
+        if (table_.model.damping.empty()) {
+            entry->second.contractive = stable_range(grades, Grade::contractive);
+        }
     }
-    return steps.take();
+    return entry->second;
+}
+
+std::vector<StableStep> StableSteps::over(const std::vector<StabilityWindow>& windows,
+                                          Grade least) {
+    Pieces pieces(*this, least);
+    for (const StabilityWindow& window : windows) {
+        pieces.cover(window);
+    }
+    return pieces.take();
 }
 
 }  // namespace nmbcgen

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace nmbcgen {
@@ -46,30 +47,61 @@ void sync_folder_of(const std::filesystem::path& path) {
     }
 }
 
-void make_folder(const std::filesystem::path& folder) {
+/// Adds those that it has made, the outer ones first.
+void make_folder(const std::filesystem::path& folder, std::vector<std::filesystem::path>& made) {
     if (folder.empty() || std::filesystem::is_directory(folder)) {
         return;
     }
-    make_folder(folder.parent_path());
-    std::filesystem::create_directory(folder);
+    make_folder(folder.parent_path(), made);
+    if (std::filesystem::create_directory(folder)) {
+        made.push_back(folder);
+    }
     sync_folder_of(folder);
 }
 
-void make_folder_of(const std::filesystem::path& path) {
-    try {
-        make_folder(path.parent_path());
-    } catch (const std::filesystem::filesystem_error& error) {
-        throw FileError(fmt::format("cannot make the folder {}: {}", path.parent_path().string(),
-                                    error.code().message()));
+void remove_empty(std::vector<std::filesystem::path>& made) {
+    std::error_code ignored;  // of those that are not empty
+    for (; !made.empty(); made.pop_back()) {
+        std::filesystem::remove(made.back(), ignored);
+    }
+}
+
+/// A FolderOf may remove a folder between two looks at it: what fails for that is tried again, so
+/// often at most.
+constexpr int most_tries = 100;
+
+/// Gives those that it has made.
+std::vector<std::filesystem::path> make_folder_of(const std::filesystem::path& path) {
+    for (int tries = 1;; ++tries) {
+        std::vector<std::filesystem::path> made;
+        try {
+            make_folder(path.parent_path(), made);
+            return made;
+        } catch (const std::filesystem::filesystem_error& error) {
+            remove_empty(made);
+            const bool is_gone_meanwhile = error.code() == std::errc::no_such_file_or_directory ||
+                                           error.code() == std::errc::file_exists;
+            if (!is_gone_meanwhile || tries == most_tries) {
+                throw FileError(fmt::format("cannot make the folder {}: {}",
+                                            path.parent_path().string(), error.code().message()));
+            }
+        }
     }
 }
 
 }  // namespace
 
+FolderOf::FolderOf(const std::filesystem::path& path) : made_(make_folder_of(path)) {}
+
+FolderOf::~FolderOf() {
+    remove_empty(made_);
+}
+
 PosixFile PosixFile::create_beside(const std::filesystem::path& path) {
     require_replaceable(path);
     make_folder_of(path);
-    for (int number = 0;; ++number) {  // a process of the same number may have left one
+    int tries = 1;
+    for (int number = 0;;) {  // a process of the same number may have left one
         auto name = std::filesystem::path(path).concat(
             fmt::format(".new-{}{}", ::getpid(), number == 0 ? "" : fmt::format("-{}", number)));
         const int descriptor =
@@ -79,7 +111,11 @@ PosixFile PosixFile::create_beside(const std::filesystem::path& path) {
             file.lock();
             return file;
         }
-        if (errno != EEXIST) {
+        if (errno == ENOENT && path.has_parent_path() && tries++ < most_tries) {
+            make_folder_of(path);
+        } else if (errno == EEXIST) {
+            ++number;
+        } else {
             fail("write", path);
         }
     }
@@ -100,10 +136,13 @@ PosixFile PosixFile::open(const std::filesystem::path& path) {
 
 PosixFile PosixFile::open_or_create(const std::filesystem::path& path) {
     require_replaceable(path);
-    make_folder_of(path);
-    for (;;) {
+    for (int tries = 1;; ++tries) {
+        make_folder_of(path);
         const int descriptor =
             ::open(path.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, for_all);
+        if (descriptor < 0 && errno == ENOENT && path.has_parent_path() && tries < most_tries) {
+            continue;
+        }
         if (descriptor < 0) {
             fail("write", path);
         }
@@ -197,6 +236,11 @@ void require_replaceable(const std::filesystem::path& path) {
             fmt::format("cannot write {}: {} of that name is in the way", path.string(),
                         std::filesystem::is_directory(status) ? "a folder" : "a special file"));
     }
+}
+
+void require_writable(const std::filesystem::path& path) {
+    const FolderOf folder(path);
+    const NewFile trial(PosixFile::create_beside(path).path(), path);
 }
 
 void remove_unless_open(const std::filesystem::path& path) {

@@ -9,6 +9,7 @@
 #include <span>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 namespace nmbcgen {
 
@@ -19,6 +20,22 @@ struct FileError : std::runtime_error {
 
 /// Throws FileError: that one cannot do this with the file, and errno in words.
 [[noreturn]] void fail(std::string_view what, const std::filesystem::path& path);
+
+/// The folder of a file, made where it is missing. What of it is made goes with this object where
+/// nothing was put there.
+class FolderOf {
+  public:
+    /// Throws FileError.
+    explicit FolderOf(const std::filesystem::path& path);
+    ~FolderOf();
+    FolderOf(const FolderOf&) = delete;
+    FolderOf& operator=(const FolderOf&) = delete;
+    FolderOf(FolderOf&&) = delete;
+    FolderOf& operator=(FolderOf&&) = delete;
+
+  private:
+    std::vector<std::filesystem::path> made_;  // the outermost first
+};
 
 /// Every member throws FileError with the path and the system's reason.
 class PosixFile {
@@ -84,6 +101,10 @@ void publish(std::span<NewFile> files);
 
 /// Throws FileError where the name is that of a folder or anything else but a regular file.
 void require_replaceable(const std::filesystem::path& path);
+
+/// Throws FileError where a file of this name, whose folder may be missing, could not be written
+/// (require_replaceable). Leaves nothing.
+void require_writable(const std::filesystem::path& path);
 
 /// Removes the file unless a process has it open as a PosixFile; nothing where it is not there.
 void remove_unless_open(const std::filesystem::path& path);

@@ -72,8 +72,11 @@ inline std::string to_text(double value) {
 }
 
 inline std::string to_text(const Window& window) {
+    if (window.low == window.high) {
+        return "= " + to_text(window.low);
+    }
     const bool has_end = window.high != unbounded;
-    return to_text(window.low) + (has_end ? " to " + to_text(window.high) : " and above");
+    return "from " + to_text(window.low) + (has_end ? " to " + to_text(window.high) : " and above");
 }
 
 inline std::string name_of(const MatchingTable& table) {
@@ -106,9 +109,14 @@ inline std::string certified_choices(const MatchingTable& table, double G,
             same_G += (same_G.empty() ? "" : ", ") + detail::name_of(*other);
         }
     }
-    return detail::name_of(table) + " is certified for " +
-           (ranges.empty() ? "no G" : "G from " + ranges) +
-           (same_G.empty() ? "" : "; at this G: " + same_G);
+    std::string text = detail::name_of(table);
+    if (table.fixed_G.empty()) {
+        text += " is certified for " + (ranges.empty() ? "no G" : "G " + ranges);
+    } else {
+        text += ranges.empty() ? " is not certified at its G, " : " is certified at its G, ";
+        text += table.fixed_G;
+    }
+    return text + (same_G.empty() ? "" : "; at this G: " + same_G);
 }
 
 /// Throws NotCertified where the table is not certified at G opposite such an end. How long the

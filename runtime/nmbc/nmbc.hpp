@@ -15,6 +15,8 @@
 #include <nmbc/node_line.hpp>
 #include <nmbc/passive.hpp>
 #include <nmbc/plane.hpp>
+#include <nmbc/plane_convex_kernel.hpp>
+#include <nmbc/plane_pml.hpp>
 #include <nmbc/plane_stability.hpp>
 #include <nmbc/surface.hpp>
 #include <nmbc/table.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Ends that are stable by construction: the chain is cut off there, with springs, masses and
-/// dashpots of its own on the outermost nodes, so that waves leave.
+/// Ends of chains that are stable by construction: the chain is cut off there, with springs, masses
+/// and dashpots of its own on the outermost nodes, so that waves leave. Sides of planes:
+/// plane_sides.hpp has their numbers, plane_dashpots.hpp what these do in a step.
 #pragma once
 
 #include <algorithm>

@@ -108,34 +108,9 @@ class BasicPlane {
     }
 
     /// Takes the fields for u and v at t = 0 and moves v to -dt/2 by the accelerations there.
-    void start() {
-        steps_ = 0;
-        gone_ = {};
-        broken_ = 0;
-        released_ = 0;
-        damped_ = 0;
-        const double rate = parameters_.rate();
-        clear_ghosts();
-        close_ghosts(u_);
-        for (auto& lines : ghost_lines_) {
-            lines.start(u_, v_);
-        }
-        const double back = -parameters_.time_step / 2;
-        auto dragged = v_;
-        for (const auto& group : dashpots_) {
-            group.drag(back * rate, field(dragged));
-        }
-        friction_.drag(back / parameters_.time_step, field(dragged));
-        kick_by_forces(back, dragged);
-        if (damping_) {
-            find_damping(back);
-            add_damping(dragged);
-        }
-        v_ = std::move(dragged);
-        for (auto& lines : ghost_lines_) {
-            lines.start(u_, v_);
-        }
-    }
+    void start();
+    /// Takes the fields for u at t = 0 and v at -dt/2, as another plane may have left them.
+    void start_staggered();
 
     PlaneState<Real> state() const {
         PlaneState<Real> state{steps_, u_, v_, {}, gone_, {}, broken_, released_, damped_};
@@ -287,7 +262,9 @@ class BasicPlane {
             throw std::invalid_argument(
                 "a plane needs a model with positive moduli, such as nopd2d() makes");
         }
-        CorrespondenceModel with = *correspondence;
+        CorrespondenceModel with = correspondence->influence.empty()
+                                       ? *correspondence
+                                       : with_influence(*correspondence, correspondence->influence);
         with.null_lagrangian =
             detail::checked_null_lagrangian(sides, correspondence->null_lagrangian, 2 * with.shear);
         return with;
@@ -302,7 +279,8 @@ class BasicPlane {
         }
         return std::get<detail::PlaneForce<Real>>(
             force_of(CorrespondenceModel{.radius_squared = correspondence->radius_squared,
-                                         .stabilisation = correspondence->damping}));
+                                         .stabilisation = correspondence->damping,
+                                         .influence = correspondence->influence}));
     }
 
     using Force = std::variant<detail::PlaneForce<Real>, detail::BondForce<Real>>;
@@ -311,11 +289,11 @@ class BasicPlane {
         detail::PlaneAxis x(sides_.left, sides_.right, 0, nx_, model_.horizon());
         detail::PlaneAxis y(sides_.bottom, sides_.top, 1, ny_, model_.horizon());
         if (const auto* const correspondence = std::get_if<CorrespondenceModel>(&law)) {
-            const auto closure = detail::closure_of(sides_, correspondence->radius_squared);
+            const auto closure = detail::closure_of(sides_, correspondence);
             return detail::PlaneForce<Real>(detail::PlaneNodes(*correspondence, std::move(x),
                                                                std::move(y), pitch, closure.get()));
         }
-        detail::closure_of(sides_, 0);
+        detail::closure_of(sides_, nullptr);
         return detail::BondForce<Real>(std::get<BondModel>(law), {std::move(x), std::move(y)},
                                        pitch);
     }

@@ -65,7 +65,8 @@ class ClosedRows {
         for (const PlaneNeighbours::Bond& bond : near.bonds) {
             gradient[{bond.x, bond.y}] =
                 own != nullptr ? std::array{0.0, 0.0}
-                               : std::array{xx * bond.x + xy * bond.y, xy * bond.x + yy * bond.y};
+                               : std::array{bond.influence * (xx * bond.x + xy * bond.y),
+                                            bond.influence * (xy * bond.x + yy * bond.y)};
         }
         if (own == nullptr) {
             gradient[{0, 0}] = {-xx * near.sum_x - xy * near.sum_y,
@@ -112,13 +113,13 @@ class ClosedRows {
                 return (other == Offset{bond.x, bond.y} ? 1 : 0) - (other == Offset{} ? 1 : 0) -
                        H[0] * bond.x - H[1] * bond.y;
             };
-            const double of_node = factor_of(node, G);
+            const double of_node = w * bond.influence * factor_of(node, G);
             if (of_node == 0) {
                 continue;
             }
             for (const auto& [other, H] : gradient) {
-                block_of(other)[0] += w * of_node * factor_of(other, H);
-                block_of(other)[3] += w * of_node * factor_of(other, H);
+                block_of(other)[0] += of_node * factor_of(other, H);
+                block_of(other)[3] += of_node * factor_of(other, H);
             }
         }
     }

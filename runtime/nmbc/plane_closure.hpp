@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Nodes near the surface of a plane, whose gradients and volumes are their own.
+/// Nodes near the surface of a plane, corners included, whose gradients and volumes are their own.
 #pragma once
 
 #include <cstddef>
@@ -26,6 +26,7 @@ struct PlaneClosure {
     };
 
     unsigned radius_squared = 0;
+    std::vector<double> influence{};  ///< of the lattice, as its CorrespondenceModel has it
     std::size_t layers = 0;  ///< nodes this far from all closed sides are the lattice's own
     /// That of the node (i, j), counted from the corner of the sides across x and y at their low
     /// ends, is entry j * (layers + 1) + i; i or j = layers: far from the side. Along other sides

@@ -23,8 +23,9 @@ struct PlaneDrift {
 };
 
 /// With E = density = dX = 1. A node has T = P K^-1 - w g, with P the stress that belongs to its
-/// gradient g, K its shape tensor and w = Vs s; the force on node I is then
-///     sum_J (T_I + T_J) R + (w_I + w_J) (u_J - u_I),   R = X_J - X_I,
+/// gradient g, K its shape tensor and w = Vs s; the force on node I is then the sum over J of the
+/// influence times
+///     (T_I + T_J) R + (w_I + w_J) (u_J - u_I),   R = X_J - X_I,
 /// whatever neighbours are missing. In the interior the sum of T_I R vanishes, and w is s.
 template <class Real>
 class PlaneForce {
@@ -35,7 +36,7 @@ class PlaneForce {
           pitch_(nodes_.pitch()),
           stress_pitch_(nodes_.x().nodes() + 2 * horizon_) {
         const CorrespondenceModel& model = nodes_.model();
-        const double A = whole_shape();
+        const double A = whole_shape(model);
         const double k = model.bulk;
         const double mu = model.shear;
         const double beta = model.null_lagrangian;
@@ -148,14 +149,6 @@ class PlaneForce {
         return 2 * horizon_ + 1;
     }
 
-    double whole_shape() const {
-        double sum = 0;
-        for (const PlaneOffset& bond : plane_family(nodes_.model().radius_squared)) {
-            sum += bond.x * bond.x;
-        }
-        return sum;
-    }
-
     void find_row_numbers();
     void find_closed_rows() {
         if (nodes_.closed_layers() > 0) {
@@ -205,9 +198,9 @@ class PlaneForce {
                     return static_cast<double>(row(ring, 2 * a + b, y)[x]) +
                            static_cast<double>(row(ring, 2 * a + b, y + bond.y)[x + bond.x]);
                 };
-                force[a] += T(0) * bond.x + T(1) * bond.y +
-                            w * (static_cast<double>(u[a][at + bond.entry]) -
-                                 static_cast<double>(u[a][at]));
+                force[a] += bond.influence * (T(0) * bond.x + T(1) * bond.y +
+                                              w * (static_cast<double>(u[a][at + bond.entry]) -
+                                                   static_cast<double>(u[a][at])));
             }
         }
         for (std::size_t a = 0; a < 2; ++a) {
@@ -326,6 +319,9 @@ class PlaneForce {
 
 template <class Real>
 void PlaneForce<Real>::choose_kernels() {
+    if (!nodes_.model().influence.empty()) {
+        return;  // its sums are not those of columns
+    }
     switch (nodes_.model().radius_squared) {
         case 1:
             return use_kernels<1>();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What breaks the bonds of a plane. A part of plane.hpp.
+/// Bonds of a plane are cut, let break and counted. A part of plane.hpp. They break in
+/// bond_kernels.hpp, when forces are found.
 #pragma once
 
 #include <array>

@@ -32,10 +32,11 @@ struct PlaneNeighbours {
         std::ptrdiff_t entry = 0;  ///< from the node's entry of a field
         int x = 0;
         int y = 0;
+        double influence = 1;
     };
     std::vector<Bond> bonds{};
     std::array<double, 3> inverse_shape{};  ///< xx, xy, yy
-    double sum_x = 0;                       ///< of the offsets
+    double sum_x = 0;                       ///< of the influence times the offset
     double sum_y = 0;
 };
 
@@ -45,23 +46,24 @@ struct ClosedNode {
         std::ptrdiff_t entry = 0;  ///< from the node's entry of a field
         int x = 0;
         int y = 0;
+        double influence = 1;
         std::array<double, 2> along{};  ///< factors of u there in the gradient
     };
     double volume = 1;
     std::vector<Entry> gradient{};
 };
 
-/// xx, xy, yy of the inverse of the shape tensor, the sum of R R^T over bonds R. Throws
-/// std::invalid_argument where they all have one direction.
+/// xx, xy, yy of the inverse of the shape tensor, the sum of w R R^T over bonds R, w their
+/// influence. Throws std::invalid_argument where they all have one direction.
 template <class Bonds>
 std::array<double, 3> inverse_shape_of(const Bonds& bonds) {
     double xx = 0;
     double xy = 0;
     double yy = 0;
     for (const auto& bond : bonds) {
-        xx += bond.x * bond.x;
-        xy += bond.x * bond.y;
-        yy += bond.y * bond.y;
+        xx += bond.influence * bond.x * bond.x;
+        xy += bond.influence * bond.x * bond.y;
+        yy += bond.influence * bond.y * bond.y;
     }
     const double determinant = xx * yy - xy * xy;
     if (!(determinant > 0)) {
@@ -79,6 +81,7 @@ class PlaneNodes {
     PlaneNodes(const CorrespondenceModel& model, PlaneAxis x, PlaneAxis y, std::ptrdiff_t pitch,
                const PlaneClosure* closure = nullptr)
         : model_(model),
+          family_(weighted_family(model)),
           x_(std::move(x)),
           y_(std::move(y)),
           horizon_(static_cast<std::ptrdiff_t>(model.horizon())),
@@ -148,8 +151,8 @@ class PlaneNodes {
             double by_y = -static_cast<double>(near.sum_y) * static_cast<double>(u[a][at]);
             for (const auto& bond : near.bonds) {
                 const auto there = static_cast<double>(u[a][at + bond.entry]);
-                by_x += bond.x * there;
-                by_y += bond.y * there;
+                by_x += bond.influence * bond.x * there;
+                by_y += bond.influence * bond.y * there;
             }
             g[2 * a] = near.inverse_shape[0] * by_x + near.inverse_shape[1] * by_y;
             g[2 * a + 1] = near.inverse_shape[1] * by_x + near.inverse_shape[2] * by_y;
@@ -171,12 +174,19 @@ class PlaneNodes {
     void find_closed_nodes(const PlaneClosure& closure);
     ClosedNode closed_node_at(const PlaneClosure& closure, std::ptrdiff_t x,
                               std::ptrdiff_t y) const;
+    /// Of a bond of the family.
+    double influence_of(int x, int y) const {
+        return std::ranges::find_if(
+                   family_, [=](const WeightedBond& bond) { return bond.x == x && bond.y == y; })
+            ->influence;
+    }
     static void make_exact(ClosedNode& node);
     /// Layers beside each side that is cut off, where the nodes of a closed one are unlike others.
     std::ptrdiff_t closed_reach() const { return std::max(closed_layers_, horizon_); }
     std::size_t places() const { return static_cast<std::size_t>(2 * closed_reach() + 1); }
 
     CorrespondenceModel model_;
+    std::vector<WeightedBond> family_;
     PlaneAxis x_;
     PlaneAxis y_;
     std::ptrdiff_t horizon_;
@@ -219,6 +229,7 @@ inline ClosedNode PlaneNodes::closed_node_at(const PlaneClosure& closure, std::p
             node.gradient.push_back({to_y * pitch_ + to_x,
                                      to_x,
                                      to_y,
+                                     influence_of(to_x, to_y),
                                      {sign_x * entry.along_x, sign_y * entry.along_y}});
         }
     }
@@ -228,8 +239,8 @@ inline ClosedNode PlaneNodes::closed_node_at(const PlaneClosure& closure, std::p
     return node;
 }
 
-/// Gives linear displacements their own gradient again, by the least change of the factors, which
-/// is that of a cut family where they were the lattice's own.
+/// Gives linear displacements their own gradient again, by the least change of the factors over the
+/// square root of the influence, which is that of a cut family where they were the lattice's own.
 inline void PlaneNodes::make_exact(ClosedNode& node) {
     const auto [xx, xy, yy] = inverse_shape_of(node.gradient);
     std::array<std::array<double, 2>, 2> missing{{{1, 0}, {0, 1}}};
@@ -241,8 +252,8 @@ inline void PlaneNodes::make_exact(ClosedNode& node) {
     }
     for (ClosedNode::Entry& entry : node.gradient) {
         for (std::size_t b = 0; b < 2; ++b) {
-            entry.along[b] += missing[b][0] * (xx * entry.x + xy * entry.y) +
-                              missing[b][1] * (xy * entry.x + yy * entry.y);
+            entry.along[b] += entry.influence * (missing[b][0] * (xx * entry.x + xy * entry.y) +
+                                                 missing[b][1] * (xy * entry.x + yy * entry.y));
         }
     }
 }
@@ -250,18 +261,17 @@ inline void PlaneNodes::make_exact(ClosedNode& node) {
 inline void PlaneNodes::find_neighbours() {
     const auto kinds = static_cast<std::size_t>(horizon_ + 1);
     neighbours_.resize(kinds * kinds * kinds * kinds);
-    const std::vector<PlaneOffset> family = plane_family(model_.radius_squared);
     for (const std::ptrdiff_t y : y_.representatives()) {
         for (const std::ptrdiff_t x : x_.representatives()) {
             PlaneNeighbours& near = neighbours_[kind(x, y)];
             if (!near.bonds.empty()) {
                 continue;
             }
-            for (const PlaneOffset& bond : family) {
-                if (x_.reaches(x, bond.x) && y_.reaches(y, bond.y)) {
-                    near.bonds.push_back({bond.y * pitch_ + bond.x, bond.x, bond.y});
-                    near.sum_x += bond.x;
-                    near.sum_y += bond.y;
+            for (const auto& [to_x, to_y, influence] : family_) {
+                if (x_.reaches(x, to_x) && y_.reaches(y, to_y)) {
+                    near.bonds.push_back({to_y * pitch_ + to_x, to_x, to_y, influence});
+                    near.sum_x += influence * to_x;
+                    near.sum_y += influence * to_y;
                 }
             }
             near.inverse_shape = inverse_shape_of(near.bonds);

@@ -52,7 +52,7 @@ PlanePotential potential_of_node(const PlaneNodes& nodes, std::ptrdiff_t x, std:
             const double z = static_cast<double>(u[a][at + bond.entry]) -
                              static_cast<double>(u[a][at]) - g[2 * a] * bond.x -
                              g[2 * a + 1] * bond.y;
-            squares += z * z;
+            squares += bond.influence * z * z;
         }
     }
     const PlaneWeights own = nodes.weights(x, y);
@@ -77,8 +77,8 @@ PlanePotential potential_of_block(const PlaneNodes& nodes, std::ptrdiff_t y, std
         Block& by_x = g[2 * a];
         Block& by_y = g[2 * a + 1];
         for (const auto& bond : near.bonds) {
-            const double dx = bond.x * near.inverse_shape[0];
-            const double dy = bond.y * near.inverse_shape[2];
+            const double dx = bond.influence * bond.x * near.inverse_shape[0];
+            const double dy = bond.influence * bond.y * near.inverse_shape[2];
             const Real* const there = u[a] + at + bond.entry;
             for (std::size_t i = 0; i < size; ++i) {
                 by_x[i] += dx * static_cast<double>(there[i]);
@@ -91,7 +91,7 @@ PlanePotential potential_of_block(const PlaneNodes& nodes, std::ptrdiff_t y, std
             for (std::size_t i = 0; i < size; ++i) {
                 const double z = static_cast<double>(there[i]) - static_cast<double>(own[i]) -
                                  by_x[i] * bond.x - by_y[i] * bond.y;
-                squares[i] += z * z;
+                squares[i] += bond.influence * z * z;
             }
         }
     }

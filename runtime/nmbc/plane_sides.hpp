@@ -37,9 +37,9 @@ struct MirrorSide {
 };
 
 /// The body ends there, on its outermost nodes, closed with such gradients: of planes of
-/// correspondence of this radius. Other sides may be closed by the same only. Where it meets a free
-/// or passive one, nodes have the volumes of both, and gradients of the neighbours that are there.
-/// Units E = density = dX = 1.
+/// correspondence of this radius and influence. Other sides may be closed by the same only. Where
+/// it meets a free or passive one, nodes have the volumes of both, and gradients of the neighbours
+/// that are there. Units E = density = dX = 1.
 struct ClosedSide {
     std::shared_ptr<const PlaneClosure> closure{};
 };
@@ -201,7 +201,8 @@ struct IsAlike {
     }
     bool operator()(const CorrespondenceModel& one, const CorrespondenceModel& other) const {
         return one.radius_squared == other.radius_squared && is_near(one.bulk, other.bulk) &&
-               is_near(one.shear, other.shear) && is_near(one.stabilisation, other.stabilisation);
+               is_near(one.shear, other.shear) && is_near(one.stabilisation, other.stabilisation) &&
+               std::ranges::equal(one.influence, other.influence, is_near);
     }
     bool operator()(const BondModel& one, const BondModel& other) const {
         return std::ranges::equal(one.bonds(), other.bonds(),
@@ -226,8 +227,8 @@ inline void require_made_for(const PlaneSides& sides, const PlaneModel& model) {
             !std::visit(IsAlike{}, passive->made_for->law(), model.law())) {
             throw std::invalid_argument(
                 "this passive side was designed for another lattice: radius, Poisson's ratio, "
-                "plane stress or strain, G (nmbcgen's g is G/pi) or weights are not those of the "
-                "plane");
+                "plane stress or strain, G (nmbcgen's g is G/pi), influence or weights are not "
+                "those of the plane");
         }
     }
 }
@@ -272,10 +273,10 @@ inline void require_valid(const ClosedSide& side) {
     }
 }
 
-/// The closure of the sides of a body of this radius, 0: of bonds; nullptr where none is closed.
-/// Throws std::invalid_argument where they do not go together.
+/// The closure of the sides of a body of this model, nullptr: of bonds; nullptr where none is
+/// closed. Throws std::invalid_argument where they do not go together.
 inline std::shared_ptr<const PlaneClosure> closure_of(const PlaneSides& sides,
-                                                      unsigned radius_squared) {
+                                                      const CorrespondenceModel* model) {
     std::shared_ptr<const PlaneClosure> closure;
     for (const Side place : plane_sides) {
         const auto* const closed = std::get_if<ClosedSide>(&sides.at(place));
@@ -284,9 +285,11 @@ inline std::shared_ptr<const PlaneClosure> closure_of(const PlaneSides& sides,
         }
         closure = closed != nullptr ? closed->closure : closure;
     }
-    if (closure != nullptr && closure->radius_squared != radius_squared) {
+    if (closure != nullptr &&
+        (model == nullptr || closure->radius_squared != model->radius_squared ||
+         !std::ranges::equal(closure->influence, model->influence, IsAlike::is_near))) {
         throw std::invalid_argument(
-            "a closed side is of planes of correspondence, and of one family radius");
+            "a closed side is of planes of correspondence, of one family radius and one influence");
     }
     return closure;
 }

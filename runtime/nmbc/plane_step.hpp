@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// A step of a plane: its nodes move, its ghosts follow, forces kick it, its sides close. A part of
-/// plane.hpp.
+/// The start and a step of a plane: its nodes move, its ghosts follow, forces kick it, its sides
+/// close. A part of plane.hpp.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +11,41 @@
 #include <vector>
 
 namespace nmbc {
+
+template <class Real>
+void BasicPlane<Real>::start() {
+    start_staggered();
+    const double rate = parameters_.rate();
+    const double back = -parameters_.time_step / 2;
+    auto dragged = v_;
+    for (const auto& group : dashpots_) {
+        group.drag(back * rate, field(dragged));
+    }
+    friction_.drag(back / parameters_.time_step, field(dragged));
+    kick_by_forces(back, dragged);
+    if (damping_) {
+        find_damping(back);
+        add_damping(dragged);
+    }
+    v_ = std::move(dragged);
+    for (auto& lines : ghost_lines_) {
+        lines.start(u_, v_);
+    }
+}
+
+template <class Real>
+void BasicPlane<Real>::start_staggered() {
+    steps_ = 0;
+    gone_ = {};
+    broken_ = 0;
+    released_ = 0;
+    damped_ = 0;
+    clear_ghosts();
+    close_ghosts(u_);
+    for (auto& lines : ghost_lines_) {
+        lines.start(u_, v_);
+    }
+}
 
 template <class Real>
 void BasicPlane<Real>::kick() {

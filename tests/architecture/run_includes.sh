@@ -26,7 +26,7 @@ allow generator/lattice 'generator/(table|exact|lattice)/|boost/'
 allow generator/families "generator/(table|exact|lattice|names|families)/|$text"
 allow generator/names "generator/(table|exact|names)/|$text"
 allow generator/bonds "generator/(table|exact|families|bonds)/|$text"
-allow generator/closures 'generator/(table|closures)/|nmbc/plane_(closure|family).hpp|Eigen/Dense'
+allow generator/closures 'generator/(table|closures)/|nmbc/(correspondence_model|plane_closure).hpp|Eigen/Dense'
 allow generator/dense 'generator/dense/|(unsupported/)?Eigen/'
 allow generator/stability 'generator/(table|exact|dense|lattice|stability)/|boost/|Eigen/Core'
 allow generator/enclosures 'generator/(table|exact|lattice|stability|enclosures)/|nmbc/table.hpp|boost/'
@@ -46,21 +46,21 @@ allow runtime/nmbc 'nmbc/[a-z_]+\.hpp'
 run() { # ROOM OTHER_ROOMS FURTHER
     allow "tools/nmbcrun/$1" "tools/nmbcrun/($1${2:+|$2})/|tools/nmbcrun/errors.hpp|nmbc/|$text${3:+|$3}"
 }
-run scene '' 'generator/(table|exact|lattice|names|families)/|nlohmann/|toml\+\+/'
+run scene '' 'generator/(table|exact|lattice|names|families)/|nlohmann/|toml\+\+/|hdf5.h'
 run stepping '' ''
 run sides 'scene|stepping' 'generator/(families|passive)/|(unsupported/)?Eigen/'
 run sources 'scene|sides'
 run tables scene 'generator/(table|exact|families|names)/'
 run certification 'scene|sides|sources|tables' 'generator/(table|exact|stability|enclosures)/'
 run simulation 'scene|sides|sources|tables|certification' 'unistd.h'
-run output 'scene|simulation' 'generator/(names/checksum|support/posix_file).hpp|hdf5.h|spawn.h|unistd.h|sys/(ioctl|wait).h'
+run output 'scene|simulation' 'generator/(names/(checksum|printable)|support/posix_file).hpp|spawn.h|unistd.h|sys/(ioctl|wait).h'
 below='scene|sides|sources|tables|certification|simulation'
 run compare "$below" 'generator/(table|exact|closures|stability)/|boost/math/|unsupported/Eigen/FFT'
-run chart "$below|compare|output" 'generator/support/|boost/math/'
+run chart "$below|compare|output" 'generator/(support/|names/printable.hpp)|boost/math/'
 run advise "$below|compare|chart|output" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT|boost/math/|unistd.h'
 run plane 'scene|stepping|sides|sources|output' 'generator/(table|exact|closures|names|passive)/|generator/support/(files|progress_line).hpp|boost/math/'
-run plane_compare 'scene|stepping|output|chart|plane' 'generator/support/'
-allow tools/nmbcrun "tools/nmbcrun/|generator/names/checksum.hpp|generator/support/(exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
+run plane_compare 'scene|stepping|output|chart|plane' 'generator/(support/|names/printable.hpp)'
+allow tools/nmbcrun "tools/nmbcrun/|generator/names/(checksum|printable).hpp|generator/support/(command_line_problem|exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|tools/nmbcrun/|CLI/|nmbc/|benchmark/|boost/math/|$text"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|unistd.h|$text"
 

@@ -199,8 +199,13 @@ TEST_CASE("Fig. 3: errors at 0.1, 0.2 and 0.4 ms as listed, of the printed and c
     };
     for (const Column& column : {Column{100, surface_node, false, {9.36, 20.0, 35.8}, .1},
                                  Column{100, surface_node, true, {.18, .32, .28}, .01},
+                                 Column{100, mirror, true, {.093, .175, .384}, .001},
                                  Column{500, surface_node, false, {1.83, 4.11, 6.74}, .01},
-                                 Column{100, mirror, true, {.093, .175, .384}, .001}}) {
+                                 Column{500, surface_node, true, {.13, .27, .38}, .01},
+                                 Column{500, mirror, true, {.0015, .0029, .0064}, .0001},
+                                 Column{1000, surface_node, false, {.905, 2.03, 3.22}, .01},
+                                 Column{1000, surface_node, true, {.126, .26, .36}, .01},
+                                 Column{1000, mirror, true, {.0037, .0070, .0155}, .0001}}) {
         CAPTURE(column.count);
         CAPTURE(column.corrected);
         constexpr double dt = 2e-7;  // in shorter ones the mirror has .0959, .180, .398

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "generator/stability/discrete.hpp"
+#include "generator/stability/modal.hpp"
 #include "generator/stability/reflection.hpp"
 #include "tools/nmbcrun/certification/half_space.hpp"
 #include "tools/nmbcrun/chart/boundaries.hpp"
@@ -60,8 +61,8 @@ double growth_of_one_wave(const Scene& scene, int order) {
     for (int i = 1; i < samples; ++i) {
         const double omega = std::sqrt(omega_squared(half_space, std::numbers::pi * i / samples));
         const auto residual = [&](std::complex<double> k) {
-            return std::abs(boundary_rate(half_space, omega) * evaluate_C(half_space, k) -
-                            evaluate_B(half_space, k));
+            const auto [C, B] = evaluate_condition(half_space, k);
+            return std::abs(boundary_rate(half_space, omega) * C - B);
         };
         const nmbcgen::Reflection first = reflection(half_space, omega);
         for (Eigen::Index wave = 0; wave < first.matrix.rows(); ++wave) {

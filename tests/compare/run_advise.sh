@@ -11,7 +11,7 @@ bar=("$scratch/bar.toml" --set model.G=1.85)
 try advise "${bar[@]}" --tolerance 1e-3
 expect_exit 0
 expect_no_stderr
-for what in 'of the ends and of the time step together' 'left out' \
+for what in 'of the ends and of the time step together' 'left out: predicted errors times 1.1 have to be within the tolerance' \
     'NMBC4, stride 1                       not certified at this G' \
     'higdon, truncated                     not certified to be stable' \
     'stored fields                         nobody asked for them'; do
@@ -115,7 +115,7 @@ refused 'drive.half_width is in horizons: beside model.horizon = "auto" it has t
     "${drive[@]}"
 refused 'drive has to be the only source' "${drive[@]}" --set drive.half_width=0
 refused 'model.damping must be 0 beside model.horizon = "auto"' --set model.damping=1/10
-refused 'there is nothing of this family' --set model.family=nothing
+refused 'there is no family "nothing"' --set model.family=nothing
 refused 'model.horizon must be a whole number' --set model.horizon=automatic
 refused 'must be an exact number' --set model.G=automatic
 try advise "$scratch/open.toml" --tolerance 1e-2 --set time.cfl=2

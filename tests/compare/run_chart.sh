@@ -107,4 +107,9 @@ try chart "$scene" --long-run 10
 expect_exit 2
 try chart "$scene" --out /dev/null/here --long-run 4000
 expect_exit 5
+# What is refused leaves no folder.
+try chart "$scene" --out refused/chart --quiet --set model.G=1 --set time.end=1e-9
+expect_exit 4
+expect_stderr "nothing moved at any time, so there is nothing to compare with"
+expect "no folder" test ! -e refused
 finish

@@ -19,7 +19,8 @@ cp -r "$source/tools" .  # a scene names files relative to itself
 # shape FILE: without numbers and the width of columns.
 shape() { sed -E 's/-?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?/#/g; s/[ -]*#/ #/g; s/ +/ /g; s/ $//' "$1"; }
 
-for page in tutorial/first-run tutorial/own-loop how-to/half-bar how-to/own-tables how-to/own-code; do
+for page in tutorial/first-run tutorial/own-loop how-to/half-bar how-to/own-tables how-to/own-code \
+    how-to/match-inside-a-band how-to/optimised-bonds; do
     # Indented lines are commands; installing and building is behind us.
     sed -n '/^```/,/^```$/!s/^    //p' "$source/docs/$page.md" | grep -v '^\./tools/quickstart' >commands
     code=0

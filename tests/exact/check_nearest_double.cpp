@@ -123,6 +123,7 @@ TEST_CASE("random rationals of up to 384 bits") {
         CAPTURE(value.str());
         REQUIRE(is_nearest(value, rounded));
         REQUIRE(rounded == rounded_by_cln(value));
+        REQUIRE(rounded == nearest_double(6 * numerator(value), 6 * denominator(value)));
     }
 }
 

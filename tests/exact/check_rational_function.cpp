@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <stdexcept>
+#include <vector>
 
 #include "generator/exact/rational_function.hpp"
 #include "tests/support/generators.hpp"
@@ -50,6 +51,15 @@ struct Fraction {
 };
 
 }  // namespace
+
+TEST_CASE("binomials: Pascal's rows, with signs or without") {
+    CHECK(binomial(1, 0).data() == std::vector<Integer>{1});
+    CHECK(binomial(1, 4).data() == std::vector<Integer>{1, 4, 6, 4, 1});
+    CHECK(binomial(-1, 5).data() == std::vector<Integer>{1, -5, 10, -10, 5, -1});
+    for (const int sign : {1, -1}) {  // 84 choose 42 is beyond 64 bits
+        CHECK(binomial(sign, 84) == binomial(sign, 42) * binomial(sign, 42));
+    }
+}
 
 TEST_CASE("fixed answers") {
     const auto p = [](std::vector<Rational> c) { return Polynomial(std::move(c)); };

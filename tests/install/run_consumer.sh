@@ -48,6 +48,9 @@ grep -qx 'half and whole bar differ by roundings' "$work/output"
 "$work/build/plate" | tee "$work/output"
 grep -q '^t =  80 us: .* 6.2e-04 of the largest$' "$work/output"
 
+"$work/build/own_plane" | tee "$work/output"
+grep -qx 't = 1000: kinetic energy 2.5e-07 of the largest' "$work/output"
+
 # Every header compiles alone.
 find "$work/prefix/include" -name '*.hpp' | while read -r header; do
     "$compiler" -std=c++20 -Wall -Wextra -Werror -fsyntax-only -x c++ -I"$work/poison" \

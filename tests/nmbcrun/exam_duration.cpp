@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <doctest/doctest.h>
 
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "tools/nmbcrun/output/duration.hpp"
+#include "tools/nmbcrun/output/step_warnings.hpp"
 
 namespace {
 
@@ -15,9 +19,37 @@ TEST_CASE("durations are written as one says them") {
                                          {110.4, "110 s"},
                                          {130.0, "2 min"},
                                          {7100.0, "118 min"},
-                                         {9000.0, "2.5 h"}}) {
+                                         {9000.0, "2.5 h"},
+                                         {172700.0, "48.0 h"},
+                                         {1e6, "12 days"},
+                                         {1.2e8, "3.8 years"},
+                                         {1e20, "3.2e+12 years"}}) {
         CHECK(nmbcrun::duration(seconds) == words);
     }
+}
+
+TEST_CASE("a run of many steps, or of very short ones, is told before it begins") {
+    using nmbcrun::warnings_of_steps;
+    const auto plan = [](double time_step, std::size_t steps, double cfl) {
+        return nmbcrun::StepPlan{.time_step = time_step, .steps = steps, .cfl = cfl};
+    };
+    // An hour at 1e8 node-steps a second is 3.6e11 of them.
+    CHECK(warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000'000, 360).empty());
+    const std::vector<std::string> many{
+        "1e+09 steps of 720 nodes take about 2.0 h at 1e+08 node-steps a second: until time.end "
+        "waves go 4e+08 dX"};
+    CHECK(warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000'000, 720) == many);
+    // What is left of them after a checkpoint.
+    CHECK(warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000, 720).empty());
+    // Steps of 0.0045 dX/c at nine tenths of the limit.
+    const std::vector<std::string> stiff{
+        "the lattice is so stiff (a large model.G, or model.nu near its limit) that time steps "
+        "above 0.005 dX/c are unstable: the run has 1.23e+05 of them"};
+    CHECK(warnings_of_steps(plan(0.00225, 123'000, 0.9), 0.5, 123'000, 9) == stiff);
+    const std::vector<std::string> small{
+        "time steps of 0.0001, as the scene asks for, are 0.0009 of what the lattice allows: the "
+        "run has 1.23e+05 of them"};
+    CHECK(warnings_of_steps(plan(1e-4, 123'000, 9e-4), 0.5, 123'000, 9) == small);
 }
 
 }  // namespace

@@ -76,6 +76,58 @@ TEST_CASE("a history of a file is linear in between, and 0 outside") {
     CHECK_THROWS_AS(Forcing(forced(force), 0.1), FileError);
 }
 
+TEST_CASE("a history that is cut off at the beginning or the end of a run is told") {
+    const auto only = [](const std::vector<std::string>& warnings) {
+        REQUIRE(warnings.size() == 1);
+        return warnings.front();
+    };
+    const auto of = [](History history, double time) {
+        return ForceInTime({.history = history,
+                            .amplitude = -0.3,
+                            .time = time,
+                            .duration = history == History::sine ? 0.0 : 2.0,
+                            .frequency = 0.25,
+                            .cycles = 1.5,
+                            .file = {}});
+    };
+    const double step = 0.1;
+    CHECK(of(History::gaussian, 8).warnings("force", step, 16).empty());
+    CHECK(of(History::ricker, 8).warnings("force", step, 16).empty());
+    CHECK(of(History::ricker, 5).warnings("force", step, 16).empty());  // -0.022, of plane_box.toml
+    CHECK(of(History::sine, 0).warnings("force", step, 6).empty());
+    CHECK(only(of(History::gaussian, 2).warnings("force", step, 16)) ==  // exp(-1)
+          "force jumps to -0.37 of its peak at t = 0, and what is before is cut off: "
+          "force.time = 8 would do");
+    // At a zero of a ricker, of which -2 exp(-3/2) is cut off.
+    CHECK(only(of(History::ricker, 2 / std::numbers::sqrt2).warnings("force", step, 16))
+              .starts_with("force jumps to "));
+    CHECK(only(of(History::sine, -1).warnings("force", step, 16)) ==
+          "force jumps to -1 of its peak at t = 0, and what is before is cut off: force.time = 0 "
+          "would do");
+    CHECK(only(of(History::gaussian, 14).warnings("boundary.left.value", step, 16)) ==
+          "boundary.left.value has not ended at time.end = 16: up to 0.37 of its peak comes later. "
+          "time.end = 22 or more has all of it");
+    CHECK(only(of(History::gaussian, 20).warnings("force", step, 16)).find("up to 1 of its peak") !=
+          std::string::npos);
+    CHECK(only(of(History::sine, 2).warnings("force", step, 4.5)).find("up to 1 of its peak") !=
+          std::string::npos);
+    CHECK(of(History::gaussian, 2).warnings("force", step, 3).size() == 2);
+
+    const auto file = std::filesystem::temp_directory_path() / "exam_force_cut.csv";
+    const auto of_rows = [&](const char* rows) {
+        std::ofstream(file) << "time,force\n" << rows;
+        return ForceInTime({.history = History::file, .time = 1, .file = file});
+    };
+    CHECK(of_rows("0,0\n1,2\n2,0\n").warnings("force", step, 4).empty());
+    CHECK(of_rows("0,0\n1,2\n9,2\n").warnings("load.top", step).empty());  // a load may stay
+    CHECK(only(of_rows("0,1\n1,2\n2,0\n").warnings("force", step, 4)) ==
+          "force jumps to 0.5 of its peak at t = 1: a first row of 0, at t = 0 or later, would do");
+    CHECK(only(of_rows("-2,0\n0,2\n2,0\n").warnings("load.top", step)) ==
+          "load.top jumps to 0.5 of its peak at t = 0, and what is before is cut off: a first row "
+          "of 0, at t = 0 or later, would do");
+    std::filesystem::remove(file);
+}
+
 TEST_CASE("a force moves the bar by its impulse over 2 rho c") {
     for (const int nodes : {1, 5}) {
         Simulation simulation(forced(gaussian(0.25 * (nodes - 1)), 40));

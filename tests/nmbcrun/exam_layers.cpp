@@ -11,7 +11,7 @@
 
 namespace {
 
-using nmbcrun::LossLayer;
+using nmbc::LossLayer;
 using nmbcrun::PmlEnd;
 using nmbcrun::SpongeEnd;
 using Squares = std::vector<nmbc::Lattice::Square>;

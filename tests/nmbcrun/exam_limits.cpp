@@ -7,10 +7,10 @@
 #include <fstream>
 #include <string>
 
+#include "generator/names/printable.hpp"
 #include "tests/nmbcrun/bar.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/scene/csv_columns.hpp"
-#include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/simulation/memory.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
@@ -50,12 +50,12 @@ TEST_CASE("a chain has to fit in memory") {
 }
 
 TEST_CASE("control characters are escaped, and letters are not") {
-    CHECK(printable("n = 2, \u00e9\u2192\u65e5 and \"quotes\\\"") ==
+    CHECK(nmbcgen::printable("n = 2, \u00e9\u2192\u65e5 and \"quotes\\\"") ==
           "n = 2, \u00e9\u2192\u65e5 and \"quotes\\\"");
-    CHECK(printable("\x1b[2J\a\r\n\t\x7f") == "\\x1b[2J\\x07\\x0d\\x0a\\x09\\x7f");
-    CHECK(printable("\u0080\u009b31m\u009f\u00a0") == "\\u0080\\u009b31m\\u009f\u00a0");
-    CHECK(printable(std::string(1, '\0')) == "\\x00");
-    CHECK(printable("\xc2") == "\\xc2");  // an end in the middle of a letter
+    CHECK(nmbcgen::printable("\x1b[2J\a\r\n\t\x7f") == "\\x1b[2J\\x07\\x0d\\x0a\\x09\\x7f");
+    CHECK(nmbcgen::printable("\u0080\u009b31m\u009f\u00a0") == "\\u0080\\u009b31m\\u009f\u00a0");
+    CHECK(nmbcgen::printable(std::string(1, '\0')) == "\\x00");
+    CHECK(nmbcgen::printable("\xc2") == "\\xc2");  // an end in the middle of a letter
 }
 
 TEST_CASE("columns are read of regular files of some length") {

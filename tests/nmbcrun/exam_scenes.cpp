@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/nmbcrun/bar.hpp"
+#include "tools/nmbcrun/plane/plane_lattice.hpp"
 #include "tools/nmbcrun/plane/plane_simulation.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 #include "tools/nmbcrun/scene/scene_reader.hpp"
@@ -91,6 +92,34 @@ TEST_CASE("incoming: what comes in leaves on the other side, or on its own from 
     CHECK(energy_left(read_scene(path_of("incoming.toml"), {})) < 1e-7);
     const Scene fixed = read_scene(path_of("incoming.toml"), {{"boundary.right.kind", "fixed"}});
     CHECK(energy_left(fixed) < 2e-4);
+}
+
+TEST_CASE("at the G that a plane scene is told its long waves have one speed, at every angle") {
+    PlaneScene scene;
+    scene.nu = {3, 10};
+    scene.state = nmbc::StressState::plane_strain;
+    for (const unsigned radius_squared : {1U, 4U, 9U}) {
+        for (const bool is_P : {true, false}) {
+            scene.radius_squared = radius_squared;
+            const double best = G_of_least_dispersion(scene, is_P);
+            CHECK(best > 0);
+            for (const double angle : {0.0, 0.3, 0.7}) {
+                constexpr double xi = 0.1;
+                const auto error = [&](double G) {
+                    PlaneScene other = scene;
+                    other.G = G;
+                    const nmbc::PlaneModel model = model_of(other);
+                    const double speed = is_P ? model.speed_P() : model.speed_S();
+                    return std::abs(
+                        nmbc::plane_wave(model, {xi * std::cos(angle), xi * std::sin(angle)}, is_P)
+                                .omega_squared /
+                            std::pow(speed * xi, 2) -
+                        1);
+                };
+                CHECK(error(best) < 0.02 * error(0));  // xi^4 in the place of xi^2
+            }
+        }
+    }
 }
 
 }  // namespace

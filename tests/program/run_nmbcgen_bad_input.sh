@@ -114,7 +114,14 @@ refuses --format "'xml'" "allowed: header, json, python, c, csv, latex" -- --ord
 refuses --format "'JSON'" "allowed: header, json" -- --order 1 --horizon 1 --format JSON
 refuses --out "folder" -- --order 1 --horizon 1 --out ""
 
-refuses --unknown "not expected" -- --unknown
+refuses "'--unknown' is not expected: nmbcgen takes --help, --version, " ", --horizon, " -- --unknown
+refuses "'frob' is not expected: nmbcgen takes the subcommands reflect, prove, recommend, " -- frob
+refuses "'--foo' is not expected: recommend takes --help, " ", --tolerance" -- \
+    recommend --horizon 1 --G 1 --foo 0.5 --bar
+refuses "'--foo' is not expected" -- bonds --foo 3
+refuses "coupling needs one of the subcommands stencil, cases, waves" -- coupling
+refuses "'foo\x1b[2J\xff' is not expected" -- --order 1 --horizon 1 $'foo\e[2J\xff'
+refuses "'nopd\x1b7d' is not a family" -- --order 1 --horizon 1 --family $'nopd\e7d'
 refuses --unknown "not expected" -- --order 1 --horizon 1 --unknown
 refuses -x "not expected" -- --order 1 --horizon 1 -x
 refuses stray "not expected" -- --order 1 --horizon 1 stray
@@ -186,7 +193,7 @@ refuses --all --check excludes -- --all --check
 refuses --all --check excludes -- --check --all
 refuses --check --order excludes -- --check --order 1
 for given in --stdout=no --require-stable=3; do
-    refuses "disallowed flag override" -- --order 1 --horizon 1 "$given"
+    refuses "${given%=*} takes no value: give it alone, or leave it out" -- --order 1 --horizon 1 "$given"
 done
 refuses --stdout --out excludes -- --order 1 --horizon 1 --stdout --out folder
 

@@ -58,8 +58,8 @@ assert waves["horizons"] == ["3/4", "0"] and waves["lengths"] == ["1", "4"]
 assert all(abs(sum(w["pairs"].values()) - 1) < 1e-9 for w in waves["waves"])
 assert set(waves["packet"]["rows"]["measured"]) == {"reflected", "transmitted", "from_end"}'
 
-refuses 2 "subcommand is required" coupling
-refuses 2 "'foo' is no part of it; allowed: stencil, cases, waves" coupling foo
+refuses 2 "coupling needs one of the subcommands stencil, cases, waves" coupling
+refuses 2 "'foo' is not expected: coupling takes the subcommands stencil, cases, waves" coupling foo
 refuses 2 "--horizon is required" coupling stencil
 refuses 2 "--horizon is required" coupling waves
 refuses 2 "--horizon" coupling cases --horizon 2

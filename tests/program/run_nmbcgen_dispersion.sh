@@ -67,7 +67,7 @@ for bad in 0 -1 1.5 1000001 nan "" 1,2; do
     refuses "--samples: '$bad' is not a whole number from 1 to 1000000" --horizon 1 --G 1 --samples "$bad"
 done
 refuses "'nopd7d' is not a family" --family nopd7d --horizon 1 --G 1 --limit
-refuses "limit was given" --horizon 1 --G 1 --limit=3
+refuses "--limit takes no value" --horizon 1 --G 1 --limit=3
 refuses "not expected" --horizon 1 --G 1 --order 1
 refuses "--G: '0,' has an empty item" --horizon 1 --G 0, 1
 

@@ -21,6 +21,9 @@ cannot_write() {
 # Folders that cannot be made. (Missing permission cannot be tried: root has every permission.)
 cannot_write /proc/nowhere "${one[@]}" --out /proc/nowhere
 cannot_write /proc/nowhere --all --out /proc/nowhere
+# .. which is known before certificates are computed, which takes minutes.
+NMBCGEN_CACHE=$scratch/empty cannot_write "cannot make the folder /dev/null" --all --out /dev/null
+expect "nothing computed" test ! -e "$scratch/empty"
 echo "a file" >regular
 cannot_write regular "${one[@]}" --out regular
 cannot_write regular/below "${one[@]}" --out regular/below
@@ -55,6 +58,8 @@ fails_on_full_disk() {
     expect "the folder as it was" diff -r before old
     rm -r before
 }
+try --all --out kept  # so that certificates are kept, which would be the first file that is too long
+expect_exit 0
 fails_on_full_disk 0 "${one[@]}"
 fails_on_full_disk 0 "${one[@]}" --format json
 fails_on_full_disk 0 --all

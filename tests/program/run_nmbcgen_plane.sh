@@ -23,8 +23,6 @@ try recommend "${smallest[@]}" --G 1/5
 grade contractive 'NMBC1 as printed, \(81\)'
 grade contractive 'NMBC2 by component'
 expect "nor does the box grow" grep -qE '^NMBC1 as printed, \(81\) +contractive +1\.000 +none +none +0 ' "$scratch/stdout"
-try recommend "${smallest[@]}" --G 1/4
-grade grows 'NMBC2 by component'
 try recommend --family bond2d --radius2 2 --weights 1,1/2
 expect_exit 0
 grade passive passive
@@ -32,6 +30,7 @@ grade passive passive
 # Conditions of one's own: Higdon's product is one of them.
 try recommend "${smallest[@]}" --G 1/4 --absorb P:0,S:0
 expect_exit 0
+grade grows 'NMBC2 by component'
 expect "the product is Higdon's" test 1 -eq \
     "$(sed -nE 's/^(Higdon, P and S|matched at P 0, S 0) +//p' "$scratch/stdout" | sort -u | wc -l)"
 try recommend "${smallest[@]}" --G 1/4 --absorb P:30,S:60
@@ -158,7 +157,7 @@ refuses 2 "passive requires --G" passive --horizon 2
 waves=("${smallest[@]}" --polarisation P --order 1 --stdout --require-stable)
 refuses 4 "strips between such sides grow, Re s = 0.0062" "${waves[@]}" --G 0
 refuses 4 "of 1200 wave vectors some are amplified, <= 1.100 times a reflection" "${waves[@]}" --G 1/10
-refuses 4 "nmbcgen recommend --family nopd2d --radius2 1 --nu 1/4 --G 1/10 shows the sides there are" "${waves[@]}" --G 1/10
+expect_stderr "nmbcgen recommend --family nopd2d --radius2 1 --nu 1/4 --G 1/10 shows the sides there are"
 refuses 4 "the other polarisation has no such condition" "${smallest[@]}" --polarisation P --order 2 --stdout --require-stable --G 1/5
 # Corners: damping that ends the growth of strips does not end that of the box, and is not named.
 next=(--family nopd2d --radius2 4 --nu 1/4)

@@ -22,10 +22,29 @@ try prove --family chain1d --horizon 1 --order 2
 expect_exit 0
 expect "without a G" grep -q '^paired       at every G: proved in every step' "$scratch/stdout"
 
+# Matched in a step: that one alone.
+try prove --order 2 --horizon 1 --time-step 1/2 --G 1/2
+expect_exit 0
+expect "both grades in its step" test "$(grep -c \
+    'G = 1/2: proved in its step of 1/2 dX/c; sampled: stable' "$scratch/stdout")" -eq 2
+try prove --order 2 --horizon 1 --time-step 1/2 --G 3/2
+expect "stable nowhere" test "$(grep -c \
+    'G = 3/2: not proved in its step of 1/2 dX/c; sampled: not stable' "$scratch/stdout")" -eq 2
+try prove --order 2 --horizon 1 --time-step 1/2
+expect_exit 0
+expect "which step" grep -qx 'in its step of 1/2 dX/c' "$scratch/stdout"
+expect "a window of it" grep -Eq '^paired +0.25[0-9]* .. ' "$scratch/stdout"
+expect "most of it" grep -Eq '^  undecided  0.0' "$scratch/stdout"
+try prove --order 1 --horizon 1 --time-step 1/2
+expect_exit 3
+try prove --order 2 --horizon 1 --time-step 2 --G 1/2
+expect_exit 3
+
 for wrong in '--horizon 1' '--order 2' '--order 2 --horizon 1 --up-to 1' \
     '--order 2 --horizon 1 --up-to 0' '--order 2 --horizon 1 --finest x' \
     '--order 2 --horizon 1 --G 1 --up-to 0.5' '--order 2 --horizon 1 --damping 1/10' \
-    '--order 2 --horizon 1 --time-step 1/2' '--order 2 --horizon 1 --G -1'; do
+    '--order 2 --horizon 1 --time-step 1/2 --up-to 0.3' '--order 2 --horizon 1 --time-step -1' \
+    '--order 2 --horizon 1 --cfl 0.3' '--order 2 --horizon 1 --G -1'; do
     # shellcheck disable=SC2086  # words
     try prove $wrong
     expect_exit 2

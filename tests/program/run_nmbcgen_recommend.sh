@@ -14,6 +14,8 @@ try recommend --horizon 2 --G 1
 expect_exit 0
 expect_no_stderr
 expect_stdout_line "NMBC1, stride 2, tau = 0, steps of cfl 0.97, at horizon 2, G = 1"
+expect_stdout_line "  settings   --set model.horizon=2 --set model.G=1 --set boundary.kind=nmbc --set boundary.order=1 --set boundary.stride=2 --set time.cfl=0.97"
+expect "no table to make" test "$(grep -cE '^  (table|ready) ' "$scratch/stdout")" -eq 0
 row "1 1 0 - 0\.82 0\.82 8\.7e-07 0\.0e\+00 smaller time step"
 row "2 2 0 - 0\.75 0\.20 6\.2e-07 0\.0e\+00 smaller time step"
 row "2 2 0 1697/1000 0\.87 0\.75 3\.7e-11 0\.0e\+00 smaller time step"
@@ -24,6 +26,9 @@ expect_exit 0
 expect_stdout_line "NMBC2, stride 2, tau = 0, matched in steps of cfl 0.75, at horizon 2, G = 1"
 row "1 2 0 - 0\.97 0\.97 6\.3e-07 0\.0e\+00 above the tolerance"
 row "3 2 0 - 0\.37 0\.05 9\.3e-10 0\.0e\+00 smaller time step"
+expect_stdout_line "  settings   --set model.horizon=2 --set model.G=1 --set 'model.tables=[\"nopd1d_n2_order2_s2_dt1697o1000_G1o1.json\"]' --set boundary.kind=nmbc --set boundary.order=2 --set boundary.stride=2 --set boundary.matched_step=1697/1000"
+expect_stdout_line "  table      to be made beside the scene: nmbcgen --family nopd1d --order 2 --horizon 2 --stride 2 --time-step 1697/1000 --G 1 --format json --out FOLDER"
+expect_stdout_line "  ready      NMBC3, stride 2, in steps of cfl 0.05, reflects 9.3e-10: --set model.horizon=2 --set model.G=1 --set boundary.kind=nmbc --set boundary.order=3 --set boundary.stride=2 --set time.cfl=0.05"
 # What it recommends is certified when it is made by the command it prints.
 read -ra made < <(sed -n 's/^  command    nmbcgen //p' "$scratch/stdout")
 try "${made[@]}" --require-stable
@@ -52,6 +57,7 @@ try recommend --horizon 2 --G 0 --order 2 --tolerance 1e-4
 expect_exit 0
 expect_stdout_line "NMBC2, stride 4, tau = 1/20, matched in steps of cfl 0.85, at horizon 2, G = 0"
 row "2 4 1/20 - 0\.75 0\.35"
+expect "its damping" grep -qF -- "--set model.damping=1/20" "$scratch/stdout"
 expect "100 nodes" grep -qF "in chains of 100 interior nodes and more" "$scratch/stdout"
 expect_stdout_line "  loss       5.8e-03 of the energy"
 try --order 2 --horizon 2 --stride 4 --damping 1/20 --G 0 --require-stable
@@ -63,6 +69,16 @@ rm -r generated/nmbc/tables
 try recommend --horizon 2 --G 1 --order 2 --band 0.05..0.1 --tolerance 1e-6
 expect_exit 0
 row "2 2 0 - 0\.75 0\.70"
+
+# Of large G: waves near together, which roundings tell apart, or not.
+try recommend --horizon 1 --G 1000
+expect_exit 0
+expect_stdout_line "NMBC5, stride 1, tau = 0, steps of cfl 0.99, at horizon 1, G = 1000"
+try --order 5 --horizon 1 --G 10000
+expect_exit 4
+expect_nothing_written
+expect_no_stdout
+expect_stderr "no certificate: a chain of"
 
 # Nothing reflects so little.
 try recommend --horizon 2 --G 1 --order 2 --tolerance 1e-12

@@ -43,6 +43,17 @@ TEST_CASE("an uncertified pair of table and G is refused, with what would do") {
     REQUIRE(none != nullptr);
     CHECK_THROWS_WITH_AS(nmbc::boundary_coefficients(*none, 1),
                          doctest::Contains("is certified for no G"), nmbc::NotCertified);
+    // Made for one G.
+    nmbc::MatchingTable at_one_G = nopd1d_n2_order2;
+    const nmbc::StableStep step{{1, 1}, 0.5};
+    at_one_G.max_cfl = {};
+    at_one_G.fixed_G = "1";
+    CHECK(nmbc::certified_choices(at_one_G, 1) ==
+          "NMBC2 with stride 1 is not certified at its G, 1");
+    at_one_G.max_cfl = {&step, 1};
+    CHECK(nmbc::certified_choices(at_one_G, 1) == "NMBC2 with stride 1 is certified at its G, 1");
+    at_one_G.fixed_G = "";
+    CHECK(nmbc::certified_choices(at_one_G, 1) == "NMBC2 with stride 1 is certified for G = 1");
     // A pole is a pole, certified or not.
     CHECK_THROWS_AS(nmbc::boundary_coefficients(nmbc::generated::nopd1d_n1_order2, 0),
                     nmbc::CoefficientError);

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <nmbc/plane.hpp>
+#include <nmbc/plane_stability.hpp>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -22,6 +23,14 @@ inline nmbc::PassiveSide some_passive_side(double beta) {
             .mass = {std::vector<double>{0.53, 0.87}, {0.46, 0.956}},
             .dashpots = {std::vector<double>{0.92, 0.03, 0.03, 0.01}, {0.43, 0.04, 0.04, 0.004}},
             .null_lagrangian = beta};
+}
+
+/// No unit is 1 by chance. cfl: of the lattice without its sides.
+inline nmbc::PlaneParameters body_parameters(std::size_t nx, std::size_t ny,
+                                             const nmbc::PlaneModel& model, double cfl = 0.5) {
+    nmbc::PlaneParameters p{.nx = nx, .ny = ny, .spacing = 0.5, .youngs_modulus = 7, .density = 3};
+    p.time_step = cfl * 2 / std::sqrt(nmbc::highest_eigenvalue(model)) / p.rate();
+    return p;
 }
 
 template <class Real>

@@ -12,6 +12,7 @@
 #include "generator/stability/band_reflection.hpp"
 #include "generator/stability/band_search.hpp"
 #include "generator/stability/modal.hpp"
+#include "generator/stability/mode_polynomial.hpp"
 #include "generator/stability/reflection.hpp"
 #include "generator/stability/round_trip.hpp"
 #include "tests/stability/boundary.hpp"
@@ -30,6 +31,7 @@ HalfSpace exact_at(HalfSpace h, double xi) {
             b *= scale;
         }
         h.O *= nmbcgen::constant(nmbcgen::Rational(scale));
+        h.modes = mode_coefficients(h);
     }
     return h;
 }
@@ -49,7 +51,8 @@ struct Product {
     bool is_stable() const {
         std::vector<double> frequencies;
         for (const HalfSpace* factor : {&one, &other}) {
-            if (growing_mode(*factor) || resonance(*factor)) {
+            const nmbcgen::BoundaryModes modes(*factor);
+            if (modes.growing() || modes.resonance()) {
                 return false;
             }
             const auto of_factor = critical_frequencies(*factor);

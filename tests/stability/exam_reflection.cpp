@@ -34,8 +34,8 @@ TEST_CASE("incident plus reflected waves satisfy interior and ghost layers") {
             for (Eigen::Index incident = 0; incident < R.amplitudes.cols(); ++incident) {
                 for (int M = 0; M < 2 * int(horizon); ++M) {  // s C u = B u on every ghost layer
                     const auto term = [&](Complex k) {
-                        return (Complex(0, omega) * evaluate_C(h, k) - evaluate_B(h, k)) *
-                               std::pow(k, -M);
+                        const auto [C, B] = evaluate_condition(h, k);
+                        return (Complex(0, omega) * C - B) * std::pow(k, -M);
                     };
                     const Complex in = term(1.0 / R.outgoing[std::size_t(incident)].k);
                     Complex sum = in;

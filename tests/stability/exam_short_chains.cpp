@@ -12,6 +12,7 @@
 #include "generator/pipeline.hpp"
 #include "generator/stability/certify.hpp"
 #include "generator/stability/discrete.hpp"
+#include "generator/stability/least_nodes.hpp"
 #include "tests/stability/boundary.hpp"
 #include "tests/stability/spectra.hpp"
 
@@ -91,6 +92,28 @@ TEST_CASE("a certificate holds from a length on from which none grows") {
             CHECK(spectral_radius(end, certificate.least_nodes + more, step) < 1 + roundings);
         }
     }
+}
+
+TEST_CASE("roundings do not make chains of a large G grow") {
+    const nmbcgen::Rational G = 1000;
+    const auto h = make_half_space(
+        nmbcgen::derive({.horizon = 1, .order = 5, .stride = 1, .stabilisation = G}), G);
+    const nmbcgen::LatticeEnd end{nmbcgen::LatticeEnd::Kind::matching, h};
+    for (const double cfl : {0.05, 0.5, 0.99}) {
+        for (std::size_t nodes = 6; nodes <= 96; nodes *= 2) {
+            CAPTURE(cfl);
+            CAPTURE(nodes);
+            constexpr double roundings = 1e-8;  // as least_nodes() has it
+            CHECK(spectral_radius(end, nodes, 2 * cfl / maximum_frequency(h)) < 1 + roundings);
+        }
+    }
+}
+
+TEST_CASE("where doubles do not tell the waves apart there is no certificate") {
+    CHECK_THROWS_AS(
+        nmbcgen::certify(nmbcgen::derive(
+            {.horizon = 1, .order = 5, .stride = 1, .stabilisation = nmbcgen::Rational(10000)})),
+        nmbcgen::NotCertifiable);
 }
 
 TEST_CASE("the runtime's short chain grows so, and a longer one does not") {

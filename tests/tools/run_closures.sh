@@ -20,7 +20,7 @@ try wu --bin "$bin"
 expect_exit 0
 expect_no_stderr
 expect "the page's table of Wu" diff \
-    <(sed -n 's/^| `\([a-z]*\)` |[^|]*| \([^ |]*\) | \([^ |]*\) | \([^ |]*\) |$/\1,\2,\3,\4/p' "$2/docs/evidence/closures.md") \
+    <(sed -n 's/^| `\([a-z_]*\)` |[^|]*| \([^ |]*\) | \([^ |]*\) | \([^ |]*\) |$/\1,\2,\3,\4/p' "$2/docs/evidence/closures.md") \
     <(tail -n +2 "$scratch/stdout")
 
 refuses 2 "--nodes needs a multiple of 10" --nodes 15

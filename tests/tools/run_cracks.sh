@@ -140,6 +140,7 @@ expect_stderr "bonds of weights below 0: where others break, its energy has no l
 try run small.toml --quiet "${mixed[@]}" --out mixed --set fracture.allow_unstable=true
 expect_exit 4
 expect_stderr "the energy is below 0"
+expect "so its head says" grep -q '^# stable    not proved: where bonds with weights below 0 end or break' mixed/small.csv
 
 refused() { # CODE TEXT ARGUMENT..
     local code=$1 text=$2

@@ -197,7 +197,7 @@ for name in bar1d_field bar1d_probes; do expect_same results/bar1d.csv "results/
 
 # Stopped on the way: the energies so far under their own name, and nothing else.
 rm -rf results
-"$program" run "$scene" --quiet --set time.end=1e7 >"$scratch/stdout" 2>"$scratch/stderr" &
+"$program" run "$scene" --quiet --set time.end=1e8 >"$scratch/stdout" 2>"$scratch/stderr" &
 for _ in {1..200}; do  # until it is under way
     compgen -G 'results/*.new-*' >/dev/null && break
     sleep 0.1
@@ -208,6 +208,7 @@ wait $! || code=$?
 expect_exit 130
 expect_stderr "stopped at step"
 expect_stderr "--resume goes on"
+expect_stderr "e+09 steps of 508 nodes take about"
 expect_file results/bar1d.csv
 expect "and to go on from, a checkpoint and a growing file" test "$(files_in results)" -eq 3
 expect "no lock, no link" test ! -e results/bar1d.lock -a ! -L results/bar1d.csv.part

@@ -16,6 +16,10 @@ expect_whole_run() { # FOLDER: as the run that was left alone, and nothing else
     expect "the outputs only" test "$(files_in "$1")" -eq 4
 }
 
+try run "$scene" "${long[@]}" --out not/there --resume
+expect_exit 5
+expect_stderr "cannot go on from not/there/bar1d.checkpoint: there is no such file"
+expect "no folder" test ! -e not
 try run "$scene" "${long[@]}" --out whole
 expect_exit 0
 cp "$scratch/stdout" "$scratch/report"

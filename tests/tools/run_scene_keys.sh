@@ -13,7 +13,7 @@ setting 2 "must be a whole number from 1 to 1000, written without a point and an
 setting 2 "must be a whole number from 1 to 1000, not 'abc'" model.horizon=abc
 setting 2 "no table for family nopd1d, horizon 7" model.horizon=7
 setting 2 "must be a table" model=3
-setting 2 "no table for family nopd9" model.family=nopd9
+setting 2 'there is no family "nopd9"' model.family=nopd9
 for bad in -1 nan inf true; do
     setting 2 "model.G must be a number not below 0" "model.G=$bad"
 done
@@ -36,7 +36,7 @@ setting 2 "--set boundary.rigth.kind: boundary.rigth is not a key of a scene" bo
 setting 2 "--set bogus.key: bogus is not a key of a scene" bogus.key=1
 setting 2 "no table for family nopd1d, horizon 2, order 9" boundary.right.order=9
 setting 4 "between these ends steps up to" time.step=0.6
-setting 2 "select no node" drive.centre=-99
+setting 2 "drive.centre and drive.half_width select no node: they are at X = 1 to 500" drive.centre=-99
 refuses 2 "a run of 250000 steps is too long for an \"exact\" end, which is made for 200000 at most" \
     "$scene" --set boundary.kind=exact --set time.end=5000
 refuses 4 "NMBC2 is not stable at n = 2, G = 1, cfl = 0.0668: a mode at that end grows as exp(" \
@@ -81,18 +81,33 @@ for bad in 0.4 500.6 -3 1e+300; do
     setting 2 "output.probes has $bad, but the nodes are at 1 to 500" "output.probes=[$bad]"
 done
 setting 2 "output.probes has node 7 twice" 'output.probes=[7, 250, 7.3]'
+# Of two that do not fit, the one that an override has set is named.
+sed 's/^\[output\]/&\nprobes = [250]/' "$scene" >"$scratch/probed.toml"
+refuses 2 "--set domain.nodes: output.probes has 250, but the nodes are at 1 to 3" "$scratch/probed.toml" --set domain.nodes=3
+refuses 2 "--set domain.nodes: initial.centre puts it outside of the bar, whose nodes are at 1 to 3" \
+    "$2/tools/scenes/broadband.toml" --set domain.nodes=3
+setting 2 "bar1d.toml:10: material, with --set material.density, makes the wave speed" material.density=1e-320
+# A table that an override gives as a whole.
+refuses 2 "--set initial: initial.amplitude is missing" "$sourceless" --set 'initial={shape="gaussian"}'
+refuses 2 "--set initial: initial.width must be a positive number, not 'a'" "$sourceless" \
+    --set 'initial={shape="gaussian", amplitude=1, width="a"}'
 setting 2 "--set needs KEY=VALUE, not 'time.step'" time.step
 setting 2 "left is not a key of a scene; the nearest one is boundary.left" left.kind=fixed
 setting 2 "--set needs KEY=VALUE" =3
 # What there is instead of a table that there is not.
-setting 2 "there is nothing of this family and horizon, but chain1d with horizon 1, nopd1d with horizon 1, 2, 3, 4, 5" model.horizon=7
+setting 2 "in which there are the horizons 1, 2, 3, 4, 5 of this family" model.horizon=7
+expect "no other families" lacks nopd2d "$scratch/stderr"
 setting 2 "of this family and horizon there are nopd1d_n2_order1, nopd1d_n2_order2," boundary.order=9
 expect "tables of another horizon are not listed" test "$(grep -c nopd1d_n1 "$scratch/stderr")" -eq 0
 # The chain of atoms has one horizon and no G.
 atoms=$2/tools/scenes/fig6_md.toml
 refuses 2 "the lattice of family chain1d has no stabilisation: model.G must be absent or 0, not 0.5" \
     "$atoms" --set model.G='"1/2"'
-refuses 2 "no table for family chain1d, horizon 2" "$atoms" --set model.horizon=2
+refuses 2 "there is no such model: the chain of atoms has bonds to next neighbours only: horizon 1" \
+    "$atoms" --set model.horizon=2
+setting 2 'there is no family "nopd7d": model.family is "nopd1d", "bond1d", "chain1d", a wave of a plane' model.family=nopd7d
+refuses 2 "the lattice of family bond1d has no stabilisation: model.G must be absent or 0, not 0.5" "$scene" \
+    --set model.family=bond1d --set model.G=0.5
 for same in model.G=0 model.horizon=1; do
     try run "$atoms" "${short[@]}" --set "$same" --out "$scratch/atoms"
     expect_exit 0
@@ -153,9 +168,23 @@ source_of 2 "force.centre is missing" force.history=sine
 force=(force.centre=9 force.amplitude=1)
 source_of 2 "force.duration is missing" "${force[@]}" force.history=gaussian
 source_of 2 "force.frequency is missing" "${force[@]}" force.history=sine
-source_of 2 "force.duration has no meaning for this history" "${force[@]}" force.history=sine force.duration=1
+source_of 2 "force.duration has no meaning for a sine, which has a frequency and cycles" "${force[@]}" force.history=sine force.duration=1
+# A key of another history is not taken for a misspelt one, and what is meant by it is said.
+source_of 2 "sourceless.toml: force.file is missing" "${force[@]}" force.history=csv force.time=3
+expect "no hint" lacks "meant for it" "$scratch/stderr"
+source_of 2 "force.frequency has no meaning for a ricker: force.duration = 3.183, 1/(pi frequency), makes its spectrum largest there" \
+    "${force[@]}" force.history=ricker force.frequency=0.1
+source_of 2 "force.frequency has no meaning for a gaussian, exp(-((t - time)/duration)^2): give force.duration" \
+    "${force[@]}" force.history=gaussian force.frequency=0.1
+source_of 2 "force.duration is missing; is force.duratoin meant for it?" "${force[@]}" force.history=ricker force.duratoin=3
 source_of 2 "force.cycles has no meaning for this history" "${force[@]}" force.history=ricker force.cycles=1 force.duration=1 force.time=2
-source_of 2 "force.centre and force.half_width select no node" force.centre=-9 force.amplitude=1 force.history=sine force.frequency=1
+source_of 2 "force.centre and force.half_width select no node: they are at X = 1 to 500" force.centre=-9 force.amplitude=1 force.history=sine force.frequency=1
+source_of 2 "the nearest is at X = 7, and force.half_width = 0.32 would select it" force.centre=7.3125 force.amplitude=1 force.history=sine force.frequency=1
+# .. which it does.
+try run "$sourceless" "${short[@]}" --set force.centre=7.3125 --set force.half_width=0.32 --set force.amplitude=1 --set force.history=sine \
+    --set force.frequency=0.02
+expect_exit 0
+rm -r results
 source_of 5 "nowhere.csv: No such file" "${force[@]}" force.history=csv force.file=nowhere.csv
 wave=(incoming.shape=gaussian incoming.amplitude=1 incoming.width=9 incoming.arrival=5 incoming.end=left)
 source_of 2 'incoming.end must be "left" or "right", not "both"' "${wave[@]}" incoming.end=both
@@ -172,13 +201,15 @@ source_of 2 "the chain needs at least 4 interior nodes for these ends" "${pulse[
 # .. and those that act on no node, or at no time of the run.
 source_of 2 "initial.centre puts it outside of the bar, whose nodes are at 1 to 500" "${pulse[@]}" initial.centre=-99
 source_of 2 "initial.centre puts it outside of the bar" "${pulse[@]}" initial.centre=600
+# .. or on a tail alone, of 5e-12 of the amplitude.
+source_of 2 "initial.centre puts it outside of the bar" "${pulse[@]}" initial.width=10 initial.centre=-50
 for late in "gaussian force.duration=1" "ricker force.duration=2" "sine force.frequency=1"; do
     read -ra late <<<"$late"
     source_of 2 "force.time lets it begin at t =" "${force[@]}" force.history="${late[0]}" "${late[1]}" force.time=99
 done
 source_of 2 "force.time lets it end before the run begins" "${force[@]}" force.history=gaussian \
     force.duration=1 force.time=-7
-source_of 2 "incoming.arrival lets it begin at t = 91" "${wave[@]}" incoming.arrival=99
+source_of 2 "incoming.arrival lets it begin at t = 93" "${wave[@]}" incoming.arrival=99
 
 setting 3 "pole of a coefficient at G = 0" boundary.order=4
 refuses 3 "C(1) = 0" "$scene" --set model.horizon=1 --set model.G=1 --set boundary.order=3
@@ -189,7 +220,12 @@ refuses 2 "SCENE: must not be empty" ""
 refuses 2 "--out: must not be empty" "$scene" --out ""
 try frob
 expect_exit 2
-expect_stderr "there is no subcommand or option 'frob'; the subcommands are run, verify, chart and advise"
+expect_stderr "'frob' is not expected: nmbcrun takes the subcommands run, verify, chart, advise"
+try
+expect_exit 2
+expect_stderr "nmbcrun needs one of the subcommands run, verify, chart, advise"
+refuses 2 "'--foo' is not expected: run takes --help, SCENE, --set, --quiet, --out," "$scene" --foo 0.5 --bar
+refuses 2 "--quiet takes no value: give it alone, or leave it out" "$scene" --quiet=yes
 for command in run verify chart advise; do
     try $command --help
     expect "$command --help: exit codes" grep -q '130 stopped by Ctrl-C' "$scratch/stdout"

@@ -133,7 +133,7 @@ influence" "${third[@]}"
 # Without a certificate of its own: no step is chosen, and one that is given is certified here.
 third+=(--set 'model.tables=["nopd1d_n3_w_1o1_3o4_1o2_order1_G1o1.json"]')
 refuses 4 "its table, in scenes/nopd1d_n3_w_1o1_3o4_1o2_order1_G1o1.json, was written with --uncertified; NMBC1 with \
-stride 1 is certified for no G" "${third[@]}"
+stride 1 is not certified at its G, 1" "${third[@]}"
 refuses 4 "NMBC1 is certified against a pml end at no time step" "${third[@]}" --set time.cfl=0.3 \
     --set boundary.right.kind=pml --set boundary.right.layer=10
 try run "$scene" --quiet "${third[@]}" --set time.cfl=0.3

@@ -25,6 +25,11 @@ struct Unstable : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Of a comparison of runs in which no node moves.
+inline Unstable nothing_to_compare_with() {
+    return Unstable("nothing moved at any time, so there is nothing to compare with");
+}
+
 /// The user ended the run (130, as shells count Ctrl-C).
 struct Interrupted : std::runtime_error {
     using std::runtime_error::runtime_error;

@@ -8,6 +8,8 @@
 #include <optional>
 #include <system_error>
 
+#include "generator/names/printable.hpp"
+#include "generator/support/command_line_problem.hpp"
 #include "generator/support/exit_code.hpp"
 #include "generator/support/number_between.hpp"
 #include "tools/nmbcrun/advise/advise.hpp"
@@ -18,7 +20,6 @@
 #include "tools/nmbcrun/plane_compare/plane_advice.hpp"
 #include "tools/nmbcrun/plane_compare/plane_chart.hpp"
 #include "tools/nmbcrun/run.hpp"
-#include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 #include "tools/nmbcrun/scene/scene_reader.hpp"
 #include "tools/nmbcrun/verify.hpp"
@@ -47,20 +48,11 @@ void stop_where_interrupted() {
 
 constexpr const char* exit_codes =
     "Exit codes: 0 done; 1 verify: the error is above the tolerance, advise and run --tolerance:\n"
-    "nothing meets it; 2 wrong arguments or scene; 3 there is no such boundary condition;\n"
+    "nothing meets it; 2 wrong arguments or scene, or a table that nmbcgen has to make first;\n"
+    "3 no such boundary condition exists;\n"
     "4 the ends are not stable together or amplify what comes, or the run became non-finite, grew\n"
     "or had no energy;\n"
     "5 a file could not be read or written; 130 stopped by Ctrl-C, SIGTERM or SIGHUP.";
-
-/// What CLI11 says, but of what is no subcommand: that alone, and not that one is required.
-std::string problem_of(const CLI::ParseError& error, const CLI::App& app) {
-    const auto unknown = app.remaining();
-    if (!app.get_subcommands().empty() || unknown.empty()) {
-        return error.what();
-    }
-    return "there is no subcommand or option '" + unknown.front() +
-           "'; the subcommands are run, verify, chart and advise";
-}
 
 const CLI::Validator not_empty(
     [](const std::string& text) {
@@ -120,7 +112,7 @@ nmbcgen::ExitCode plane_command(const std::string& command, nmbcrun::PlaneScene 
 template <class Command>
 int exit_code_of(Command command) {
     const auto failed = [](const std::exception& error, nmbcgen::ExitCode code) {
-        std::cerr << "nmbcrun: " << nmbcrun::printable(error.what()) << "\n";
+        std::cerr << "nmbcrun: " << nmbcgen::printable(error.what()) << "\n";
         return code;
     };
     try {
@@ -130,7 +122,7 @@ int exit_code_of(Command command) {
         }
         return code;
     } catch (const nmbcrun::NotMet& error) {
-        std::cerr << "nmbcrun: " << nmbcrun::printable_lines(error.what()) << "\n";
+        std::cerr << "nmbcrun: " << nmbcgen::printable_lines(error.what()) << "\n";
         return does_not_hold;
     } catch (const nmbc::CoefficientError& error) {
         return failed(error, no_such_boundary);
@@ -219,7 +211,7 @@ int main(int argc, char** argv) {
             return done;
         });
     } catch (const CLI::ParseError& error) {
-        std::cerr << "nmbcrun: " << nmbcrun::printable(problem_of(error, app))
+        std::cerr << "nmbcrun: " << nmbcgen::printable(nmbcgen::problem_of(error, app))
                   << "\nSee nmbcrun --help.\n";
         return bad_input;
     }

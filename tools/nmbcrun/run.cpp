@@ -9,13 +9,13 @@
 #include <optional>
 #include <utility>
 
+#include "generator/names/printable.hpp"
 #include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/compare/prospect.hpp"
 #include "tools/nmbcrun/output/chain_files.hpp"
 #include "tools/nmbcrun/output/energies_file.hpp"
 #include "tools/nmbcrun/output/stoppable_run.hpp"
 #include "tools/nmbcrun/report.hpp"
-#include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
@@ -97,7 +97,11 @@ Run::Run(const Scene& scene, const RunOptions& options)
                         prospect_.warnings.empty()
                             ? "Another model.G, order or stride may absorb it: nmbcrun advise"
                             : fmt::format("{}", fmt::join(prospect_.warnings, ". ")),
-                        choices_at_another_G(scene)));
+                        choices_at_another_G(scene, [](Scene other) {
+                            other.step.reset();  // theirs may be shorter
+                            other.cfl.reset();
+                            return absorbs(other);
+                        })));
     }
     const Plan& plan = simulation_.plan();
     const auto from =
@@ -164,8 +168,9 @@ void Run::judge(const Sample& sample) {
 }
 
 std::vector<std::string> Run::warnings() const {
-    std::vector<std::string> all{simulation_.plan().objection, simulation_.warning()};
     const Scene& scene = simulation_.scene();
+    std::vector<std::string> all = simulation_.warnings();
+    all.insert(all.begin(), {simulation_.plan().objection, warning_of_short_run(scene)});
     for (const Boundary* end : {&scene.left, &scene.right}) {
         if (end->kind == BoundaryKind::nmbc) {
             all.push_back(in_place_of_committed(scene, *end));
@@ -194,14 +199,14 @@ void Run::print() {
         print_samples(samples, peak, is_damped(scene));
     }
     print_balance(samples.back(), highlights(), is_damped(scene));
-    fmt::print("{}", files_->listed());
+    fmt::print("{}", nmbcgen::printable_lines(files_->listed()));
 }
 
 }  // namespace
 
 void run(const Scene& scene, const RunOptions& options) {
     Run run(scene, options);
-    run.warn(run.warnings());
+    run.warn(run.warnings(), run.simulation().chain().nodes());
     if (!options.quiet) {
         const Plan& plan = run.simulation().plan();
         const std::string& ends = run.prospect().ends;

@@ -125,9 +125,7 @@ bool verify(const Scene& scene, double tolerance, bool quiet) {
     }
     Simulation simulation(scene);
     Simulation reference(endless(mirrored, simulation.plan().time_step));
-    if (!simulation.warning().empty()) {
-        print_warnings({simulation.warning()});
-    }
+    print_warnings(simulation.warnings());
     if (!quiet) {
         fmt::print("scene      {}\n", scene.title);
         fmt::print("ends       {}; {}\n", heading_of(scene.left), heading_of(scene.right));

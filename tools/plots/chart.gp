@@ -9,6 +9,7 @@ if (ARGC != 2) {
     printerr "usage: gnuplot -c chart.gp CHART.csv OUT (writes OUT.svg and OUT.png)"
     exit status 2
 }
+call system(sprintf("dirname '%s'", ARG0)) . "/csv.gp" "chart.gp" ARG1 "boundary kind cfl step_cost total_cost" "nmbcrun chart"
 set datafile separator comma
 set datafile columnheaders
 

@@ -8,6 +8,7 @@ if (ARGC != 2) {
 }
 csv = ARG1
 
+call system(sprintf("dirname '%s'", ARG0)) . "/csv.gp" "dispersion.gp" ARG1 "model horizon G xi omega group_velocity" "nmbcgen dispersion"
 set datafile separator comma
 set datafile columnheaders
 

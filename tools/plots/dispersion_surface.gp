@@ -9,6 +9,7 @@ if (ARGC != 2) {
 }
 csv = ARG1
 
+call system(sprintf("dirname '%s'", ARG0)) . "/csv.gp" "dispersion_surface.gp" ARG1 "model wave angle xi" "nmbcgen dispersion of a plane family"
 # Rays become the rows of a grid: an empty line between two.
 rays(wave) = "< awk -F, -v wave=" . wave . " '$1 == \"lattice\" && $2 == wave {" . \
              " if (rows++ && $5 != last) print \"\"; last = $5; print }' '" . csv . "'"

@@ -10,18 +10,12 @@ if (ARGC < 3 || ARGC % 2 == 0) {
 set datafile separator comma
 set datafile columnheaders
 
+folder = system(sprintf("dirname '%s'", ARG0))
 files = (ARGC - 1) / 2
 array peak[files]
 do for [i = 1:files] {
     file = ARGV[2 * i]
-    if (strstrt(file, "'") > 0) {
-        printerr sprintf("energy.gp: no name with an apostrophe: %s", file)
-        exit status 2
-    }
-    if (system(sprintf("test -r '%s' && echo yes || true", file)) ne "yes") {
-        printerr sprintf("energy.gp: cannot read %s", file)
-        exit status 2
-    }
+    call folder . "/csv.gp" "energy.gp" file "time=number total=number" "nmbcrun run"
     stats file using (column("total")) nooutput
     if (STATS_max <= 0) {
         printerr sprintf("energy.gp: no energy in %s", file)
@@ -30,12 +24,13 @@ do for [i = 1:files] {
     peak[i] = STATS_max
 }
 
-set xlabel "time (unit of the scene)"
+set xlabel "time (time unit)"
 set ylabel "energy / peak energy"
 set logscale y
 set format x "%g"
 set rmargin 4
 set format y "10^{%T}"
+set xrange [0:]  # energies are of half a step before, the first one, too
 set yrange [:2]
 set grid xtics ytics linetype 1 linecolor "#cccccc" linewidth 0.5
 set border 3

@@ -1,26 +1,34 @@
 # SPDX-License-Identifier: MIT
 # The displacement |u| of a plane as colour, from the snapshots of nmbcrun (output.snapshots):
 #     gnuplot -c share/nmbc/plots/fields.gp OUT RUN.pvd TITLE
-# writes OUT.png, up to six of the snapshots, evenly spaced, and OUT.gif, up to a hundred of them.
+# writes OUT.png, up to six of the snapshots, evenly spaced, and OUT.gif, up to a hundred of them;
+# from the field at the end (output.field) OUT.png alone:
+#     gnuplot -c share/nmbc/plots/fields.gp OUT RUN_field.vti TITLE
 # Colours are logarithmic over three decades below the largest displacement of those of OUT.png.
 if (ARGC != 3) {
-    printerr "usage: gnuplot -c fields.gp OUT RUN.pvd TITLE (writes OUT.png and OUT.gif)"
+    printerr "usage: gnuplot -c fields.gp OUT RUN.pvd|RUN_field.vti TITLE (writes OUT.png and OUT.gif)"
     exit status 2
 }
 if (strstrt(ARG2, "'") > 0) {
     printerr sprintf("fields.gp: no name with an apostrophe: %s", ARG2)
     exit status 2
 }
+load system(sprintf("dirname '%s'", ARG0)) . "/probes.gp"
 folder = system(sprintf("dirname '%s'", ARG2))
+is_field = strstrt(ARG2 . "|", "_field.vti|") > 0
+run = ARG2[1:strlen(ARG2) - strlen(is_field ? "_field.vti" : ".pvd")]
 list = sprintf("sed -n 's/^<DataSet timestep=\"\\([^\"]*\\)\" file=\"\\([^\"]*\\)\".*/%%s/p' '%s' 2>/dev/null", ARG2)
-count = int(system(sprintf(list, "\\2") . " | grep -c . || true"))
+count = is_field ? system(sprintf("test -s '%s' && echo 1 || echo 0", ARG2)) + 0 \
+                 : int(system(sprintf(list, "\\2") . " | grep -c . || true"))
 if (count < 1) {
-    printerr sprintf("fields.gp: no snapshots of nmbcrun in %s", ARG2)
+    printerr sprintf("fields.gp: no %s of nmbcrun in %s", is_field ? "field" : "snapshots", ARG2)
     exit status 2
 }
-file_of(i) = folder . "/" . system(sprintf(list, "\\2") . sprintf(" | sed -n %dp", i))
+file_of(i) = is_field ? ARG2 : folder . "/" . system(sprintf(list, "\\2") . sprintf(" | sed -n %dp", i))
 # With a point: gnuplot takes 8e-05 for no number.
-time_of(i) = real(system(sprintf(list, "\\1") . sprintf(" | awk 'NR == %d { printf \"%%.12e\", $1 }'", i)))
+times = is_field ? sprintf("sed '/<AppendedData/q' '%s' | sed -n 's/.*Name=\"TimeValue\"[^>]*>\\([^<]*\\)<.*/\\1/p'", ARG2) \
+                 : sprintf(list, "\\1")
+time_of(i) = real(system(times . sprintf(" | awk 'NR == %d { printf \"%%.12e\", $1 }'", i)))
 
 # The header is text; what follows it are the bytes' count, 8 bytes, and displacements of three doubles.
 marker = "<AppendedData encoding=\"raw\">"
@@ -31,10 +39,15 @@ extent = head(first, "WholeExtent")
 nx = int(word(extent, 2)) + 1
 ny = int(word(extent, 4)) + 1
 spacing = real(system(sprintf("echo '%s' | awk '{ printf \"%%.12e\", $1 }'", head(first, "Spacing"))))
+origin_x = real(system(sprintf("echo '%s' | awk '{ printf \"%%.12e\", $1 }'", head(first, "Origin"))))
+origin_y = real(system(sprintf("echo '%s' | awk '{ printf \"%%.12e\", $2 }'", head(first, "Origin"))))
+last_x = origin_x + (nx - 1) * spacing
+last_y = origin_y + (ny - 1) * spacing
 image(file) = sprintf("'%s' binary skip=%d array=(%d,%d) format='%%3float64' dx=%.9g dy=%.9g " . \
-                      "origin=(%.9g,%.9g) using (shown(sqrt($1**2 + $2**2))) with image", \
-                      file, skip(file), nx, ny, spacing, spacing, spacing, spacing)
+                      "origin=(%.9g,%.9g) using (shown(sqrt($1**2 + $2**2))) with image%s", \
+                      file, skip(file), nx, ny, spacing, spacing, origin_x, origin_y, probes(run, spacing))
 
+heading = ARG3 . (has_probes(run) ? " (circles: probes)" : "")
 panels = count < 6 ? count : 6
 chosen(p) = panels == 1 ? 1 : 1 + int((p - 1) * (count - 1.0) / (panels - 1) + 0.5)
 largest = 0
@@ -51,16 +64,26 @@ shown(u) = u > largest / 1000 ? u : largest / 1000  # 0 has no logarithm
 set palette defined (0 "#000004", 0.25 "#51127c", 0.5 "#b73779", 0.75 "#fc8961", 1 "#fcfdbf")
 set logscale cb
 set cbrange [largest / 1000:largest]
-set xrange [spacing / 2:(nx + 0.5) * spacing]
-set yrange [spacing / 2:(ny + 0.5) * spacing]
+set xrange [origin_x - spacing / 2:last_x + spacing / 2]
+set yrange [origin_y - spacing / 2:last_y + spacing / 2]
 set size ratio -1
 set tics out nomirror
 set format "%g"
 set format cb "10^{%T}"
-set xtics (spacing, nx * spacing)
-set ytics (spacing, ny * spacing)
+set xtics (origin_x, last_x)
+set ytics (origin_y, last_y)
 set cblabel "|u| (length unit)" offset 1
 unset key
+
+# Room for the axes' names and the longest of their numbers, in pixels.
+longer(a, b) = a > b ? a : b
+tick = 9 * longer(longer(strlen(sprintf("%g", origin_x)), strlen(sprintf("%g", origin_y))), \
+                  longer(strlen(sprintf("%g", last_x)), strlen(sprintf("%g", last_y))))
+left = tick + 60
+right = tick / 2 + 125  # of the colours, too
+below = 65
+above = 85
+between = tick + 30
 
 columns = panels < 3 ? panels : 3
 columns = nx > ny ? (panels < 2 ? 1 : 2) : columns
@@ -70,30 +93,42 @@ panel_x = nx > ny ? side : side * nx / (1.0 * ny)
 panel_x = panel_x < 150 ? 150 : panel_x
 panel_y = nx > ny ? side * ny / (1.0 * nx) : side
 panel_y = panel_y < 60 ? 60 : panel_y
-width = int(70 + columns * (panel_x + 50) + 130)
-height = int(50 + rows * (panel_y + 70) + 20)
+width = int(left + columns * (panel_x + between) - between + right)
+height = int(above + rows * (panel_y + 70) - 70 + below)
 set terminal pngcairo size width, height font "sans,12"
 set output ARG1 . ".png"
-set multiplot layout rows, columns margins 60.0 / width, 1 - 130.0 / width, 40.0 / height, \
-    1 - 70.0 / height spacing 50.0 / width, 70.0 / height title ARG3 noenhanced
-set colorbox user origin 1 - 115.0 / width, 40.0 / height size 16.0 / width, 1 - 110.0 / height
+set multiplot layout rows, columns margins 1.0 * left / width, 1 - 1.0 * right / width, \
+    1.0 * below / height, 1 - 1.0 * above / height spacing 1.0 * between / width, 70.0 / height title heading noenhanced
+set colorbox user origin 1 - 115.0 / width, 1.0 * below / height size 16.0 / width, \
+    1 - 1.0 * (above + below) / height
 do for [p = 1:panels] {
-    set title sprintf("t = %.4g", time_of(chosen(p)))
+    set title sprintf("t = %.4g%s", time_of(chosen(p)), p == 1 ? " (time unit)" : "")
+    set ylabel (columns == 1 || p % columns == 1 ? "Y (length unit)" : "")
+    set xlabel (p + columns > panels ? "X (length unit)" : "")
     eval "plot " . image(file_of(chosen(p)))
     unset colorbox
 }
 unset multiplot
 set output
+if (is_field) {
+    exit
+}
 
 frames = count < 100 ? count : 100
-set colorbox user origin 1 - 115.0 / (panel_x + 200), 0.1 size 16.0 / (panel_x + 200), 0.75
-set terminal gif animate delay 10 size int(panel_x + 200), int(panel_y + 90) font "sans,11"
-set lmargin at screen 60.0 / (panel_x + 200)
-set rmargin at screen 1 - 140.0 / (panel_x + 200)
+width = int(left + panel_x + right)
+height = int(50 + panel_y + below)
+set terminal gif animate delay 10 size width, height font "sans,11"
+set lmargin at screen 1.0 * left / width
+set rmargin at screen 1 - 1.0 * right / width
+set bmargin at screen 1.0 * below / height
+set tmargin at screen 1 - 50.0 / height
+set colorbox user origin 1 - 115.0 / width, 1.0 * below / height size 16.0 / width, 1 - (50.0 + below) / height
+set xlabel "X (length unit)"
+set ylabel "Y (length unit)"
 set output ARG1 . ".gif"
 do for [f = 1:frames] {
     i = frames == 1 ? 1 : 1 + int((f - 1) * (count - 1.0) / (frames - 1) + 0.5)
-    set title sprintf("%s, t = %.4g", ARG3, time_of(i)) noenhanced
+    set title sprintf("%s, t = %.4g (time unit)", heading, time_of(i)) noenhanced
     eval "plot " . image(file_of(i))
 }
 set output

@@ -8,6 +8,7 @@ if (ARGC != 3) {
     printerr "usage: gnuplot -c plane_chart.gp CHART.csv OUT TITLE (writes OUT.svg and OUT.png)"
     exit status 2
 }
+call system(sprintf("dirname '%s'", ARG0)) . "/csv.gp" "plane_chart.gp" ARG1 "boundary kind error=number run_cost=number long_run" "nmbcrun chart of a plane"
 set datafile separator comma
 set datafile columnheaders
 set datafile missing NaN

@@ -9,6 +9,7 @@ if (ARGC != 2) {
 }
 csv = ARG1
 
+call system(sprintf("dirname '%s'", ARG0)) . "/csv.gp" "plane_dispersion.gp" ARG1 "model wave g angle xi" "nmbcgen dispersion of a plane family"
 set datafile separator comma
 set datafile columnheaders
 

@@ -8,6 +8,7 @@ if (ARGC != 2) {
     exit status 2
 }
 csv = ARG1
+call system(sprintf("dirname '%s'", ARG0)) . "/csv.gp" "side_reflection.gp" ARG1 "boundary wave xi=number degrees=number reflected=number" "nmbcgen recommend --csv"
 set datafile separator comma
 set datafile columnheaders
 

@@ -10,6 +10,7 @@
 #include "generator/exact/algebraic_number.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/discrete.hpp"
+#include "generator/stability/modal.hpp"
 #include "generator/stability/scalar.hpp"
 #include "generator/support/on_all_cores.hpp"
 

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "tools/nmbcrun/advise/search.hpp"
 #include "tools/nmbcrun/advise/watch.hpp"
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/errors.hpp"
@@ -188,12 +189,16 @@ void add_dearer_horizons(const std::vector<Candidate>& ranked, std::vector<LeftO
     }
 }
 
+std::string what_meets() {
+    return fmt::format("predicted errors times {} have to be within the tolerance", error_margin);
+}
+
 void print_left_out(const Scene& scene, const Advice& advice) {
     const auto print = [](const std::string& name, const std::string& reason) {
         fmt::print("  {:<36}  {}\n", name, reason);
     };
     const Candidate& best = advice.ranked.front();
-    fmt::print("left out\n");
+    fmt::print("left out: {}\n", what_meets());
     for (const LeftOut& one : advice.left_out) {
         print(one.name, one.reason);
     }
@@ -219,14 +224,14 @@ const char* what_counts(const Scene& scene) {
 double seconds_of_run(const Scene& scene) {
     using Clock = std::chrono::steady_clock;
     constexpr double enough = 0.02;
+    Simulation simulation(scene);
     const auto start = Clock::now();
     const auto seconds = [&] {
         return std::chrono::duration<double>(Clock::now() - start).count();
     };
-    Simulation simulation(scene);
-    while (!simulation.is_done() && seconds() < enough) {
+    do {
         simulation.step();
-    }
+    } while (!simulation.is_done() && seconds() < enough);
     return seconds() * double(simulation.plan().steps) / double(simulation.chain().steps());
 }
 
@@ -251,7 +256,8 @@ Advice advice_for(const Scene& scene, double tolerance, const Pause& pause) {
         for (const LeftOut& one : candidates.left_out) {
             reasons += fmt::format("\n  {}: {}", one.name, one.reason);
         }
-        throw NotMet(fmt::format("nothing meets the tolerance {:g}:{}", tolerance, reasons));
+        throw NotMet(fmt::format("nothing meets the tolerance {:g}; {}:{}", tolerance, what_meets(),
+                                 reasons));
     }
     if (has_open_lattice(scene)) {
         candidates.meet = worth_measuring(std::move(candidates.meet));

@@ -12,7 +12,7 @@
 #include "tools/nmbcrun/advise/outgoing.hpp"
 #include "tools/nmbcrun/advise/pause.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
-#include "tools/nmbcrun/sides/passive.hpp"
+#include "tools/nmbcrun/sides/passive_design.hpp"
 
 namespace nmbcrun {
 

@@ -13,7 +13,7 @@
 #include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/scene/step_plan.hpp"
-#include "tools/nmbcrun/sides/passive.hpp"
+#include "tools/nmbcrun/sides/passive_design.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
@@ -24,8 +24,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest_cfl = 0.99;  // of ends that do not limit it
 constexpr double smallest_cfl = 0.01;
 constexpr double smallest_of_many = 0.05;  // where there are other lattices
-/// For what predictions leave out: what happens between the times they look at.
-constexpr double margin = 1.1;
 /// Of the tolerance: waves that add up to less are not followed.
 constexpr double negligible = 1e-3;
 
@@ -109,7 +107,7 @@ double Search::interior_error_at(double cfl) {
     const auto [known, is_new] = interior_errors_.try_emplace(cfl, 0.0);
     if (is_new) {
         known->second = interior_error_.at(cfl, tolerance_);
-        interior_meets_ = interior_meets_ || known->second * margin <= tolerance_;
+        interior_meets_ = interior_meets_ || known->second * error_margin <= tolerance_;
     }
     return known->second;
 }
@@ -128,14 +126,14 @@ Candidate Search::candidate(const std::string& name, const Boundary& boundary, d
 template <class BoundaryError>
 Search::Verdict Search::judge(Candidate& candidate, BoundaryError boundary_error) {
     candidate.interior_error = interior_error_at(candidate.cfl);
-    if (candidate.interior_error * margin > tolerance_) {  // no end makes up for it
+    if (candidate.interior_error * error_margin > tolerance_) {  // no end makes up for it
         return {
             false, infinity,
             fmt::format("their own error is above the tolerance at cfl = {:.3g}", candidate.cfl)};
     }
     candidate.boundary_error = boundary_error();
     return {
-        candidate.error() * margin <= tolerance_, candidate.error(),
+        candidate.error() * error_margin <= tolerance_, candidate.error(),
         fmt::format("predicted error {:.2g} at cfl = {:.3g}", candidate.error(), candidate.cfl)};
 }
 
@@ -156,7 +154,7 @@ void Search::add(const std::string& name, const Boundary& boundary, const nmbc::
         std::max(given.value_or(reference_ == Reference::lattice ? smallest_cfl : smallest_of_many),
                  steps.from);
     double best = infinity;
-    InShorterSteps shorter(tolerance_ / margin);
+    InShorterSteps shorter(tolerance_ / error_margin);
     std::string why_not_longer = given ? "the scene gives them" : limit;
     for (double cfl = given.value_or(steps.cfl); cfl >= lowest; cfl = next_shorter(cfl)) {
         Candidate one = candidate(name, boundary, cfl);

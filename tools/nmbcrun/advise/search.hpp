@@ -21,6 +21,10 @@ struct Scope {
     double most_steps = std::numeric_limits<double>::infinity();  ///< in more, nothing is tried
 };
 
+/// A predicted error times this has to be within the tolerance: for what predictions leave out,
+/// what happens between the times they look at.
+inline constexpr double error_margin = 1.1;
+
 class Search {
   public:
     /// The scene's lattice is settled. Throws as Simulation does, and SceneError where nothing

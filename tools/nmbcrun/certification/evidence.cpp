@@ -28,14 +28,15 @@ std::string evidence_of(const Scene& scene, const nmbc::Lattice& lattice,
     if (!matches_left && !matches_right) {
         return "by construction";
     }
+    const bool are_alike = scene.left == scene.right;
     const auto grade_against = [&](const Boundary& opposite) {
-        return scene.left == scene.right || is_half_line(scene, opposite, lattice, step)
+        return are_alike || is_half_line(scene, opposite, lattice, step)
                    ? nmbcgen::Grade::paired
                    : nmbcgen::Grade::contractive;
     };
     const bool proved =
         (!matches_left || is_proved(left, scene.G, step, grade_against(scene.right))) &&
-        (!matches_right || is_proved(right, scene.G, step, grade_against(scene.left)));
+        (!matches_right || are_alike || is_proved(right, scene.G, step, grade_against(scene.left)));
     return proved ? "proved at this G in these steps, for chains that decaying waves do not cross"
                   : "sampled (docs/explanation/stability.md)";
 }

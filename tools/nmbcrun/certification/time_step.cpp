@@ -14,7 +14,7 @@
 #include "tools/nmbcrun/certification/certificate.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/sides/half_line.hpp"
-#include "tools/nmbcrun/sides/passive.hpp"
+#include "tools/nmbcrun/sides/passive_design.hpp"
 #include "tools/nmbcrun/sources/time_scale.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
@@ -63,7 +63,8 @@ std::string why_uncertified(const Scene& scene, const Boundary& boundary) {
 
 /// The least of what each end's table is certified for with its like, where anything comes back
 /// from the other end. cfl = 0: nothing is, for the reason in `limit`.
-AutomaticStep with_their_like(const Scene& scene, const nmbc::Lattice& lattice) {
+AutomaticStep with_their_like(const Scene& scene, const nmbc::Lattice& lattice,
+                              const SurfaceLimits& surfaces) {
     // Fixed and free ends by themselves: just below the interior's own limit.
     AutomaticStep step{0.99 * nmbc::interior_cfl(lattice), "just below the interior's limit"};
     for (const Boundary* boundary : {&scene.left, &scene.right}) {
@@ -75,7 +76,7 @@ AutomaticStep with_their_like(const Scene& scene, const nmbc::Lattice& lattice) 
             shorten(step, DesignedEnd::largest_cfl, "what passive ends are designed for");
         }
         if (may_shorten_steps(boundary->kind)) {
-            shorten(step, surface_cfl(scene, *boundary, lattice),
+            shorten(step, boundary == &scene.left ? surfaces.left : surfaces.right,
                     boundary->kind == BoundaryKind::snm
                         ? "what a surface node allows"
                         : fmt::format("what a \"{}\" end allows", name_of(boundary->kind)));
@@ -141,7 +142,7 @@ std::optional<AutomaticStep> matched_step(const Scene& scene, const nmbc::Lattic
 }
 
 /// The orders and strides that are certified in the place of the scene's nmbc, with their cfl.
-std::string certified_choices(const Scene& scene) {
+std::string certified_choices(const Scene& scene, const Suits& suits = {}) {
     std::string choices;
     for (const nmbc::MatchingTable* table : tables_of(scene)) {
         const Boundary boundary{.order = table->order, .stride = table->stride};
@@ -152,7 +153,7 @@ std::string certified_choices(const Scene& scene) {
         const double cfl = table->time_step == "0"
                                ? largest_certified_cfl(other, make_lattice(*table, scene.G))
                                : 0;
-        if (cfl > 0) {
+        if (cfl > 0 && (!suits || suits(other))) {
             choices += fmt::format("{}order {}, stride {} up to cfl = {:.3g}",
                                    choices.empty() ? "" : "; ", table->order, table->stride, cfl);
         }
@@ -183,15 +184,20 @@ void require_matched(const Scene& scene, double time_step) {
     }
 }
 
-void require_stable_steps(const Scene& scene, const nmbc::Lattice& lattice, double time_step) {
+SurfaceLimits surface_limits(const Scene& scene, const nmbc::Lattice& lattice) {
+    const auto limit = [&](const Boundary& boundary) {
+        return may_shorten_steps(boundary.kind) ? surface_cfl(scene, boundary, lattice)
+                                                : nmbc::interior_cfl(lattice);
+    };
+    const double left = limit(scene.left);
+    return {left, scene.left == scene.right ? left : limit(scene.right)};
+}
+
+void require_stable_steps(const Scene& scene, const nmbc::Lattice& lattice, double time_step,
+                          const SurfaceLimits& surfaces) {
     const double omega_max = highest_frequency(scene, lattice);
     const double cfl = time_step * omega_max / 2;
-    double stable = nmbc::interior_cfl(lattice);
-    for (const Boundary* boundary : {&scene.left, &scene.right}) {
-        if (may_shorten_steps(boundary->kind)) {
-            stable = std::min(stable, surface_cfl(scene, *boundary, lattice));
-        }
-    }
+    const double stable = std::min({nmbc::interior_cfl(lattice), surfaces.left, surfaces.right});
     if (cfl > stable) {
         throw Unstable(
             fmt::format("steps of {:.6g} (cfl = {:.3g}) are too long: between these ends steps up "
@@ -200,12 +206,13 @@ void require_stable_steps(const Scene& scene, const nmbc::Lattice& lattice, doub
     }
 }
 
-AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, double omega_max) {
+AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, double omega_max,
+                             const SurfaceLimits& surfaces) {
     const auto matched = matched_step(scene, lattice);
     if (matched && scene.allow_unstable) {
         return *matched;
     }
-    AutomaticStep step = with_their_like(scene, lattice);
+    AutomaticStep step = with_their_like(scene, lattice, surfaces);
     if (step.cfl == 0) {
         throw Unstable(fmt::format("no time step is certified for {}. {}", step.limit,
                                    matched ? to_try_its_own : to_try_one));
@@ -239,22 +246,22 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
 }
 
 double largest_certified_cfl(const Scene& scene, const nmbc::Lattice& lattice) {
-    const AutomaticStep step = with_their_like(scene, lattice);
+    const AutomaticStep step = with_their_like(scene, lattice, surface_limits(scene, lattice));
     return scene.left == scene.right
                ? step.cfl
                : certified_together(scene, step, highest_frequency(scene, lattice)).cfl;
 }
 
-std::string choices_at_another_G(const Scene& scene) {
+std::string choices_at_another_G(const Scene& scene, const Suits& suits) {
     const std::string G = best_G(scene.horizon);
     Scene other = scene;
     other.G = nmbc::detail::nearest_to_fraction(G);
     const bool is_best = has_constant_influence(scene) && other.G != scene.G;
-    const std::string choices = is_best ? certified_choices(other) : "";
-    return choices.empty() ? ""
-                           : fmt::format(R"(. Certified at model.G = "{}", which suits long waves )"
-                                         "best: {}",
-                                         G, choices);
+    const std::string choices = is_best ? certified_choices(other, suits) : "";
+    return choices.empty()
+               ? ""
+               : fmt::format(R"(. {} at model.G = "{}", which suits long waves best: {})",
+                             suits ? "Certified and absorbing" : "Certified", G, choices);
 }
 
 std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <nmbc/lattice.hpp>
 #include <string>
 
@@ -12,6 +13,15 @@ namespace nmbcrun {
 
 /// The top of the band of a scene's lattice, in the scene's units [1/time].
 double highest_frequency(const Scene& scene, const nmbc::Lattice& lattice);
+
+/// The largest cfl in which no mode beside each end grows: its surface's, or the interior's.
+struct SurfaceLimits {
+    double left = 0;
+    double right = 0;
+};
+
+/// Of all that goes into the choice of a step, this takes longest. It does not depend on the step.
+SurfaceLimits surface_limits(const Scene& scene, const nmbc::Lattice& lattice);
 
 struct AutomaticStep {
     double cfl = 0;       ///< dt omega_max / 2
@@ -23,18 +33,22 @@ struct AutomaticStep {
 /// the ends, but a twentieth of shortest_time_scale() at most.
 /// Like ends: as their table has it. Unlike ones: the least of their tables' own, and from there
 /// down in steps of 0.05 of cfl until the two are certified together.
-/// omega_max [1/time]: the top of the lattice's band.
+/// omega_max [1/time]: the top of the lattice's band. surfaces: as surface_limits() has them.
 /// Throws Unstable where no step is certified, or not the one that an end is matched in, unless
 /// boundary.allow_unstable.
-AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, double omega_max);
+AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, double omega_max,
+                             const SurfaceLimits& surfaces);
 
 /// The largest cfl at which the scene's ends are certified, as automatic_step() seeks it; 0: none.
 double largest_certified_cfl(const Scene& scene, const nmbc::Lattice& lattice);
 
+/// What else is asked of a scene with other ends; empty: nothing.
+using Suits = std::function<bool(const Scene& scene)>;
+
 /// ". Certified at model.G = .." : the orders and strides that are, at best_G(), in the place of
-/// the scene's nmbc; empty where none are, where it is the scene's own G, or best for another
-/// lattice.
-std::string choices_at_another_G(const Scene& scene);
+/// the scene's nmbc, of those that suit; empty where none are, where it is the scene's own G, or
+/// best for another lattice.
+std::string choices_at_another_G(const Scene& scene, const Suits& suits = {});
 
 /// A sentence: the largest cfl that the scene's ends are certified for or, where there is none, the
 /// orders and strides that are certified in the place of its nmbc, with theirs; or where there are
@@ -43,7 +57,8 @@ std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice);
 
 /// Throws Unstable where the interior, or a mode beside a true end, is not stable in such steps
 /// [time], whatever is allowed.
-void require_stable_steps(const Scene& scene, const nmbc::Lattice& lattice, double time_step);
+void require_stable_steps(const Scene& scene, const nmbc::Lattice& lattice, double time_step,
+                          const SurfaceLimits& surfaces);
 
 /// Throws SceneError where an end is matched in another time step [time], or without midpoint
 /// ghosts.

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/names/printable.hpp"
 #include "generator/support/on_all_cores.hpp"
 #include "tools/nmbcrun/chart/boundaries.hpp"
 #include "tools/nmbcrun/chart/cost.hpp"
@@ -327,7 +328,7 @@ void chart(const Scene& scene, const ChartOptions& options) {
     if (!options.quiet) {
         print(points, measurement.shown(), long_run);
     }
-    fmt::print("chart        {}\n", csv.path().string());
+    fmt::print("chart        {}\n", nmbcgen::printable(csv.path().string()));
     const std::string picture = (options.folder / (scene.name + "_chart")).string();
     draw("chart.gp", {csv.path().string(), picture}, {picture + ".svg", picture + ".png"});
 }

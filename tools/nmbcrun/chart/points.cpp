@@ -22,7 +22,7 @@ void mark_front(std::vector<Point*> points, Cost cost, Error error, bool Point::
 /// What was chosen for the scene, in words.
 std::string choice(const Boundary& boundary) {
     if (has_profile(boundary.kind)) {
-        return fmt::format("  profile {}, target {:.2g}", boundary.profile, target_of(boundary));
+        return fmt::format("  profile {}, target {:.3g}", boundary.profile, target_of(boundary));
     }
     return boundary.kind == BoundaryKind::extended ? fmt::format("  {} nodes", boundary.layer) : "";
 }
@@ -78,9 +78,8 @@ void write(const std::vector<Point>& points, std::size_t nodes, CsvFile& csv) {
             point.cost.construction, point.total_cost(), trial.boundary_error, trial.total_error,
             trial.energy_left, point.on_step_front, point.on_front,
             2 * double(boundary.layer) / double(nodes),
-            has_profile(boundary.kind)
-                ? fmt::format("{},{:.3g}", boundary.profile, target_of(boundary))
-                : ","));
+            has_profile(boundary.kind) ? fmt::format("{},{}", boundary.profile, target_of(boundary))
+                                       : ","));
     }
     csv.publish();
 }

@@ -7,6 +7,7 @@
 
 #include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/compare/reference.hpp"
+#include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
@@ -59,7 +60,14 @@ Samples samples_of(const Scene& scene, const Advance& advance) {
 }
 
 Samples samples_without_ends(const Scene& scene, const Advance& advance) {
-    return samples_of(endless(scene, scene.step.value()), advance);
+    Samples samples = samples_of(endless(scene, scene.step.value()), advance);
+    const auto is_still = [](const std::vector<double>& u) {
+        return std::ranges::all_of(u, [](double value) { return value == 0; });
+    };
+    if (std::ranges::all_of(samples, is_still)) {
+        throw nothing_to_compare_with();
+    }
+    return samples;
 }
 
 double relative_difference(const Samples& u, const Samples& v) {

@@ -28,7 +28,8 @@ nmbc::Chain chain_between(const Scene& scene, const nmbc::ChainEnd& left,
 Samples samples_of(
     const Scene& scene, const Advance& advance = [](double) {});
 
-/// What comes without ends: in the scene's own step. Throws as Simulation does.
+/// What comes without ends: in the scene's own step. Throws as Simulation does, and Unstable where
+/// nothing moves.
 Samples samples_without_ends(
     const Scene& scene, const Advance& advance = [](double) {});
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/chart/tuning.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <boost/math/tools/minima.hpp>
@@ -8,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <nmbc/lattice.hpp>
+#include <string>
 
 #include "tools/nmbcrun/chart/boundaries.hpp"
 #include "tools/nmbcrun/sides/silent_layer.hpp"
@@ -19,6 +22,11 @@ namespace {
 double error_of(const Scene& scene, const Boundary& boundary, const Samples& reference,
                 const Advance& advance) {
     return relative_difference(samples_of(with_ends(scene, boundary), advance), reference);
+}
+
+/// So few that the one that is printed is the one that is run.
+double to_three_digits(double value) {
+    return std::stod(fmt::format("{:.2e}", value));
 }
 
 }  // namespace
@@ -43,6 +51,7 @@ Losses least_erring_losses(std::span<const double> profiles, std::size_t runs,
         std::uintmax_t most_runs = runs / profiles.size();
         boost::math::tools::brent_find_minima(digits_left, 0.05, 10.0, bits, most_runs);
     }
+    best.target = to_three_digits(best.target);
     return best;
 }
 

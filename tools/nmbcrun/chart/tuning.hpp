@@ -17,7 +17,7 @@ struct Losses {
 };
 
 /// Those of one of the profiles and a target from 1e-10 to 0.9 with the least error, in so many
-/// calls at most.
+/// calls at most. The target has three digits.
 Losses least_erring_losses(std::span<const double> profiles, std::size_t runs,
                            const std::function<double(const Losses&)>& error_of);
 

@@ -30,7 +30,9 @@ class Packet {
     /// middle [1/dX] in (0, pi); time_step [dX/c].
     Packet(const nmbc::Lattice& lattice, double middle, double time_step);
 
-    const std::vector<Wave>& waves() const { return waves_; }
+    /// Evenly spaced waves that stand for its spectrum: closer ones where the packet holds the
+    /// frequency of a band edge, at which the reflection jumps.
+    std::vector<Wave> spectrum() const;
 
     /// Whether it can be measured in a second or so: all its waves are within the band, travel at
     /// c/10 at least and are no longer than 200 dX.
@@ -39,19 +41,26 @@ class Packet {
     /// The part of its energy that is still there when the packet has met the end, at the left of
     /// a chain so long that nothing has come back from its right end. The packet, its periodic
     /// images left out, is cut off where it is 1e-9 of its height, so that less than 1e-17 of its
-    /// energy is taken for reflected.
+    /// energy is taken for reflected. Where it holds a band edge's frequency it is given four times
+    /// as long: waves that hardly travel linger at the end, which takes in more of them.
     double reflected_by(const nmbc::ChainEnd& end, std::size_t layer) const;
 
     /// Steps that reflected_by() takes.
     std::size_t steps(std::size_t layer) const;
 
   private:
+    std::vector<Wave> waves_about(int parts_per_sigma) const;
+    bool holds_band_edge() const;
+
     const nmbc::Lattice& lattice_;
+    double middle_;
     double time_step_;
     double reach_;        ///< half the packet's length [dX]
     double slowest_ = 0;  ///< group velocity of the packet's waves [c]
     double fastest_ = 0;  ///< of all the lattice's waves
+    bool forward_;        ///< whether its waves travel as their crests do
     std::vector<Wave> waves_;
+    bool at_band_edge_ = false;
 };
 
 }  // namespace nmbcrun

@@ -5,7 +5,7 @@
 
 #include "generator/stability/band_reflection.hpp"
 #include "tools/nmbcrun/certification/half_space.hpp"
-#include "tools/nmbcrun/sides/passive.hpp"
+#include "tools/nmbcrun/sides/passive_design.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
@@ -57,7 +57,7 @@ std::optional<double> predicted_reflection(const Scene& scene, const Boundary& b
     }
     double reflected = 0;
     double total = 0;
-    for (const Wave& wave : packet.waves()) {
+    for (const Wave& wave : packet.spectrum()) {
         reflected += wave.energy() * (*reflected_energy)(std::abs(wave.xi));
         total += wave.energy();
     }

@@ -11,6 +11,8 @@
 #include "tools/nmbcrun/compare/packet.hpp"
 #include "tools/nmbcrun/compare/prediction.hpp"
 #include "tools/nmbcrun/compare/source_spectrum.hpp"
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/sources/two_digits.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -136,6 +138,8 @@ struct Length {
     std::string key;
     double* value;    ///< nullptr: a source from a file has none
     bool is_inverse;  ///< the source is the longer, the smaller the value is
+    /// The middle or start of a force, which goes along, so that none of it is cut off at t = 0.
+    double* time = nullptr;
 };
 
 Length length_of(Scene& scene, const std::string& source) {
@@ -158,20 +162,14 @@ Length length_of(Scene& scene, const std::string& source) {
             is_sine                          ? &force.frequency
             : force.history == History::file ? nullptr
                                              : &force.duration,
-            is_sine};
-}
-
-/// The next number of two digits from a value on, or down from it.
-double two_digits(double value, bool down) {
-    const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
-    return digit * (down ? std::floor(value / digit) : std::ceil(value / digit));
+            is_sine, &force.time};
 }
 
 constexpr double most_not_carried = 0.1;
 
 /// "; KEY = VALUE would do" or that none would: zero-energy modes answer to a single node at any
-/// pace.
-std::string what_would_do(const Simulation& simulation, const std::string& source, double step) {
+/// pace. What would do is carried by the lattice, and absorbed by the ends.
+std::string what_would_do(const Simulation& simulation, const std::string& source) {
     Scene scene = simulation.scene();
     const auto drop_unless = [&](const char* name, auto& other) {
         if (source != name) {
@@ -184,27 +182,30 @@ std::string what_would_do(const Simulation& simulation, const std::string& sourc
     drop_unless("incoming", scene.incoming);
     drop_unless("boundary.left.value", scene.left.value);
     drop_unless("boundary.right.value", scene.right.value);
-    const auto [key, value, is_inverse] = length_of(scene, source);
-    constexpr double longer = 1.25;
+    const auto [key, value, is_inverse, time] = length_of(scene, source);
+    if (value == nullptr) {
+        return "";
+    }
     const nmbc::Lattice& lattice = simulation.chain().lattice();
-    for (double factor = longer; value != nullptr && factor < 1e3; factor *= longer) {
-        *value *= is_inverse ? 1 / longer : longer;
-        scene.end *= longer;
-        // none of it is cut off at t = 0
-        if (scene.force) {
-            scene.force->time *= longer;
+    const double step = simulation.plan().time_step;
+    const double own_end = scene.end;
+    const double own_value = *value;
+    const double own_time = time == nullptr ? 0 : *time;
+    for (double factor = 1.25; factor < 1e3; factor *= 1.25) {
+        *value = two_digits(is_inverse ? own_value / factor : own_value * factor, is_inverse);
+        scene.end = own_end * factor;
+        if (own_time > 0) {
+            *time = two_digits(own_time * factor, false);
         }
-        for (Boundary* end : {&scene.left, &scene.right}) {
-            if (end->value) {
-                end->value->time *= longer;
-            }
-        }
-        const auto spectra = source_spectra(scene, lattice, simulation.plan().time_step);
-        if (not_carried(spectra.front(), lattice, step) <= most_not_carried) {
-            return fmt::format("; {} = {:.2g} would do", key, two_digits(*value, is_inverse));
+        const auto spectra = source_spectra(scene, lattice, step);
+        if (not_carried(spectra.front(), lattice, step / unit_of_time(scene)) <= most_not_carried &&
+            absorbs(scene)) {
+            return fmt::format(
+                "; {} = {:.2g}{} would do", key, *value,
+                own_time > 0 ? fmt::format(" with {} = {:.2g}", source + ".time", *time) : "");
         }
     }
-    return value == nullptr ? "" : fmt::format("; no {} alone would do", key);
+    return fmt::format("; no {} alone would do", key);
 }
 
 /// One for each source that the lattice does not carry.
@@ -217,7 +218,7 @@ std::vector<std::string> warnings_of(const Simulation& simulation,
             warnings.push_back(fmt::format(
                 "{:.0f} % of what {} sends out is in waves so short that the lattice disperses "
                 "them or turns them back{}",
-                100 * share, source.name, what_would_do(simulation, source.name, step)));
+                100 * share, source.name, what_would_do(simulation, source.name)));
         }
     }
     return warnings;
@@ -271,6 +272,16 @@ Prospect prospect_of(const Simulation& simulation) {
                             : "nothing is predicted " + unknown + ": nmbcrun verify measures it";
     }
     return prospect;
+}
+
+bool absorbs(const Scene& scene) {
+    try {
+        return prospect_of(Simulation(scene)).objection.empty();
+    } catch (const SceneError&) {
+        return false;
+    } catch (const Unstable&) {
+        return false;
+    }
 }
 
 }  // namespace nmbcrun

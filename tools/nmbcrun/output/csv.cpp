@@ -10,7 +10,10 @@
 namespace nmbcrun {
 
 CsvFile::CsvFile(const std::filesystem::path& path, const std::string& header)
-    : path_(path), file_(nmbcgen::PosixFile::create_beside(path)), made_(file_.path(), path) {
+    : path_(path),
+      folder_(path),
+      file_(nmbcgen::PosixFile::create_beside(path)),
+      made_(file_.path(), path) {
     append(header);
     remove_leftovers(path, buffer_);
     flush();

@@ -32,6 +32,7 @@ class CsvFile {
     void flush();
 
     std::filesystem::path path_;
+    nmbcgen::FolderOf folder_;
     nmbcgen::PosixFile file_;
     nmbcgen::NewFile made_;
     std::string buffer_;  // not written yet

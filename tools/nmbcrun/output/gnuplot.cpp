@@ -14,6 +14,7 @@
 #include <cstring>
 #include <memory>
 
+#include "generator/names/printable.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 
@@ -114,11 +115,11 @@ void draw(const std::string& script, const std::vector<std::string>& arguments,
     remove_made();
     if (run_program(words)) {
         for (const fs::path& picture : made) {
-            fmt::print("picture      {}\n", picture.string());
+            fmt::print("picture      {}\n", nmbcgen::printable(picture.string()));
         }
     } else {
         remove_made();
-        fmt::print("to draw it   {}\n", as_command(words));
+        fmt::print("to draw it   {}\n", nmbcgen::printable(as_command(words)));
     }
 }
 

@@ -10,30 +10,10 @@
 #include "tools/nmbcrun/errors.hpp"
 
 namespace nmbcrun {
-namespace {
-
-/// Closes an identifier of HDF5.
-class Closing {
-  public:
-    Closing(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-    ~Closing() { close_(id_); }
-    Closing(const Closing&) = delete;
-    Closing& operator=(const Closing&) = delete;
-    hid_t operator*() const { return id_; }
-
-  private:
-    hid_t id_;
-    herr_t (*close_)(hid_t);
-};
-
-}  // namespace
 
 Hdf5File::Hdf5File(const std::filesystem::path& path)
     : made_(nmbcgen::PosixFile::create_beside(path).path(), path) {
-    // After a write that failed the library crashes in what it does at the end of the program
-    // (h5py, issue 914); everything is closed here.
-    H5dont_atexit();
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what fails is reported by exceptions
+    silence_hdf5();
     file_ = checked(H5Fcreate(made_.temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
 }
 
@@ -57,10 +37,10 @@ hid_t Hdf5File::checked(hid_t result) const {
 
 void Hdf5File::attach(hid_t object, const Attributes& attributes) const {
     for (const auto& [name, text] : attributes) {
-        const Closing type(checked(H5Tcopy(H5T_C_S1)), H5Tclose);
+        const Hdf5Handle type(checked(H5Tcopy(H5T_C_S1)), H5Tclose);
         checked(H5Tset_size(*type, text.size() + 1));
-        const Closing space(checked(H5Screate(H5S_SCALAR)), H5Sclose);
-        const Closing attribute(
+        const Hdf5Handle space(checked(H5Screate(H5S_SCALAR)), H5Sclose);
+        const Hdf5Handle attribute(
             checked(H5Acreate2(object, name.c_str(), *type, *space, H5P_DEFAULT, H5P_DEFAULT)),
             H5Aclose);
         checked(H5Awrite(*attribute, *type, text.c_str()));
@@ -74,9 +54,9 @@ void Hdf5File::describe(const Attributes& attributes) {
 void Hdf5File::add(const std::string& name, const std::vector<std::size_t>& extents,
                    const Attributes& attributes) {
     const std::vector<hsize_t> sizes(extents.begin(), extents.end());
-    const Closing space(checked(H5Screate_simple(int(sizes.size()), sizes.data(), nullptr)),
-                        H5Sclose);
-    const Closing properties(checked(H5Pcreate(H5P_DATASET_CREATE)), H5Pclose);
+    const Hdf5Handle space(checked(H5Screate_simple(int(sizes.size()), sizes.data(), nullptr)),
+                           H5Sclose);
+    const Hdf5Handle properties(checked(H5Pcreate(H5P_DATASET_CREATE)), H5Pclose);
     checked(H5Pset_obj_track_times(*properties, false));  // no dates: the same run, the same file
     checked(H5Pset_fill_time(*properties, H5D_FILL_TIME_NEVER));
     const hid_t dataset = checked(H5Dcreate2(file_, name.c_str(), H5T_IEEE_F64LE, *space,
@@ -86,7 +66,7 @@ void Hdf5File::add(const std::string& name, const std::vector<std::size_t>& exte
 }
 
 void Hdf5File::link(const std::string& name, const std::string& file, const std::string& dataset) {
-    const Closing properties(checked(H5Pcreate(H5P_LINK_CREATE)), H5Pclose);
+    const Hdf5Handle properties(checked(H5Pcreate(H5P_LINK_CREATE)), H5Pclose);
     checked(H5Pset_create_intermediate_group(*properties, 1));
     checked(H5Lcreate_external(file.c_str(), dataset.c_str(), file_, name.c_str(), *properties,
                                H5P_DEFAULT));
@@ -94,13 +74,13 @@ void Hdf5File::link(const std::string& name, const std::string& file, const std:
 
 void Hdf5File::write(const std::string& name, std::size_t row, std::span<const double> values) {
     const hid_t dataset = datasets_.at(name);
-    const Closing space(checked(H5Dget_space(dataset)), H5Sclose);
+    const Hdf5Handle space(checked(H5Dget_space(dataset)), H5Sclose);
     const std::vector<hsize_t> start{row, 0};
     const std::vector<hsize_t> count{1, values.size()};
     checked(
         H5Sselect_hyperslab(*space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr));
     const hsize_t size = values.size();
-    const Closing memory(checked(H5Screate_simple(1, &size, nullptr)), H5Sclose);
+    const Hdf5Handle memory(checked(H5Screate_simple(1, &size, nullptr)), H5Sclose);
     checked(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, *memory, *space, H5P_DEFAULT, values.data()));
 }
 

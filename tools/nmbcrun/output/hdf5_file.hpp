@@ -2,8 +2,6 @@
 /// An HDF5 file of datasets of doubles.
 #pragma once
 
-#include <hdf5.h>
-
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "generator/support/posix_file.hpp"
+#include "tools/nmbcrun/scene/hdf5_handle.hpp"
 
 namespace nmbcrun {
 

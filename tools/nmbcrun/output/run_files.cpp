@@ -39,16 +39,24 @@ void RunFiles::require_free_names() const {
     std::vector<std::string_view> endings{".csv"};
     std::ranges::transform(set_.others, std::back_inserter(endings), &Kind::ending);
     for (const std::string_view ending : endings) {
-        const std::filesystem::path name = path(ending);
-        nmbcgen::require_replaceable(name);
-        for (const std::filesystem::path& input : set_.inputs) {
-            std::error_code none;  // of them is there
-            if (std::filesystem::equivalent(input, name, none)) {
-                throw SceneError(
-                    fmt::format("the scene reads {}, which this run would replace or remove; "
-                                "another output.name or --out is needed",
-                                name.string()));
-            }
+        nmbcgen::require_replaceable(path(ending));
+        require_not_read(path(ending));
+    }
+    for (const std::filesystem::path& name : set_.further) {
+        require_not_read(name);
+    }
+}
+
+/// A file, or what is in a folder.
+void RunFiles::require_not_read(const std::filesystem::path& name) const {
+    for (const std::filesystem::path& input : set_.inputs) {
+        std::error_code none;  // of them is there
+        if (std::filesystem::equivalent(input, name, none) ||
+            std::filesystem::equivalent(input.parent_path(), name, none)) {
+            throw SceneError(
+                fmt::format("the scene reads {}, which this run would replace or remove; "
+                            "another output.name or --out is needed",
+                            input.string()));
         }
     }
 }

@@ -55,6 +55,8 @@ class RunFiles {
         std::string_view energies_header;
         std::vector<Kind> others;                   ///< that not every run of the name has
         std::vector<std::filesystem::path> inputs;  ///< files that the scene is read from
+        std::vector<std::filesystem::path>
+            further{};  ///< files and folders that a run replaces, too
     };
 
     /// about: what the energies are to say of the run, whole lines. marks: of a run that goes on;
@@ -83,6 +85,7 @@ class RunFiles {
     };
 
     void require_free_names() const;
+    void require_not_read(const std::filesystem::path& name) const;
 
     Set set_;
     std::vector<Journal::Mark> marks_;  // of journals that go on

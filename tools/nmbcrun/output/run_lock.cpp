@@ -10,7 +10,7 @@
 namespace nmbcrun {
 
 RunLock::RunLock(const std::filesystem::path& path)
-    : file_(nmbcgen::PosixFile::open_or_create(path)) {
+    : folder_(path), file_(nmbcgen::PosixFile::open_or_create(path)) {
     std::array<char, 256> host{};
     ::gethostname(host.data(), host.size() - 1);
     file_.cut_to(0);

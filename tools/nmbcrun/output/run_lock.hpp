@@ -12,13 +12,15 @@ namespace nmbcrun {
 /// that was killed the file stays, and is nobody's.
 class RunLock {
   public:
-    /// Makes the folder where it is missing. Throws FileError where another run has the lock.
+    /// Makes the folder where it is missing; it goes with the lock where nothing was put there.
+    /// Throws FileError where another run has the lock.
     explicit RunLock(const std::filesystem::path& path);
     ~RunLock();
     RunLock(const RunLock&) = delete;
     RunLock& operator=(const RunLock&) = delete;
 
   private:
+    nmbcgen::FolderOf folder_;
     nmbcgen::PosixFile file_;
 };
 

@@ -11,6 +11,7 @@
 
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/output/step_warnings.hpp"
 #include "tools/nmbcrun/output/warnings.hpp"
 
 namespace nmbcrun {
@@ -18,6 +19,7 @@ namespace nmbcrun {
 StoppableRun::StoppableRun(const AnyScene& scene, const RunOptions& options)
     : every_(scene.every),
       snapshots_(scene.snapshots),
+      unit_of_time_(unit_of_time(scene)),
       pause_(scene.checkpoint),
       options_(options),
       name_(scene.name),
@@ -45,15 +47,10 @@ std::optional<Checkpoint> StoppableRun::claim(std::map<std::string, std::string>
     return from;
 }
 
-void StoppableRun::warn(std::vector<std::string> warnings) const {
-    constexpr double short_cfl = 1e-3;
-    if (plan_.cfl < short_cfl) {
-        warnings.push_back(fmt::format(
-            "time steps of {:.3g}, {}, are {:.1g} of what the lattice allows: the run has {:.3g} "
-            "of "
-            "them",
-            plan_.time_step, plan_.limit.empty() ? "as the scene asks for" : plan_.limit, plan_.cfl,
-            double(plan_.steps)));
+void StoppableRun::warn(std::vector<std::string> warnings, std::size_t nodes) const {
+    for (const std::string& one :
+         warnings_of_steps(plan_, unit_of_time_, plan_.steps - steps(), nodes)) {
+        warnings.push_back(one);
     }
     if (replaces_earlier_) {
         warnings.push_back(
@@ -217,7 +214,7 @@ void StoppableRun::to_the_end() {
         throw FileError(
             fmt::format("{}. {}", error.what(),
                         is_stored_ ? fmt::format("--resume goes on from {}", checkpoint_.string())
-                                   : "no checkpoint was stored, nothing is kept of this run"));
+                                   : "No checkpoint was stored, nothing is kept of this run"));
     }
 }
 

@@ -39,8 +39,9 @@ class StoppableRun {
     /// from), and as the body does.
     void to_the_end();
 
-    /// Prints these on stderr, a line each, and what its user may not expect of any run.
-    void warn(std::vector<std::string> warnings) const;
+    /// Prints these on stderr, a line each, and what its user may not expect of any run of so many
+    /// nodes.
+    void warn(std::vector<std::string> warnings, std::size_t nodes) const;
 
   protected:
     /// About so many rows of energies are printed.
@@ -104,6 +105,7 @@ class StoppableRun {
 
     std::size_t every_;
     std::size_t snapshots_;
+    double unit_of_time_;
     double pause_;  // between two checkpoints [s]
     RunOptions options_;
     std::string name_;

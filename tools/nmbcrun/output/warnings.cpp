@@ -5,13 +5,13 @@
 
 #include <cstdio>
 
-#include "tools/nmbcrun/scene/printable.hpp"
+#include "generator/names/printable.hpp"
 
 namespace nmbcrun {
 
 void print_warnings(const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) {
-        fmt::print(stderr, "nmbcrun: warning: {}\n", printable(warning));
+        fmt::print(stderr, "nmbcrun: warning: {}\n", nmbcgen::printable(warning));
     }
 }
 

@@ -32,7 +32,7 @@ class Work {
         done_ += work;
         progress_.update(std::size_t(double(parts) * std::min(1.0, done_ / total_)));
         if (interrupted()) {
-            throw Interrupted("stopped; no chart was written");
+            throw Interrupted("stopped; nothing was written");
         }
     }
 

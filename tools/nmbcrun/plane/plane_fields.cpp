@@ -5,7 +5,9 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 
 #include "generator/support/files.hpp"
@@ -35,7 +37,7 @@ std::vector<Quantity> quantities_of(const PlaneScene& scene) {
 
 /// Node by node, row by row.
 std::vector<double> values_of(const PlaneSimulation& simulation, const Quantity& quantity) {
-    const auto [nx, ny] = simulation.scene().nodes;
+    const auto [nx, ny] = simulation.body().nodes;
     std::vector<double> values;
     values.reserve(nx * ny * quantity.components);
     const nmbc::Plane& plane = simulation.plane();
@@ -45,7 +47,7 @@ std::vector<double> values_of(const PlaneSimulation& simulation, const Quantity&
                 values.push_back(simulation.damage(x, y));
                 continue;
             }
-            const std::size_t entry = simulation.entry(x, y);
+            const std::size_t entry = simulation.entry_of_body(x, y);
             for (const std::size_t a : {0U, 1U}) {
                 values.push_back(quantity.name == displacement_label ? plane.displacement(a)[entry]
                                                                      : plane.velocity(a)[entry]);
@@ -54,6 +56,11 @@ std::vector<double> values_of(const PlaneSimulation& simulation, const Quantity&
         }
     }
     return values;
+}
+
+/// Of the first node along an axis [length].
+double origin_of(const PlaneSimulation& simulation, std::size_t axis) {
+    return (1 - double(simulation.body().before[axis])) * simulation.scene().spacing;
 }
 
 std::string vti_text(const PlaneSimulation& simulation) {
@@ -76,29 +83,36 @@ std::string vti_text(const PlaneSimulation& simulation) {
                "<?xml version=\"1.0\"?>\n"
                "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
                "header_type=\"UInt64\">\n"
-               "<ImageData WholeExtent=\"0 {0} 0 {1} 0 0\" Origin=\"{2} {2} 0\" "
-               "Spacing=\"{2} {2} {2}\">\n"
+               "<ImageData WholeExtent=\"0 {0} 0 {1} 0 0\" Origin=\"{2} {3} 0\" "
+               "Spacing=\"{4} {4} {4}\">\n"
                "<FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-               "format=\"ascii\">{3:.10g}</DataArray></FieldData>\n"
-               "<Piece Extent=\"0 {0} 0 {1} 0 0\">\n<PointData Vectors=\"displacement\">\n{4}"
+               "format=\"ascii\">{5:.10g}</DataArray></FieldData>\n"
+               "<Piece Extent=\"0 {0} 0 {1} 0 0\">\n<PointData Vectors=\"displacement\">\n{6}"
                "</PointData>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_",
-               scene.nodes[0] - 1, scene.nodes[1] - 1, scene.spacing, simulation.plane().time(),
-               arrays) +
+               simulation.body().nodes[0] - 1, simulation.body().nodes[1] - 1,
+               origin_of(simulation, 0), origin_of(simulation, 1), scene.spacing,
+               simulation.plane().time(), arrays) +
            data + "\n</AppendedData>\n</VTKFile>\n";
 }
 
-Hdf5File::Attributes described_as(const PlaneScene& scene) {
-    return {{"title", scene.title},
-            {"nodes", "dataset[j, i] is of X = (i + 1) dX, Y = (j + 1) dX"},
-            {"dX", fmt::format("{}", scene.spacing)}};
+Hdf5File::Attributes described_as(const PlaneSimulation& simulation) {
+    const PlaneScene& scene = simulation.scene();
+    const auto place = [&](char index, std::size_t axis) {
+        const auto shift = 1 - std::ptrdiff_t(simulation.body().before[axis]);
+        return fmt::format("({} {} {}) dX", index, shift < 0 ? '-' : '+', std::abs(shift));
+    };
+    return {
+        {"title", scene.title},
+        {"nodes", fmt::format("dataset[j, i] is of X = {}, Y = {}", place('i', 0), place('j', 1))},
+        {"dX", fmt::format("{}", scene.spacing)}};
 }
 
 void write_hdf5(const PlaneSimulation& simulation, const std::filesystem::path& path) {
     const PlaneScene& scene = simulation.scene();
     Hdf5File file(path);
-    file.describe(described_as(scene));
+    file.describe(described_as(simulation));
     for (const Quantity& quantity : quantities_of(scene)) {
-        std::vector<std::size_t> extents{scene.nodes[1], scene.nodes[0]};
+        std::vector<std::size_t> extents{simulation.body().nodes[1], simulation.body().nodes[0]};
         if (quantity.components > 1) {
             extents.push_back(quantity.components);
         }
@@ -123,7 +137,9 @@ std::string pvd_text(const std::vector<Snapshot>& snapshots) {
     return text + "</Collection>\n</VTKFile>\n";
 }
 
-std::string xdmf_text(const PlaneScene& scene, const std::vector<Snapshot>& snapshots) {
+std::string xdmf_text(const PlaneSimulation& simulation, const std::vector<Snapshot>& snapshots) {
+    const PlaneScene& scene = simulation.scene();
+    const auto [nx, ny] = simulation.body().nodes;
     std::string text =
         "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n"
         "<Grid Name=\"plane\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
@@ -132,32 +148,32 @@ std::string xdmf_text(const PlaneScene& scene, const std::vector<Snapshot>& snap
             "<Grid Name=\"nodes\">\n<Time Value=\"{0:.10g}\"/>\n"
             "<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"1 {2} {1}\"/>\n"
             "<Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n"
-            "<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\">0 {3} {3}</DataItem>\n"
-            "<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\">{3} {3} "
-            "{3}</DataItem>\n</Geometry>\n",
-            time, scene.nodes[0], scene.nodes[1], scene.spacing);
+            "<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\">0 {4} {3}</DataItem>\n"
+            "<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\">{5} {5} "
+            "{5}</DataItem>\n</Geometry>\n",
+            time, nx, ny, origin_of(simulation, 0), origin_of(simulation, 1), scene.spacing);
         for (const auto& [name, components] : quantities_of(scene)) {
             text += fmt::format(
                 "<Attribute Name=\"{0}\" AttributeType=\"{1}\" Center=\"Node\">\n"
                 "<DataItem Dimensions=\"1 {3} {2}{4}\" NumberType=\"Float\" Precision=\"8\" "
                 "Format=\"HDF\">{5}:/{0}</DataItem>\n</Attribute>\n",
-                name, components > 1 ? "Vector" : "Scalar", scene.nodes[0], scene.nodes[1],
-                components > 1 ? " 3" : "", file.generic_string());
+                name, components > 1 ? "Vector" : "Scalar", nx, ny, components > 1 ? " 3" : "",
+                file.generic_string());
         }
         text += "</Grid>\n";
     }
     return text + "</Grid>\n</Domain>\n</Xdmf>\n";
 }
 
-void write_links(const PlaneScene& scene, const std::filesystem::path& path,
+void write_links(const PlaneSimulation& simulation, const std::filesystem::path& path,
                  const std::vector<Snapshot>& snapshots) {
     Hdf5File file(path);
-    file.describe(described_as(scene));
+    file.describe(described_as(simulation));
     file.add("time", {snapshots.size()}, {{"of", "displacement"}});
     std::vector<double> times;
     for (const Snapshot& snapshot : snapshots) {
         times.push_back(snapshot.time);
-        for (const Quantity& quantity : quantities_of(scene)) {
+        for (const Quantity& quantity : quantities_of(simulation.scene())) {
             file.link(quantity.name + "/" + snapshot.file.stem().string(),
                       snapshot.file.generic_string(), "/" + quantity.name);
         }
@@ -184,14 +200,15 @@ void write_fields(const PlaneSimulation& simulation, const std::filesystem::path
     }
 }
 
-void write_series(const PlaneScene& scene, const std::filesystem::path& folder,
+void write_series(const PlaneSimulation& simulation, const std::filesystem::path& folder,
                   const std::vector<Snapshot>& snapshots) {
+    const PlaneScene& scene = simulation.scene();
     if (scene.field_format == FieldFormat::vtk) {
         nmbcgen::write_files({{folder / series_name(scene), pvd_text(snapshots)}});
         return;
     }
-    write_links(scene, folder / (scene.name + ".h5"), snapshots);
-    nmbcgen::write_files({{folder / series_name(scene), xdmf_text(scene, snapshots)}});
+    write_links(simulation, folder / (scene.name + ".h5"), snapshots);
+    nmbcgen::write_files({{folder / series_name(scene), xdmf_text(simulation, snapshots)}});
 }
 
 std::string series_name(const PlaneScene& scene) {

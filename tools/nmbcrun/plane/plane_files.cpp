@@ -41,7 +41,8 @@ PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, const std::filesystem:
                 .name = simulation.scene().name,
                 .energies_header = plane_energies_header,
                 .others = {{"_probes.csv", "time,ux"}, {"_cracks.csv", "time,broken"}},
-                .inputs = inputs_of(simulation.scene())},
+                .inputs = inputs_of(simulation.scene()),
+                .further = PlaneSnapshots::replaced(simulation.scene(), folder)},
                about, std::move(marks)),
       snapshots_(simulation.scene(), folder) {
     const PlaneScene& scene = simulation.scene();

@@ -13,8 +13,21 @@ nmbc::BondModel bonds_of(const PlaneScene& scene) {
 }
 
 nmbc::CorrespondenceModel nopd2d_of(const PlaneScene& scene) {
-    return nmbc::nopd2d(scene.radius_squared, nmbcgen::nearest_double(scene.nu), scene.G,
-                        scene.state, nmbcgen::nearest_double(scene.tau));
+    const nmbc::CorrespondenceModel model =
+        nmbc::nopd2d(scene.radius_squared, nmbcgen::nearest_double(scene.nu), scene.G, scene.state,
+                     nmbcgen::nearest_double(scene.tau));
+    return scene.influence.empty() ? model : nmbc::with_influence(model, scene.influence);
+}
+
+double G_of_least_dispersion(PlaneScene scene, bool is_P) {
+    constexpr double xi = 0.01;  // its square is what this leaves of the answer, relatively
+    const auto error = [&](double G) {
+        scene.G = G;
+        const nmbc::PlaneModel model = nopd2d_of(scene);
+        const double speed = is_P ? model.speed_P() : model.speed_S();
+        return nmbc::plane_wave(model, {xi, 0}, is_P).omega_squared / std::pow(speed * xi, 2) - 1;
+    };
+    return error(0) / (error(0) - error(1));  // omega^2 along an axis is linear in G
 }
 
 nmbc::PlaneModel model_of(const PlaneScene& scene) {
@@ -46,7 +59,7 @@ std::optional<double> longest_step_of_loads(const PlaneScene& scene) {
 }
 
 double rate_of(const PlaneScene& scene) {
-    return std::sqrt(scene.youngs_modulus / scene.density) / scene.spacing;
+    return wave_speed(scene) / scene.spacing;
 }
 
 }  // namespace nmbcrun

@@ -15,6 +15,10 @@ nmbc::PlaneModel model_of(const PlaneScene& scene);
 /// That of another scene than one of bonds.
 nmbc::CorrespondenceModel nopd2d_of(const PlaneScene& scene);
 
+/// The G at which long waves of a scene's lattice, whatever its own G, have their speed to fourth
+/// order in xi, P or S, at every angle; below 0 where they are too fast without stabilisation.
+double G_of_least_dispersion(PlaneScene scene, bool is_P);
+
 /// That of a scene of bonds: is_bond_based().
 nmbc::BondModel bonds_of(const PlaneScene& scene);
 

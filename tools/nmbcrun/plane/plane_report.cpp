@@ -6,7 +6,8 @@
 #include <algorithm>
 
 #include "generator/exact/rational.hpp"
-#include "tools/nmbcrun/plane/force_spectrum.hpp"
+#include "tools/nmbcrun/plane/plane_spectrum.hpp"
+#include "tools/nmbcrun/plane/side_prospect.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -16,19 +17,6 @@ std::string words_of(const PlaneSimulation& simulation, std::size_t side) {
     return choice.kind == SideKind::extended
                ? fmt::format("extended by {} nodes", simulation.extension()[side])
                : heading_of(choice);
-}
-
-/// Where the lattice does not carry what the force sends out; empty where it does.
-std::string warning_of_short_waves(const PlaneScene& scene) {
-    constexpr double most_not_carried = 0.1;
-    const double share = not_carried(scene);
-    return share > most_not_carried
-               ? fmt::format(
-                     "{:.0f} % of what force sends out is in waves so short that the lattice "
-                     "disperses them or turns them back, and their energy may stay: a longer "
-                     "force.duration, a larger force.half_width or a finer lattice has less",
-                     100 * share)
-               : "";
 }
 
 /// Where a load that sets in at once pulls bonds apart within one step.
@@ -53,10 +41,13 @@ std::string heading_of(const PlaneSimulation& simulation) {
                 ? fmt::format("lattice   bond2d, radius {} (squared), weights {:.6g}\n",
                               scene.radius_squared, fmt::join(scene.weights, ", "))
                 : fmt::format(
-                      "lattice   nopd2d, radius {} (squared), nu = {}, plane {}, G = {}{}\n",
+                      "lattice   nopd2d, radius {} (squared), nu = {}, plane {}, G = {}{}{}\n",
                       scene.radius_squared, nmbcgen::to_string(scene.nu),
                       scene.state == nmbc::StressState::plane_stress ? "stress" : "strain", scene.G,
-                      scene.tau == 0 ? "" : ", tau = " + nmbcgen::to_string(scene.tau));
+                      scene.tau == 0 ? "" : ", tau = " + nmbcgen::to_string(scene.tau),
+                      scene.influence.empty()
+                          ? ""
+                          : fmt::format(", influence {:.6g}", fmt::join(scene.influence, ", ")));
     const bool alike = std::ranges::all_of(
         scene.sides, [&](const PlaneSideChoice& side) { return side == scene.sides[0]; });
     if (alike && scene.sides[0].kind != SideKind::extended) {
@@ -66,6 +57,7 @@ std::string heading_of(const PlaneSimulation& simulation) {
             fmt::format("sides     left {}, right {}, bottom {}, top {}\n", words_of(simulation, 0),
                         words_of(simulation, 1), words_of(simulation, 2), words_of(simulation, 3));
     }
+    text += fmt::format("stable    {}\n", evidence_of(scene));
     if (const auto stretch = critical_stretch(scene)) {
         const double energy = nmbc::fracture_energy(bonds_of(scene), *stretch);
         text += fmt::format(
@@ -80,9 +72,11 @@ std::string heading_of(const PlaneSimulation& simulation) {
 }
 
 std::vector<std::string> warnings_of(const PlaneSimulation& simulation) {
-    std::vector<std::string> warnings{simulation.warning(),
-                                      warning_of_short_waves(simulation.scene()),
-                                      warning_of_jumps(simulation)};
+    std::vector<std::string> warnings = simulation.warnings();
+    const auto short_waves = warnings_of_short_waves(simulation.scene());
+    warnings.insert(warnings.end(), short_waves.begin(), short_waves.end());
+    warnings.insert(warnings.end(),
+                    {warning_of_short_run(simulation.scene()), warning_of_jumps(simulation)});
     std::erase(warnings, "");
     return warnings;
 }

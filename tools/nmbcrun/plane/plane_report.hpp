@@ -9,7 +9,7 @@
 
 namespace nmbcrun {
 
-/// Scene, lattice, sides and size, a line each.
+/// Scene, lattice, sides, whether they are stable, and size, a line each.
 std::string heading_of(const PlaneSimulation& simulation);
 
 /// What the user may not expect of such a run, each in one line.

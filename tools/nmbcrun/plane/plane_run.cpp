@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/names/printable.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/energies_file.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
@@ -20,13 +21,16 @@
 #include "tools/nmbcrun/plane/crack_report.hpp"
 #include "tools/nmbcrun/plane/plane_files.hpp"
 #include "tools/nmbcrun/plane/plane_report.hpp"
+#include "tools/nmbcrun/plane/plane_sides.hpp"
+#include "tools/nmbcrun/plane/side_prospect.hpp"
 
 namespace nmbcrun {
 namespace {
 
 class PlaneRun : public StoppableRun {
   public:
-    PlaneRun(const PlaneScene& scene, const RunOptions& options);
+    /// Between sides_of() the scene.
+    PlaneRun(const PlaneScene& scene, const nmbc::PlaneSides& sides, const RunOptions& options);
 
     const PlaneSimulation& simulation() const { return simulation_; }
 
@@ -49,8 +53,9 @@ class PlaneRun : public StoppableRun {
     std::optional<PlaneFiles> files_{};
 };
 
-PlaneRun::PlaneRun(const PlaneScene& scene, const RunOptions& options)
-    : StoppableRun(scene, options), simulation_(scene) {
+PlaneRun::PlaneRun(const PlaneScene& scene, const nmbc::PlaneSides& sides,
+                   const RunOptions& options)
+    : StoppableRun(scene, options), simulation_(scene, sides) {
     const PlanePlan& plan = simulation_.plan();
     const auto from =
         claim(identity_of(scene, has_open_layer(scene), plan, inputs_of(scene)), plan);
@@ -139,31 +144,46 @@ void PlaneRun::print() {
     const PlaneBalance balance = simulation_.balance();
     fmt::print("energy left  {:.3e} of the peak\n", rows.back()[4] / peak);
     if (std::isfinite(balance.drift)) {
+        // The peak is not all: some leaves while a source acts, or is taken back by it.
+        constexpr double enough = 0.1;
+        const bool is_of_supply = simulation_.supplied() > enough * peak;
+        const double whole = is_of_supply ? simulation_.supplied() : peak;
         std::vector<std::string> parts;
         for (std::size_t i = 0; i < balance.left.size(); ++i) {
-            parts.push_back(
-                fmt::format("{} {}", share_gone(balance.left[i] / peak), plane_side_names[i]));
+            // Beyond an extended side the lattice goes on: what has come through is still in it.
+            const bool is_measured = simulation_.scene().sides[i].kind != SideKind::extended;
+            parts.push_back(fmt::format("{} {}",
+                                        is_measured ? share_gone(balance.left[i] / whole) : "-",
+                                        plane_side_names[i]));
         }
         if (balance.damped != 0) {
-            parts.push_back(fmt::format("{:.3e} by damping", balance.damped / peak));
+            parts.push_back(fmt::format("{:.3e} by damping", balance.damped / whole));
         }
-        fmt::print("went out     {}\n", fmt::join(parts, ", "));
+        if (balance.fracture != 0) {
+            parts.push_back(fmt::format("{:.3e} by fracture", balance.fracture / whole));
+        }
+        fmt::print("went out     {}, of {}\n", fmt::join(parts, ", "),
+                   is_of_supply ? "all that was put in" : "the peak");
         fmt::print("ledger drift {:.1e} of the peak\n", highlights().drift / peak);
     }
     if (simulation_.scene().fracture) {
         fmt::print("{}", crack_report(simulation_, *files_));
     }
-    fmt::print("{}", files_->listed());
+    fmt::print("{}", nmbcgen::printable_lines(files_->listed()));
 }
 
 }  // namespace
 
 void run_plane(const PlaneScene& scene, const RunOptions& options) {
-    PlaneRun run(scene, options);
-    run.warn(warnings_of(run.simulation()));
+    const SceneSides sides = sides_of(scene, options.quiet);
+    PlaneRun run(scene, sides.all, options);
+    const nmbc::Grid grid = run.simulation().plane().grid();
+    run.warn(warnings_of(run.simulation()), grid.nx * grid.ny);
     if (!options.quiet) {
         const PlanePlan& plan = run.simulation().plan();
-        fmt::print("{}time      {} steps of {}\n\n", heading_of(run.simulation()), plan.steps,
+        const std::string ends = prospect_of(scene, sides.passive);
+        fmt::print("{}{}time      {} steps of {}\n\n", heading_of(run.simulation()),
+                   ends.empty() ? "" : fmt::format("ends      {}\n", ends), plan.steps,
                    heading_of(plan));
     }
     run.to_the_end();
@@ -179,6 +199,11 @@ void draw_plane(const PlaneScene& scene, const std::filesystem::path& folder) {
         draw("cracks.gp", {file("_cracks.png"), scene.title, file("")}, {file("_cracks.png")});
     } else if (scene.fracture) {
         fmt::print("no picture   of the cracks: it takes output.field in the format \"vtk\"\n");
+    }
+    if (scene.field && !scene.fracture && is_drawn) {
+        draw("fields.gp", {file("_field"), file("_field.vti"), scene.title}, {file("_field.png")});
+    } else if (scene.field && !scene.fracture) {
+        fmt::print("no picture   of the field: its format is not \"vtk\"\n");
     }
     if (scene.snapshots > 0 && !is_drawn) {
         fmt::print("no picture   of the snapshots: their format is not \"vtk\"\n");

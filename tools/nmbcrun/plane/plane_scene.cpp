@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nmbc/plane_convex_kernel.hpp>
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
 #include "tools/nmbcrun/plane/plane_lattice.hpp"
 #include "tools/nmbcrun/plane/read_plane_sides.hpp"
 #include "tools/nmbcrun/plane/read_plane_sources.hpp"
-#include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/scene/read_choice.hpp"
 #include "tools/nmbcrun/scene/scene_reader.hpp"
 
@@ -34,7 +34,8 @@ std::optional<nmbcgen::Rational> read_signed(SceneReader& reader, const std::str
 
 /// The bonds' weights or, of radius N, the factors alpha of the micromodulus 48/(5 pi N^3).
 void read_bonds(SceneReader& reader, PlaneScene& scene) {
-    for (const char* const key : {"model.nu", "model.state", "model.G", "model.damping"}) {
+    for (const char* const key :
+         {"model.nu", "model.state", "model.G", "model.damping", "model.influence"}) {
         if (reader.has(key)) {
             reader.fail(key, "does not count for \"bond2d\": bonds have nu = 1/4 in plane strain");
         }
@@ -69,6 +70,51 @@ void read_bonds(SceneReader& reader, PlaneScene& scene) {
     }
 }
 
+/// A name, or a number for each length of bonds; none: constant.
+std::vector<double> read_plane_influence(SceneReader& reader, unsigned radius_squared) {
+    constexpr const char* key = "model.influence";
+    if (!reader.is_text(key)) {
+        std::vector<double> numbers = reader.numbers(key, positive);
+        const auto lengths = nmbc::squared_lengths(radius_squared);
+        if (reader.has(key) && numbers.size() != lengths.size()) {
+            reader.fail(key, fmt::format("has {} numbers; {} are needed, of bonds whose lengths "
+                                         "squared are {}",
+                                         numbers.size(), lengths.size(), fmt::join(lengths, ", ")));
+        }
+        constexpr double widest = 1e300;  // over their mean, no number is 0
+        if (!numbers.empty() && std::ranges::max(numbers) / widest > std::ranges::min(numbers)) {
+            reader.fail(key, fmt::format("has numbers that are more than {} times others", widest));
+        }
+        return numbers;
+    }
+    const bool is_spline =
+        read_choice<bool>(reader, key, {{"constant", false}, {"spline", true}}) == true;
+    try {
+        return is_spline ? nmbc::spline_influence(radius_squared) : std::vector<double>{};
+    } catch (const std::invalid_argument& error) {
+        reader.fail(key, std::string("does not fit model.radius2: ") + error.what());
+    }
+}
+
+/// It has no default, as that of a chain.
+double read_plane_G(SceneReader& reader, const PlaneScene& scene) {
+    if (const auto G = reader.is_text("model.G") ? read_signed(reader, "model.G") : std::nullopt) {
+        return nmbcgen::nearest_double(*G);
+    }
+    const auto G = reader.number("model.G", not_negative);
+    if (!G) {
+        PlaneScene undamped = scene;
+        undamped.tau = 0;
+        reader.fail("model.G",
+                    fmt::format("is missing: 0 is standard NOPD, some of whose short waves no side "
+                                "absorbs; {:.2g} makes the dispersion of long S waves least at "
+                                "this radius, nu and influence, {:.2g} that of P waves",
+                                G_of_least_dispersion(undamped, false),
+                                G_of_least_dispersion(undamped, true)));
+    }
+    return *G;
+}
+
 /// The family, its material and G, which the runtime knows how to refuse.
 void read_model(SceneReader& reader, PlaneScene& scene) {
     const std::string family = reader.text("model.family").value_or("nopd2d");
@@ -97,14 +143,24 @@ void read_model(SceneReader& reader, PlaneScene& scene) {
                                        {{"plane stress", nmbc::StressState::plane_stress},
                                         {"plane strain", nmbc::StressState::plane_strain}})
             .value_or(nmbc::StressState::plane_stress);
-    const auto G = reader.is_text("model.G") ? read_signed(reader, "model.G") : std::nullopt;
-    scene.G = G ? nmbcgen::nearest_double(*G)
-                : reader.required("model.G", reader.number("model.G", not_negative));
     scene.tau = read_signed(reader, "model.damping").value_or(0);
+    try {
+        nmbc::detail::require_radius(scene.radius_squared);
+    } catch (const std::invalid_argument& error) {
+        reader.fail("model.radius2", fmt::format("does not fit: {}", error.what()));
+    }
+    try {
+        nmbc::nopd2d(scene.radius_squared, nmbcgen::nearest_double(scene.nu), 0, scene.state);
+    } catch (const std::invalid_argument& error) {
+        reader.fail_beside("model.nu", "model.state",
+                           fmt::format("does not fit: {}", error.what()));
+    }
+    scene.influence = read_plane_influence(reader, scene.radius_squared);
+    scene.G = read_plane_G(reader, scene);
     try {
         nopd2d_of(scene);
     } catch (const std::invalid_argument& error) {
-        reader.fail("model", "is no material: " + std::string(error.what()));
+        reader.fail("model", fmt::format("is no material: {}", error.what()));
     }
 }
 
@@ -189,8 +245,8 @@ std::vector<std::array<std::size_t, 2>> read_plane_probes(SceneReader& reader,
         for (const std::size_t axis : {0U, 1U}) {
             const double place = std::round(point[axis] / scene.spacing);
             if (!(place >= 1 && place <= double(scene.nodes[axis]))) {
-                reader.fail(
-                    "output.probes",
+                reader.fail_beside(
+                    "output.probes", "domain.nodes",
                     fmt::format("has [{}, {}], but the nodes are at {} to {} along {}", point[0],
                                 point[1], scene.spacing, double(scene.nodes[axis]) * scene.spacing,
                                 axis == 0 ? 'x' : 'y'));
@@ -211,6 +267,9 @@ bool PlaneScene::has(SideKind kind) const {
 
 std::vector<std::filesystem::path> inputs_of(const PlaneScene& scene) {
     std::vector<std::filesystem::path> files;
+    if (scene.initial) {
+        files.push_back(scene.initial->file);
+    }
     if (scene.force) {
         files.push_back(scene.force->history.file);
     }
@@ -260,7 +319,6 @@ PlaneScene read_plane_scene(const std::string& text, const std::string& path,
     read_plane_sides(reader, scene);
     read_plane_sources(reader, path, scene);
     read_fracture(reader, scene);
-    scene.allow_unstable = reader.truth("boundary.allow_unstable").value_or(false);
     scene.field = scene.fracture.has_value();
     read_output(reader, scene);
     scene.field_format =

@@ -21,6 +21,7 @@ enum class PlaneShape {
     gaussian,  ///< exp(-(r/width)^2), r the distance from the centre
     cosine,    ///< (1 + cos(pi r/width))/2 up to r = width, (86)
     packet,    ///< a wave exp(-(r/width)^2) cos(k . (X - centre)) that goes in the direction of k
+    file,      ///< u of a file, and v
 };
 
 /// The state at t = 0.
@@ -34,6 +35,11 @@ struct PlaneInitial {
     double wave_number = 0;  ///< of a packet: |k| [1/dX]
     double angle = 0;        ///< of k, from the x axis [degrees]
     bool is_P = true;
+    std::filesystem::path file{};
+    FileFormat format = FileFormat::csv;
+    /// The scene's node that the first one of an HDF5 file is; none: the file has the scene's
+    /// nodes.
+    std::optional<std::array<std::ptrdiff_t, 2>> first_node{};
 };
 
 /// A body force in one direction of the nodes within a distance of its centre.
@@ -63,7 +69,7 @@ struct PlaneLoad {
     std::array<double, 2> centre{};
     std::array<double, 2> half_width{};
     bool is_traction = false;              ///< or a pressure: of a side
-    std::optional<std::size_t> surface{};  ///< an sbp side, on whose nodes it acts instead
+    std::optional<std::size_t> surface{};  ///< a closed side, on whose nodes it acts instead
     double rise = 0;                       ///< grows linearly up to this time
     double until = 0;                      ///< and ends at this one
     std::filesystem::path file{};          ///< or follows this one, columns time, force
@@ -89,6 +95,8 @@ struct PlaneScene : AnyScene {
     nmbc::StressState state = nmbc::StressState::plane_stress;
     double G = 0;
     nmbcgen::Rational tau{0};  ///< damping [dX sqrt(rho/E)]
+    /// By the |R|^2 of bonds, least first; empty: constant.
+    std::vector<double> influence{};
     std::array<std::size_t, 2> nodes{};
     std::optional<PlaneInitial> initial{};
     std::optional<PlaneForcing> force{};

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <nmbc/loss_layer.hpp>
+#include <nmbc/plane_convex_kernel.hpp>
 #include <nmbc/tables/tables.hpp>
 #include <numbers>
 #include <stdexcept>
@@ -15,57 +17,23 @@
 
 #include "generator/closures/plane_summation_by_parts.hpp"
 #include "generator/names/projected_family.hpp"
-#include "generator/passive/plane_side.hpp"
-#include "generator/support/progress_line.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/plane/designed_side.hpp"
+#include "tools/nmbcrun/plane/matched_layers.hpp"
 #include "tools/nmbcrun/plane/plane_lattice.hpp"
-#include "tools/nmbcrun/sides/loss_layer.hpp"
 
 namespace nmbcrun {
 namespace {
-
-nmbc::PassiveSide designed_side_of(const PlaneScene& scene) {
-    if (scene.radius_squared > nmbcgen::largest_side_radius_squared) {
-        throw SceneError(
-            fmt::format("passive sides are designed for model.radius2 up to {}, not {}",
-                        nmbcgen::largest_side_radius_squared, scene.radius_squared));
-    }
-    try {
-        nmbcgen::SideTask task{
-            .family = "nopd2d",
-            .choice = {.radius_squared = scene.radius_squared},
-            .g = nmbcgen::Rational(scene.G / std::numbers::pi),
-            .time_step = 0,
-            .has_null_lagrangian = !scene.has(SideKind::free) && !scene.has(SideKind::sbp)};
-        for (const PlaneSideChoice& side : scene.sides) {
-            if (side.kind == SideKind::passive) {
-                task.layers = side.layer;
-            }
-        }
-        if (scene.is_bond_based()) {
-            task.family = "bond2d";
-            task.choice.weights.assign(scene.weights.begin(), scene.weights.end());
-        } else {
-            task.choice.poisson = scene.nu;
-            task.choice.plane_strain = scene.state == nmbc::StressState::plane_strain;
-        }
-        nmbcgen::ProgressLine line("nmbcrun: designing passive sides");
-        nmbc::PassiveSide side = for_runtime(nmbcgen::passive_side(
-            task, [&](std::size_t done, std::size_t all) { line(done, all); }));
-        side.made_for = model_of(scene);
-        return side;
-    } catch (const std::domain_error& error) {
-        throw SceneError(fmt::format(
-            "no passive side was found for this lattice: {}. Try another G, or another kind",
-            error.what()));
-    }
-}
 
 /// (60) of this order for waves of each polarisation that meet the side head-on.
 nmbc::MatchingSide matching_side_of(const PlaneScene& scene, const PlaneSideChoice& choice) {
     const nmbc::PlaneModel model = model_of(scene);
     if (scene.is_bond_based() && choice.order > 1) {
         throw SceneError("boundary.order above 1 needs a table, and there is none of bond2d");
+    }
+    if (!scene.influence.empty() && choice.order > 1) {
+        throw SceneError(
+            "boundary.order above 1 needs a table, and there is none with model.influence");
     }
     nmbc::MatchingSide side{
         .coefficients = {},
@@ -134,16 +102,34 @@ nmbc::PlaneSide sbp_side_of(const PlaneScene& scene) {
         throw SceneError(fmt::format("sides of kind \"sbp\" are for model.radius2 up to {}, not {}",
                                      nmbcgen::largest_closed_radius_squared, scene.radius_squared));
     }
-    return nmbc::ClosedSide{std::make_shared<const nmbc::PlaneClosure>(
-        nmbcgen::plane_summation_by_parts(scene.radius_squared))};
+    try {
+        return nmbc::ClosedSide{std::make_shared<const nmbc::PlaneClosure>(
+            nmbcgen::plane_summation_by_parts(nopd2d_of(scene)))};
+    } catch (const std::domain_error& error) {
+        throw SceneError(
+            fmt::format("sides of kind \"sbp\" are not for this influence: {}", error.what()));
+    }
+}
+
+nmbc::PlaneSide kernel_side_of(const PlaneScene& scene) {
+    if (scene.is_bond_based()) {
+        throw SceneError("a side of kind \"kernel\" is for nopd2d: bonds have no gradients");
+    }
+    try {
+        return nmbc::ClosedSide{std::make_shared<const nmbc::PlaneClosure>(
+            nmbc::convex_kernel_closure(nopd2d_of(scene)))};
+    } catch (const std::invalid_argument& error) {
+        throw SceneError(fmt::format(
+            R"(a side of kind "kernel" needs model.influence = "spline": {})", error.what()));
+    }
 }
 
 nmbc::SpongeSide sponge_side_of(const PlaneScene& scene, const PlaneSideChoice& choice) {
     const double speed = model_of(scene).speed_P();
     // Of steps of 2 dX sqrt(rho/E): gamma dt/2 is gamma then.
     std::vector<double> friction =
-        half_step_losses({choice.layer, choice.profile, choice.target}, 1,
-                         {.youngs_modulus = speed * speed, .time_step = 2});
+        nmbc::half_step_losses({choice.layer, choice.profile, choice.target}, 1,
+                               {.youngs_modulus = speed * speed, .time_step = 2});
     friction.pop_back();
     std::ranges::reverse(friction);
     return {friction};
@@ -169,33 +155,12 @@ void require_proved(const PlaneScene& scene) {
     }
 }
 
-void require_matched_layers(const PlaneScene& scene) {
-    if (!scene.has(SideKind::pml)) {
-        return;
-    }
-    if (scene.is_bond_based()) {
-        throw SceneError(
-            "a perfectly matched layer stretches the derivatives along its axis, and a bond of "
-            "bond2d that leads along both has none: take passive sides or a sponge");
-    }
-    if (scene.tau != 0) {
-        throw SceneError(
-            "model.damping must be 0 beside perfectly matched layers, which were not made for it");
-    }
-    for (const SideKind kind : {SideKind::passive, SideKind::free, SideKind::sbp, SideKind::mirror,
-                                SideKind::nmbc, SideKind::higdon}) {
-        if (scene.has(kind)) {
-            throw SceneError(
-                fmt::format("beside a perfectly matched layer there are pml, fixed, extended, "
-                            "periodic and sponge sides, and none of kind \"{}\"",
-                            name_of(kind)));
-        }
-    }
-}
-
 }  // namespace
 
-nmbc::PlaneSides sides_of(const PlaneScene& scene) {
+SceneSides sides_of(const PlaneScene& scene, bool quiet) {
+    if (const std::string lack = lack_of_matched_layers(scene); !lack.empty()) {
+        throw SceneError(lack);
+    }
     for (const PlaneSideChoice& side : scene.sides) {
         if (may_grow(side.kind) && !scene.allow_unstable) {
             const char* const known =
@@ -218,15 +183,22 @@ nmbc::PlaneSides sides_of(const PlaneScene& scene) {
                 "beside an odd mirror no bonds break: the image of one that is pulled is pushed");
         }
     }
+    SceneSides result;
     nmbc::PlaneSide passive;
     require_proved(scene);
-    require_matched_layers(scene);
     if (scene.has(SideKind::passive)) {
-        passive = designed_side_of(scene);
+        result.passive = designed_side_of(scene, quiet);
+        passive = result.passive->side;
     }
-    nmbc::PlaneSide summed;
+    nmbc::PlaneSide closed;
+    if (scene.has(SideKind::sbp) && scene.has(SideKind::kernel)) {
+        throw SceneError(R"(beside sides of kind "sbp" there are none of kind "kernel")");
+    }
     if (scene.has(SideKind::sbp)) {
-        summed = sbp_side_of(scene);
+        closed = sbp_side_of(scene);
+    }
+    if (scene.has(SideKind::kernel)) {
+        closed = kernel_side_of(scene);
     }
     const auto side = [&](std::size_t number) -> nmbc::PlaneSide {
         switch (scene.sides[number].kind) {
@@ -235,7 +207,8 @@ nmbc::PlaneSides sides_of(const PlaneScene& scene) {
             case SideKind::free:
                 return nmbc::FreeSide{};
             case SideKind::sbp:
-                return summed;
+            case SideKind::kernel:
+                return closed;
             case SideKind::mirror:
                 return nmbc::MirrorSide{scene.sides[number].is_odd};
             case SideKind::periodic:
@@ -254,7 +227,8 @@ nmbc::PlaneSides sides_of(const PlaneScene& scene) {
         }
         return nmbc::FixedSide{};
     };
-    return {side(0), side(1), side(2), side(3)};
+    result.all = {side(0), side(1), side(2), side(3)};
+    return result;
 }
 
 }  // namespace nmbcrun

@@ -3,14 +3,21 @@
 #pragma once
 
 #include <nmbc/plane_sides.hpp>
+#include <optional>
 
+#include "tools/nmbcrun/plane/designed_side.hpp"
 #include "tools/nmbcrun/plane/plane_scene.hpp"
 
 namespace nmbcrun {
 
-/// Designs passive sides, which takes a second at radius 1 and 20 s at radius 3. Throws SceneError
-/// where the scene asks for what there is not, and Unstable of sides that may feed energy in,
-/// unless it allows them.
-nmbc::PlaneSides sides_of(const PlaneScene& scene);
+struct SceneSides {
+    nmbc::PlaneSides all;
+    std::optional<DesignedPassiveSide> passive{};  ///< of the passive ones, if there are any
+};
+
+/// Designs passive sides, which takes a second at radius 1 and 20 s at radius 3; a terminal shows
+/// how far it is, unless quiet. Throws SceneError where the scene asks for what there is not, and
+/// Unstable of sides that may feed energy in, unless it allows them.
+SceneSides sides_of(const PlaneScene& scene, bool quiet);
 
 }  // namespace nmbcrun

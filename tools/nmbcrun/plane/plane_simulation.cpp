@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/plane/plane_initial.hpp"
 #include "tools/nmbcrun/plane/plane_sides.hpp"
 
 namespace nmbcrun {
@@ -146,8 +147,8 @@ nmbc::Plane plane_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
 
 }  // namespace
 
-PlaneSimulation::PlaneSimulation(const PlaneScene& scene)
-    : PlaneSimulation(scene, sides_of(scene)) {}
+PlaneSimulation::PlaneSimulation(const PlaneScene& scene, bool quiet)
+    : PlaneSimulation(scene, sides_of(scene, quiet).all) {}
 
 PlaneSimulation::PlaneSimulation(const PlaneScene& scene, const nmbc::PlaneSides& sides)
     : PlaneSimulation(scene, sides, extension_of(scene)) {}
@@ -159,45 +160,32 @@ PlaneSimulation::PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides
       plan_(plan_of(scene_, sides, extension_)),
       plane_(plane_of(scene_, sides, extension_, plan_.time_step)),
       sources_(scene_, plane_, {extension_[0], extension_[2]}, plan_.time_step) {
-    if (scene_.initial) {
-        const PlaneInitialField initial(scene_);
-        const auto& layers = plane_.layers();
-        const auto count = [&](std::size_t nodes, std::size_t low, std::size_t high) {
-            return nodes + layers[low] + layers[high];
-        };
-        // The layers of passive sides begin as the field goes on.
-        for (std::size_t j = 0; j < count(plane_.parameters().ny, 2, 3); ++j) {
-            for (std::size_t i = 0; i < count(plane_.parameters().nx, 0, 1); ++i) {
-                const auto place = [&](std::size_t at, std::size_t low) {
-                    return (double(at + 1) - double(layers[low]) - double(extension_[low])) *
-                           scene_.spacing;
-                };
-                const PlaneStart start = initial.at({place(i, 0), place(j, 2)});
-                const std::size_t entry = plane_.entry(i - layers[0], j - layers[2]);
-                for (const std::size_t a : {0U, 1U}) {
-                    plane_.displacement(a)[entry] = start.u[a];
-                    plane_.velocity(a)[entry] = start.v[a];
-                }
-            }
-        }
-    }
+    const bool is_staggered = scene_.initial && set_initial_fields(scene_, extension_, plane_);
     cut();
-    plane_.start();
+    if (is_staggered) {
+        plane_.start_staggered();
+    } else {
+        plane_.start();
+    }
     if (scene_.has(SideKind::pml)) {
-        std::array<LossLayer, 4> layers;
+        std::array<nmbc::LossLayer, 4> layers;
         std::ranges::transform(scene_.sides, layers.begin(), [](const PlaneSideChoice& side) {
-            return side.kind == SideKind::pml ? LossLayer{side.layer, side.profile, side.target}
-                                              : LossLayer{};
+            return side.kind == SideKind::pml
+                       ? nmbc::LossLayer{side.layer, side.profile, side.target}
+                       : nmbc::LossLayer{};
         });
-        pml_.emplace(std::get<nmbc::CorrespondenceModel>(plane_.model().law()), layers, plane_);
+        pml_.emplace(std::get<nmbc::CorrespondenceModel>(plane_.model().law()), layers,
+                     plane_.grid(), plane_.parameters());
     }
     let_break();
     sources_.start(plane_);
     at_start_ = plane_.energies().staggered;
     if (scene_.initial && at_start_ == 0) {
         throw SceneError(
-            fmt::format("initial moves no node: its width is {:g}, and nodes are {:g} apart",
-                        scene_.initial->width, scene_.spacing));
+            scene_.initial->shape == PlaneShape::file
+                ? scene_.initial->file.string() + " moves no node: it has no energy"
+                : fmt::format("initial moves no node: its width is {:g}, and nodes are {:g} apart",
+                              scene_.initial->width, scene_.spacing));
     }
 }
 
@@ -254,7 +242,8 @@ void PlaneSimulation::let_break() {
 void PlaneSimulation::advance(std::size_t steps) {
     const auto prescribe = [this](nmbc::Plane& plane, double time) {
         if (pml_) {
-            (*pml_)(plane);
+            pml_->kick({plane.displacement(0), plane.displacement(1)},
+                       {plane.velocity(0), plane.velocity(1)});
         }
         sources_(plane, time);
     };
@@ -264,6 +253,16 @@ void PlaneSimulation::advance(std::size_t steps) {
 nmbc::PlaneEnergies PlaneSimulation::energies() const {
     return plane_.energies(extension_[0], extension_[0] + scene_.nodes[0], extension_[2],
                            extension_[2] + scene_.nodes[1]);
+}
+
+PlaneSimulation::Body PlaneSimulation::body() const {
+    Body body{.nodes = scene_.nodes};
+    for (std::size_t side = 0; side < scene_.sides.size(); ++side) {
+        const std::size_t added = is_closed(scene_.sides[side].kind) ? plane_.layers()[side] : 0;
+        body.nodes[side / 2] += added;
+        body.before[side / 2] += side % 2 == 0 ? added : 0;
+    }
+    return body;
 }
 
 double PlaneSimulation::times_supplied() const {

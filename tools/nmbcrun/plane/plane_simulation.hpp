@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <nmbc/plane_pml.hpp>
 #include <nmbc/plane_stability.hpp>
 #include <optional>
 #include <string>
@@ -12,7 +13,6 @@
 #include "tools/nmbcrun/plane/plane_scene.hpp"
 #include "tools/nmbcrun/plane/plane_sources.hpp"
 #include "tools/nmbcrun/scene/step_plan.hpp"
-#include "tools/nmbcrun/sides/plane_pml.hpp"
 #include "tools/nmbcrun/stepping/plane_stepping.hpp"
 
 namespace nmbcrun {
@@ -35,10 +35,9 @@ struct PlaneBalance {
 
 class PlaneSimulation {
   public:
-    /// Designs passive sides, which takes a second at radius 1 and 20 s at radius 3. Throws
-    /// SceneError where the scene asks for what there is not, std::invalid_argument as nmbc::Plane
-    /// does, and Unstable where its step is too long for its sides.
-    explicit PlaneSimulation(const PlaneScene& scene);
+    /// Between sides_of() the scene, quiet or not. Throws as that does, std::invalid_argument as
+    /// nmbc::Plane does, and Unstable where its step is too long for its sides.
+    explicit PlaneSimulation(const PlaneScene& scene, bool quiet = true);
     /// Between these, which sides_of() made for the scene or one that differs in its steps.
     /// Likewise.
     PlaneSimulation(const PlaneScene& scene, const nmbc::PlaneSides& sides);
@@ -56,6 +55,8 @@ class PlaneSimulation {
     nmbc::PlaneEnergies energies() const;
     /// The energy of the whole body over that of its start and its sources.
     double times_supplied() const;
+    /// The energy of the whole body at the start, and the work of its sources since.
+    double supplied() const { return at_start_ + sources_.work(); }
     /// At the same time, of the whole body.
     PlaneBalance balance() const;
 
@@ -72,13 +73,24 @@ class PlaneSimulation {
         return plane_.entry(x + extension_[0], y + extension_[2]);
     }
 
+    /// The nodes of the body: those of the scene and those that closed sides add.
+    struct Body {
+        std::array<std::size_t, 2> before{};  ///< added at the low sides
+        std::array<std::size_t, 2> nodes{};   ///< along each axis
+    };
+    Body body() const;
+    /// The field's entry of such a node, counted from the body's lower left one.
+    std::size_t entry_of_body(std::size_t x, std::size_t y) const {
+        return entry(x - body().before[0], y - body().before[1]);
+    }
+
     /// The part of the bonds of a scene's node that no longer hold.
     double damage(std::size_t x, std::size_t y) const {
         return plane_.damage(x + extension_[0], y + extension_[2]);
     }
 
     /// In words: what the time steps miss of the sources; empty where they do not.
-    const std::string& warning() const { return sources_.warning(); }
+    const std::vector<std::string>& warnings() const { return sources_.warnings(); }
 
     /// Whether a source still acts at this time or later.
     bool is_driven(double time) const { return sources_.drives(time); }
@@ -94,7 +106,7 @@ class PlaneSimulation {
     std::array<std::size_t, 4> extension_;
     PlanePlan plan_;
     nmbc::Plane plane_;
-    std::optional<PlanePml> pml_;  // of the scene's layers of that kind
+    std::optional<nmbc::PlanePml> pml_;  // of the scene's layers of that kind
     PlaneSources sources_;
     double at_start_ = 0;  // energy of the whole body
 };

@@ -37,6 +37,15 @@ void remove_snapshots(const std::filesystem::path& folder) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> PlaneSnapshots::replaced(const PlaneScene& scene,
+                                                            const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> paths{folder / (scene.name + "_snapshots")};
+    for (const std::string_view ending : endings) {
+        paths.push_back(folder / (scene.name + std::string(ending)));
+    }
+    return paths;
+}
+
 PlaneSnapshots::PlaneSnapshots(const PlaneScene& scene, std::filesystem::path folder)
     : folder_(std::move(folder)),
       name_(scene.name),
@@ -98,7 +107,7 @@ void PlaneSnapshots::publish(const PlaneSimulation& simulation, bool at_end) {
     }
     if (!snapshots_.empty()) {
         std::filesystem::rename(growing(), path("_snapshots"));
-        write_series(simulation.scene(), folder_, snapshots_);
+        write_series(simulation, folder_, snapshots_);
     }
     if (at_end && has_field_) {
         write_fields(simulation, field());

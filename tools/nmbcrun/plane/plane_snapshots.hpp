@@ -15,6 +15,10 @@ namespace nmbcrun {
 /// member throws FileError.
 class PlaneSnapshots {
   public:
+    /// What a run of the scene replaces or removes: files, and the folder of snapshots.
+    static std::vector<std::filesystem::path> replaced(const PlaneScene& scene,
+                                                       const std::filesystem::path& folder);
+
     /// Throws FileError where something else than a file is in the way of one.
     PlaneSnapshots(const PlaneScene& scene, std::filesystem::path folder);
     /// Removes snapshots that are not published, unless they are kept.

@@ -11,6 +11,8 @@
 #include <variant>
 
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/sources/nodes_within.hpp"
+#include "tools/nmbcrun/sources/two_digits.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -58,53 +60,89 @@ std::vector<double> shares_of_layer(const nmbc::Plane& plane, std::size_t side,
     return shares;
 }
 
-}  // namespace
+/// The field's entries of the scene's nodes in a region. Throws SceneError where there are none,
+/// naming the nearest node and the half_width that reaches it.
+class Region {
+  public:
+    /// extension: as PlaneSources has it.
+    Region(const PlaneScene& scene, const nmbc::Plane& plane,
+           const std::array<std::size_t, 2>& extension)
+        : scene_(scene), plane_(plane), extension_(extension) {}
 
-PlaneInitialField::PlaneInitialField(const PlaneScene& scene)
-    : initial_(*scene.initial), spacing_(scene.spacing) {
-    if (initial_.shape != PlaneShape::packet) {
-        return;
+    /// The region of a table of the scene: a disc.
+    std::vector<std::size_t> within(const std::string& table, const std::array<double, 2>& centre,
+                                    double radius) const {
+        return entries_where(
+            [&](double x, double y) { return std::hypot(x, y) <= radius + more(); }, table, centre,
+            [](double x, double y) {
+                return fmt::format("{:g}", two_digits(std::hypot(x, y), false));
+            });
     }
-    const double radians = initial_.angle * std::numbers::pi / 180;
-    xi_ = {initial_.wave_number * std::cos(radians), initial_.wave_number * std::sin(radians)};
-    const nmbc::PlaneModel model = model_of(scene);
-    const double rate = rate_of(scene);
-    const auto omega_at = [&](double x, double y) {
-        return rate * std::sqrt(nmbc::plane_wave(model, {x, y}, initial_.is_P).omega_squared);
-    };
-    omega_ = omega_at(xi_[0], xi_[1]);
-    constexpr double aside = 1e-5;  // central differences: 1e-10 of the group velocity
-    const double scale = scene.spacing / (2 * aside);
-    group_velocity_ = {
-        scale * (omega_at(xi_[0] + aside, xi_[1]) - omega_at(xi_[0] - aside, xi_[1])),
-        scale * (omega_at(xi_[0], xi_[1] + aside) - omega_at(xi_[0], xi_[1] - aside))};
-    direction_ = nmbc::plane_wave(model, xi_, initial_.is_P).direction;
-}
 
-PlaneStart PlaneInitialField::at(const std::array<double, 2>& point) const {
-    const double x = point[0] - initial_.centre[0];
-    const double y = point[1] - initial_.centre[1];
-    const double r = std::hypot(x, y) / initial_.width;
-    PlaneStart start;
-    if (initial_.shape == PlaneShape::packet) {
-        const double phase = (xi_[0] * x + xi_[1] * y) / spacing_;
-        const double height = initial_.amplitude * std::exp(-r * r);
-        // The envelope moves with the group velocity: -c_g . grad of it is its rate of change.
-        const double envelope = 2 * (x * group_velocity_[0] + y * group_velocity_[1]) /
-                                (initial_.width * initial_.width);
-        for (const std::size_t a : {0U, 1U}) {
-            start.u[a] = height * direction_[a] * std::cos(phase);
-            start.v[a] =
-                height * direction_[a] * (omega_ * std::sin(phase) + envelope * std::cos(phase));
+    /// Likewise, a rectangle.
+    std::vector<std::size_t> within(const std::string& table, const std::array<double, 2>& centre,
+                                    const std::array<double, 2>& half_width) const {
+        const auto reaches = [](double off, double present) {
+            return off > present ? two_digits(off, false) : present;
+        };
+        return entries_where(
+            [&](double x, double y) {
+                return std::abs(x) <= half_width[0] + more() &&
+                       std::abs(y) <= half_width[1] + more();
+            },
+            table, centre,
+            [&](double x, double y) {
+                return fmt::format("[{}, {}]", reaches(x, half_width[0]),
+                                   reaches(y, half_width[1]));
+            });
+    }
+
+  private:
+    /// A node on the edge of a region is in it.
+    double more() const {
+        constexpr double roundings = 1e-9;
+        return roundings * scene_.spacing;
+    }
+
+    /// is_within(x, y): so far from the centre along the axes. half_width(x, y): in words, one that
+    /// reaches so far.
+    template <class IsWithin, class HalfWidth>
+    std::vector<std::size_t> entries_where(const IsWithin& is_within, const std::string& table,
+                                           const std::array<double, 2>& centre,
+                                           const HalfWidth& half_width) const {
+        std::vector<std::size_t> entries;
+        for (std::size_t y = 0; y < scene_.nodes[1]; ++y) {
+            for (std::size_t x = 0; x < scene_.nodes[0]; ++x) {
+                const std::array<double, 2> X = position_of(scene_, x, y);
+                if (is_within(X[0] - centre[0], X[1] - centre[1])) {
+                    entries.push_back(plane_.entry(x + extension_[0], y + extension_[1]));
+                }
+            }
         }
-        return start;
+        if (entries.empty()) {
+            const NearestNode x = nearest_node(centre[0], scene_.nodes[0], scene_.spacing);
+            const NearestNode y = nearest_node(centre[1], scene_.nodes[1], scene_.spacing);
+            if (std::max(x.off, y.off) > scene_.spacing) {
+                const auto last = position_of(scene_, scene_.nodes[0] - 1, scene_.nodes[1] - 1);
+                throw SceneError(
+                    fmt::format("{} acts on no node of the scene: they are at [{:g}, {:g}] to "
+                                "[{:g}, {:g}]",
+                                table, scene_.spacing, scene_.spacing, last[0], last[1]));
+            }
+            throw SceneError(fmt::format(
+                "{0} acts on no node of the scene: the nearest is at [{1:g}, {2:g}], and "
+                "{0}.half_width = {3} would select it",
+                table, x.at, y.at, half_width(x.off, y.off)));
+        }
+        return entries;
     }
-    const double shape = initial_.shape == PlaneShape::gaussian ? std::exp(-r * r)
-                         : r <= 1 ? (1 + std::cos(std::numbers::pi * r)) / 2
-                                  : 0;
-    (initial_.of_velocity ? start.v : start.u)[initial_.component] = initial_.amplitude * shape;
-    return start;
-}
+
+    const PlaneScene& scene_;
+    const nmbc::Plane& plane_;
+    const std::array<std::size_t, 2>& extension_;
+};
+
+}  // namespace
 
 PlaneSources::Source PlaneSources::source_of(const PlaneLoad& load) {
     return {.at =
@@ -126,11 +164,18 @@ PlaneSources::Source PlaneSources::source_of(const PlaneDrive& drive) {
             .last = drive.duration};
 }
 
+PlaneSources::Source PlaneSources::source_of(const ForceInTime& force,
+                                             const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) {  // loads may have one file
+        if (std::ranges::find(warnings_, warning) == warnings_.end()) {
+            warnings_.push_back(warning);
+        }
+    }
+    return {.at = [force](double time) { return force.at(time); }, .last = force.last()};
+}
+
 void PlaneSources::add(Source source, std::size_t component, const Entries& entries,
                        const std::string& table, const nmbc::Plane& plane) {
-    if (entries.empty()) {
-        throw SceneError(table + " acts on no node of the scene");
-    }
     for (const std::size_t entry : entries) {
         const auto [found, is_new] = places_.try_emplace({component, entry}, moved_.size());
         if (is_new) {
@@ -153,48 +198,25 @@ void PlaneSources::add(Source source, std::size_t component, const Entries& entr
 PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
                            const std::array<std::size_t, 2>& extension, double time_step)
     : density_(scene.density), time_step_(time_step) {
-    constexpr double roundings = 1e-9;  // of the spacing: a node on the edge of a region is in it
-    const double more = roundings * scene.spacing;
-    const auto entries_where = [&](const auto& is_within) {
-        Entries entries;
-        for (std::size_t y = 0; y < scene.nodes[1]; ++y) {
-            for (std::size_t x = 0; x < scene.nodes[0]; ++x) {
-                if (is_within(position_of(scene, x, y))) {
-                    entries.push_back(plane.entry(x + extension[0], y + extension[1]));
-                }
-            }
-        }
-        return entries;
-    };
-    const auto entries_around = [&](const std::array<double, 2>& centre,
-                                    const std::array<double, 2>& half_width) {
-        return entries_where([&](const std::array<double, 2>& X) {
-            return std::abs(X[0] - centre[0]) <= half_width[0] + more &&
-                   std::abs(X[1] - centre[1]) <= half_width[1] + more;
-        });
-    };
-    const auto source_of_history = [&](const ForceHistory& history) {
-        const ForceInTime force(history);
-        warning_ = warning_.empty() ? force.warning(time_step) : warning_;
-        return Source{.at = [force](double time) { return force.at(time); }, .last = force.last()};
-    };
+    const Region region(scene, plane, extension);
     if (scene.force) {
-        const auto is_near = [&](const std::array<double, 2>& X) {
-            return std::hypot(X[0] - scene.force->centre[0], X[1] - scene.force->centre[1]) <=
-                   scene.force->half_width + more;
-        };
-        add(source_of_history(scene.force->history), scene.force->component, entries_where(is_near),
-            "force", plane);
+        const ForceInTime force(scene.force->history);
+        add(source_of(force, force.warnings("force", time_step, scene.end)), scene.force->component,
+            region.within("force", scene.force->centre, scene.force->half_width), "force", plane);
     }
     for (const PlaneLoad& load : scene.loads) {
-        Source source =
-            load.file.empty()
-                ? source_of(load)
-                : source_of_history(
-                      {.history = History::file, .amplitude = load.amplitude, .file = load.file});
+        Source source;
+        if (load.file.empty()) {
+            source = source_of(load);
+        } else {
+            const ForceInTime force(
+                {.history = History::file, .amplitude = load.amplitude, .file = load.file});
+            source = source_of(force, force.warnings(load.name, time_step));
+        }
         source.gives = load.is_velocity ? Source::Gives::velocity : Source::Gives::force;
-        const Entries entries = load.surface ? entries_of_layer(plane, *load.surface)
-                                             : entries_around(load.centre, load.half_width);
+        const Entries entries = load.surface
+                                    ? entries_of_layer(plane, *load.surface)
+                                    : region.within(load.name, load.centre, load.half_width);
         if (load.surface && load.is_traction) {
             source.shares = shares_of_layer(plane, *load.surface, entries);
         }
@@ -202,7 +224,7 @@ PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
     }
     if (scene.drive) {
         add(source_of(*scene.drive), scene.drive->component,
-            entries_around(scene.drive->centre, scene.drive->half_width), "drive", plane);
+            region.within("drive", scene.drive->centre, scene.drive->half_width), "drive", plane);
     }
 }
 

@@ -16,27 +16,6 @@
 
 namespace nmbcrun {
 
-/// u and v of the start at a point [length].
-struct PlaneStart {
-    std::array<double, 2> u{};
-    std::array<double, 2> v{};
-};
-class PlaneInitialField {
-  public:
-    /// Of a scene that has one.
-    explicit PlaneInitialField(const PlaneScene& scene);
-    PlaneStart at(const std::array<double, 2>& point) const;
-
-  private:
-    PlaneInitial initial_;
-    double spacing_;
-    // Of a packet's wave:
-    std::array<double, 2> xi_{};
-    double omega_ = 0;                        // [1/time]
-    std::array<double, 2> group_velocity_{};  // [length/time]
-    std::array<double, 2> direction_{};       // of u
-};
-
 /// The loads, the force and the drive of a scene, in every step before the sides.
 class PlaneSources {
   public:
@@ -58,8 +37,8 @@ class PlaneSources {
 
     bool drives(double time) const;
 
-    /// In words: what the time steps miss of a file; empty where they do not.
-    const std::string& warning() const { return warning_; }
+    /// In words: what the run misses of the force and of loads from files.
+    const std::vector<std::string>& warnings() const { return warnings_; }
 
   private:
     /// A node that a source moves, in one direction.
@@ -85,13 +64,15 @@ class PlaneSources {
 
     static Source source_of(const PlaneLoad& load);  ///< without a file
     static Source source_of(const PlaneDrive& drive);
-    /// table: of the scene, that acts on these entries of a field. Throws SceneError where there
-    /// are none, or another table gives a course to one of them.
+    /// With what the run misses of it for the user.
+    Source source_of(const ForceInTime& force, const std::vector<std::string>& warnings);
+    /// table: of the scene, that acts on these entries of a field. Throws SceneError where
+    /// another table gives a course to one of them.
     void add(Source source, std::size_t component, const Entries& entries, const std::string& table,
              const nmbc::Plane& plane);
 
     std::vector<Source> sources_{};  // later ones have the last word
-    std::string warning_{};
+    std::vector<std::string> warnings_{};
     std::vector<Moved> moved_{};
     std::map<std::array<std::size_t, 2>, std::size_t> places_{};  // there, by component and entry
     double density_;

@@ -59,16 +59,15 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool quiet) {
     if (std::ranges::none_of(
             scene.sides, [](const PlaneSideChoice& side) { return is_artificial(side.kind); })) {
         throw SceneError(
-            "all sides are physical, fixed, free, sbp, mirror or periodic, and verify looks at "
-            "what "
-            "artificial "
-            "ones do: there is none");
+            "all sides are physical, fixed, free, sbp, kernel, mirror or periodic, and verify "
+            "looks "
+            "at what artificial ones do: there is none");
     }
-    PlaneSimulation simulation(scene);
+    PlaneSimulation simulation(scene, quiet);
     PlaneScene endless = without_artificial_sides(scene);
     endless.step = simulation.plan().time_step;
     endless.cfl.reset();
-    PlaneSimulation reference(endless);
+    PlaneSimulation reference(endless, quiet);
     print_warnings(warnings_of(simulation));
     if (!quiet) {
         fmt::print("{}time      {} steps of {}\nreference\n{}\n", heading_of(simulation),
@@ -93,7 +92,7 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool quiet) {
         }
     }
     if (!(found.largest > 0)) {
-        throw Unstable("nothing moved at any time, so there is nothing to compare with");
+        throw nothing_to_compare_with();
     }
     const double error = found.error / found.largest;
     const bool holds = error <= tolerance;

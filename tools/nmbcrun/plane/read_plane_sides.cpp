@@ -16,8 +16,9 @@
 #include <utility>
 #include <vector>
 
+#include "generator/names/printable.hpp"
 #include "generator/passive/plane_side.hpp"
-#include "tools/nmbcrun/scene/printable.hpp"
+#include "tools/nmbcrun/plane/matched_layers.hpp"
 #include "tools/nmbcrun/scene/read_choice.hpp"
 
 namespace nmbcrun {
@@ -82,7 +83,7 @@ std::vector<ObliqueWave> read_waves(SceneReader& reader, const std::string& key)
                         fmt::format("has \"{}\": a wave is P or S and the angle from the normal "
                                     "at which it comes, 0 or more and below 90 degrees or X:Y, "
                                     "such as \"P:30\" or \"S:3:4\"",
-                                    printable(text.substr(0, 60))));
+                                    nmbcgen::printable(text.substr(0, 60))));
         }
         waves.push_back(*wave);
     }
@@ -92,11 +93,16 @@ std::vector<ObliqueWave> read_waves(SceneReader& reader, const std::string& key)
     return waves;
 }
 
+bool counts(std::string_view key, SideKind kind) {
+    const auto keys = keys_of(kind);
+    return std::ranges::find(keys, key) != keys.end();
+}
+
 PlaneSideChoice read_side(SceneReader& reader, const std::string& group,
                           const PlaneSideChoice& otherwise) {
     PlaneSideChoice side = otherwise;
     side.kind = read_choice(reader, group + ".kind", side_kinds()).value_or(side.kind);
-    if (side.kind != otherwise.kind) {
+    if (side.kind != otherwise.kind && counts("layer", otherwise.kind)) {
         side.layer = 0;  // of another kind
     }
     if (const auto layer = reader.whole_number(group + ".layer", 1, most_layer)) {
@@ -123,13 +129,37 @@ void refuse_idle_keys(SceneReader& reader, const std::string& group,
     for (const std::string_view name :
          {"order", "stride", "as_printed", "absorb", "odd", "layer", "profile", "target"}) {
         const std::string key = fmt::format("{}.{}", group, name);
-        const bool counts = std::ranges::any_of(sides, [&](const PlaneSideChoice& side) {
-            const auto keys = keys_of(side.kind);
-            return std::ranges::find(keys, name) != keys.end();
-        });
-        if (!counts && reader.has(key) && (reader.is_overridden(key) || !kind_is_overridden)) {
+        const bool is_idle = std::ranges::none_of(
+            sides, [&](const PlaneSideChoice& side) { return counts(name, side.kind); });
+        if (is_idle && reader.has(key) && (reader.is_overridden(key) || !kind_is_overridden)) {
             reader.fail(key, fmt::format("does not count for kind \"{}\"", name_of(sides[0].kind)));
         }
+    }
+}
+
+/// The table that says of which kind a side is.
+std::string group_of_kind(SceneReader& reader, std::size_t side) {
+    const std::string own = fmt::format("boundary.{}", plane_side_names[side]);
+    return reader.has(own + ".kind") ? own : "boundary";
+}
+
+/// Names all that perfectly matched layers need at once.
+void require_matched_layers(SceneReader& reader, const PlaneScene& scene) {
+    std::string first;
+    std::vector<std::string> missing_keys;
+    for (std::size_t i = 0; i < scene.sides.size(); ++i) {
+        if (scene.sides[i].kind == SideKind::pml) {
+            const std::string group = group_of_kind(reader, i);
+            const std::string key = group + ".layer";
+            first = first.empty() ? group : first;
+            if (scene.sides[i].layer == 0 &&
+                std::ranges::find(missing_keys, key) == missing_keys.end()) {
+                missing_keys.push_back(key);
+            }
+        }
+    }
+    if (const std::string lack = lack_of_matched_layers(scene, missing_keys); !lack.empty()) {
+        reader.fail(first, "has a pml: " + lack);
     }
 }
 
@@ -155,18 +185,21 @@ void require_like_passive_sides(SceneReader& reader, const PlaneScene& scene) {
 }  // namespace
 
 void read_plane_sides(SceneReader& reader, PlaneScene& scene) {
+    scene.allow_unstable = reader.truth("boundary.allow_unstable").value_or(false);
     const PlaneSideChoice all = read_side(reader, "boundary", {});
     for (std::size_t i = 0; i < scene.sides.size(); ++i) {
         scene.sides[i] = read_side(reader, fmt::format("boundary.{}", plane_side_names[i]), all);
     }
     refuse_idle_keys(reader, "boundary", scene.sides);
+    require_matched_layers(reader, scene);
     for (std::size_t i = 0; i < scene.sides.size(); ++i) {
         const std::string group = fmt::format("boundary.{}", plane_side_names[i]);
         refuse_idle_keys(reader, group, {&scene.sides[i], 1});
         const PlaneSideChoice& side = scene.sides[i];
         if (has_layer(side.kind) && side.layer == 0) {
-            reader.fail("boundary", fmt::format("has a {}, which needs boundary.layer, its nodes",
-                                                name_of(side.kind)));
+            const std::string whose = group_of_kind(reader, i);
+            reader.fail(whose, fmt::format("has a {}, which needs {}.layer, its nodes",
+                                           name_of(side.kind), whose));
         }
         if (side.kind == SideKind::nmbc && side.order > 1 && scene.tau != 0) {
             reader.fail("boundary.order",

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numbers>
@@ -24,14 +25,55 @@ std::array<double, 2> read_point(const KeyGroup& group, const char* name, const 
     return reader.required(group.key(name), reader.pair(group.key(name), bounds));
 }
 
-PlaneInitial read_initial(const KeyGroup& group) {
+/// The node that is at a point, from 0; it need not be one of the scene's.
+std::array<std::ptrdiff_t, 2> read_node(const KeyGroup& group, const char* name,
+                                        const std::array<double, 2>& point, double spacing) {
+    std::array<std::ptrdiff_t, 2> node{};
+    for (const std::size_t axis : {0U, 1U}) {
+        constexpr double roundings = 1e-6;  // [dX]
+        constexpr auto far = double(most_nodes);
+        const double place = point[axis] / spacing;
+        if (!(std::abs(place) <= far && std::abs(place - std::round(place)) <= roundings)) {
+            group.reader().fail(
+                group.key(name),
+                fmt::format("has {}, which is no place of a node: they are {} apart, "
+                            "the first one at [{}, {}]",
+                            point[axis], spacing, spacing, spacing));
+        }
+        node[axis] = std::ptrdiff_t(std::round(place)) - 1;
+    }
+    return node;
+}
+
+PlaneInitial read_initial_file(const KeyGroup& group, double spacing) {
+    group.refuse(
+        {"amplitude", "centre", "width", "component", "of", "wave_number", "angle", "polarisation"},
+        "a file, which has its own u and v");
+    PlaneInitial initial{.shape = PlaneShape::file};
+    initial.file = group.file();
+    initial.format = group.format_in("shape");
+    if (initial.format == FileFormat::csv) {
+        group.refuse({"origin"}, "a csv, which has its own x and y");
+    } else if (const auto origin = group.reader().pair(group.key("origin"), any_number)) {
+        initial.first_node = read_node(group, "origin", *origin, spacing);
+    }
+    return initial;
+}
+
+PlaneInitial read_initial(const KeyGroup& group, double spacing) {
     constexpr Bounds wave_numbers{0, std::numbers::pi, false, "a number above 0, up to pi"};
     enum class Of { displacement, velocity };
     enum class Polarisation { P, S };
     PlaneInitial initial;
     initial.shape = group.choice<PlaneShape>("shape", {{"gaussian", PlaneShape::gaussian},
                                                        {"cosine", PlaneShape::cosine},
-                                                       {"packet", PlaneShape::packet}});
+                                                       {"packet", PlaneShape::packet},
+                                                       {"csv", PlaneShape::file},
+                                                       {"hdf5", PlaneShape::file}});
+    if (initial.shape == PlaneShape::file) {
+        return read_initial_file(group, spacing);
+    }
+    group.refuse({"file", "origin"}, "this shape");
     initial.amplitude = group.not_zero("amplitude");
     initial.centre = read_point(group, "centre", any_number);
     initial.width = group.number("width", positive);
@@ -101,12 +143,12 @@ PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneS
     }
     if (kind == Kind::traction || kind == Kind::pressure) {
         const PlaneSideChoice& beside = scene.sides[reader.required(group.key("side"), side)];
-        if (beside.kind != SideKind::free && beside.kind != SideKind::sbp) {
+        if (beside.kind != SideKind::free && !is_closed(beside.kind)) {
             reader.fail(
                 group.key("side"),
                 fmt::format("has no surface: the body does not end there, or is held (side "
-                            "{}). A traction or pressure needs boundary.{}.kind = \"free\" or "
-                            "\"sbp\"; loads of the kinds force and velocity do not",
+                            "{}). A traction or pressure needs boundary.{}.kind = \"free\", "
+                            "\"sbp\" or \"kernel\"; loads of the kinds force and velocity do not",
                             heading_of(beside), plane_side_names[*side]));
         }
         load.amplitude /= scene.spacing;  // of a whole cell
@@ -115,7 +157,7 @@ PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneS
     if (side) {
         group.refuse({"centre", "half_width"}, "the nodes of a side");
         take_side(load, *side, scene);
-        if (scene.sides[*side].kind == SideKind::sbp) {
+        if (is_closed(scene.sides[*side].kind)) {
             load.surface = side;
         }
         if (kind == Kind::pressure) {
@@ -145,7 +187,7 @@ PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneS
 
 void read_plane_sources(SceneReader& reader, const std::string& path, PlaneScene& scene) {
     if (reader.has("initial")) {
-        scene.initial = read_initial({reader, "initial", path});
+        scene.initial = read_initial({reader, "initial", path}, scene.spacing);
     }
     if (reader.has("force")) {
         scene.force = read_force({reader, "force", path});
@@ -163,21 +205,24 @@ void read_plane_sources(SceneReader& reader, const std::string& path, PlaneScene
     }
 }
 
-/// A shape is 1e-16 of its height beyond 6.5 widths.
 void require_plane_sources_inside(const SceneReader& reader, const PlaneScene& scene) {
-    if (!scene.initial) {
+    if (scene.force) {
+        require_in_run(reader, "force", scene.force->history, scene.end);
+    }
+    if (!scene.initial || scene.initial->shape == PlaneShape::file) {
         return;
     }
     const double reach =
-        scene.initial->width * (scene.initial->shape == PlaneShape::cosine ? 1 : 6.5);
+        scene.initial->width * (scene.initial->shape == PlaneShape::cosine ? 1 : widths_of_pulse);
     for (const std::size_t axis : {0U, 1U}) {
         const double last = double(scene.nodes[axis]) * scene.spacing;
         const double centre = scene.initial->centre[axis];
         if (centre + reach < scene.spacing || centre - reach > last) {
-            reader.fail("initial.centre",
-                        fmt::format("puts it outside of the plane, whose nodes are at {:g} to {:g} "
-                                    "along {}",
-                                    scene.spacing, last, axis == 0 ? 'x' : 'y'));
+            reader.fail_beside(
+                "initial.centre", "domain.nodes",
+                fmt::format("puts it outside of the plane, whose nodes are at {:g} to {:g} "
+                            "along {}",
+                            scene.spacing, last, axis == 0 ? 'x' : 'y'));
         }
     }
 }

@@ -13,7 +13,8 @@ namespace nmbcrun {
 /// SceneError.
 void read_plane_sources(SceneReader& reader, const std::string& path, PlaneScene& scene);
 
-/// Throws SceneError where the start has nothing within the plane.
+/// Throws SceneError where the start has nothing within the plane, or the force nothing within the
+/// run, but for a tail beyond widths_of_pulse.
 void require_plane_sources_inside(const SceneReader& reader, const PlaneScene& scene);
 
 }  // namespace nmbcrun

@@ -22,17 +22,12 @@ std::string text_of(const std::vector<ObliqueWave>& waves) {
 
 const std::vector<std::pair<std::string_view, SideKind>>& side_kinds() {
     static const std::vector<std::pair<std::string_view, SideKind>> kinds{
-        {"passive", SideKind::passive},
-        {"fixed", SideKind::fixed},
-        {"free", SideKind::free},
-        {"sbp", SideKind::sbp},
-        {"mirror", SideKind::mirror},
-        {"periodic", SideKind::periodic},
-        {"extended", SideKind::extended},
-        {"nmbc", SideKind::nmbc},
-        {"higdon", SideKind::higdon},
-        {"sponge", SideKind::sponge},
-        {"pml", SideKind::pml}};
+        {"passive", SideKind::passive},   {"fixed", SideKind::fixed},
+        {"free", SideKind::free},         {"sbp", SideKind::sbp},
+        {"kernel", SideKind::kernel},     {"mirror", SideKind::mirror},
+        {"periodic", SideKind::periodic}, {"extended", SideKind::extended},
+        {"nmbc", SideKind::nmbc},         {"higdon", SideKind::higdon},
+        {"sponge", SideKind::sponge},     {"pml", SideKind::pml}};
     return kinds;
 }
 
@@ -49,8 +44,12 @@ bool has_layer(SideKind kind) {
     return kind == SideKind::sponge || kind == SideKind::pml;
 }
 
+bool is_closed(SideKind kind) {
+    return kind == SideKind::sbp || kind == SideKind::kernel;
+}
+
 bool is_artificial(SideKind kind) {
-    return kind != SideKind::fixed && kind != SideKind::free && kind != SideKind::sbp &&
+    return !is_closed(kind) && kind != SideKind::fixed && kind != SideKind::free &&
            kind != SideKind::mirror && kind != SideKind::periodic;
 }
 
@@ -64,6 +63,8 @@ std::string heading_of(const PlaneSideChoice& side) {
             return "higdon for " + text_of(side.absorb);
         case SideKind::sbp:
             return "summation by parts";
+        case SideKind::kernel:
+            return "convex kernels";
         case SideKind::mirror:
             return side.is_odd ? "odd mirror" : "mirror";
         case SideKind::sponge:

@@ -15,7 +15,8 @@ enum class SideKind {
     passive,   ///< stable by construction, designed for the lattice
     fixed,     ///< ghosts held at u = 0
     free,      ///< no nodes beyond it
-    sbp,       ///< two lines of nodes beyond it, the outer one the surface, by summation by parts
+    sbp,       ///< lines of nodes beyond it, the outermost the surface, by summation by parts
+    kernel,    ///< likewise, by convex kernels
     mirror,    ///< the mirror image beyond it
     periodic,  ///< the opposite side is its neighbour
     extended,  ///< more of the same lattice, fixed at its far end
@@ -60,8 +61,11 @@ bool may_grow(SideKind kind);
 /// Whether it has nodes of its own beyond the scene's, `layer` of them.
 bool has_layer(SideKind kind);
 
-/// Whether it stands for more of the same lattice: physical sides are fixed, free, sbp, mirror
-/// and periodic.
+/// Whether the body ends there on its outermost nodes, which are beyond the scene's.
+bool is_closed(SideKind kind);
+
+/// Whether it stands for more of the same lattice: physical sides are closed, fixed, free, mirror
+/// and periodic ones.
 bool is_artificial(SideKind kind);
 
 /// As a scene spells it, such as "fixed".

@@ -2,6 +2,7 @@
 #include "tools/nmbcrun/plane_compare/plane_advice.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -36,9 +37,8 @@ Advice advice_for(const PlaneScene& scene, double tolerance, bool quiet) {
     if (!advice.has_artificial) {
         if (!advice.strip) {
             throw SceneError(
-                "all sides are physical, fixed, free, sbp, mirror or periodic, and the scene needs "
-                "both "
-                "dimensions: there is nothing to advise");
+                "all sides are physical, fixed, free, sbp, kernel, mirror or periodic, and the "
+                "scene needs both dimensions: there is nothing to advise");
         }
         return advice;
     }
@@ -59,30 +59,38 @@ Advice advice_for(const PlaneScene& scene, double tolerance, bool quiet) {
     return advice;
 }
 
-/// Of the artificial sides, together where all four are.
-std::string settings_of(const PlaneScene& scene, const PlaneSideChoice& side) {
-    std::string settings;
+/// What to add to a command: one node along an axis, and the artificial sides, together where all
+/// four are.
+std::string settings_of(const PlaneScene& scene, const Advice& advice) {
+    std::vector<std::string> settings;
+    if (advice.strip) {
+        settings.push_back(advice.strip->settings);
+    }
+    if (!advice.has_artificial) {
+        return settings.front();
+    }
+    const PlaneSideChoice& side = advice.best().what.side;
     const auto set = [&](const std::string& group) {
-        settings += fmt::format(" --set {}.kind={}", group, name_of(side.kind));
+        settings.push_back(fmt::format("--set {}.kind={}", group, name_of(side.kind)));
         if (side.layer > 0) {
-            settings += fmt::format(" --set {}.layer={}", group, side.layer);
+            settings.push_back(fmt::format("--set {}.layer={}", group, side.layer));
         }
         if (has_layer(side.kind)) {
-            settings += fmt::format(" --set {0}.profile={1} --set {0}.target={2:.3g}", group,
-                                    side.profile, side.target);
+            settings.push_back(fmt::format("--set {0}.profile={1} --set {0}.target={2}", group,
+                                           side.profile, side.target));
         }
     };
     const auto is_open = [](const PlaneSideChoice& one) { return is_artificial(one.kind); };
     if (std::ranges::all_of(scene.sides, is_open)) {
         set("boundary");
-        return settings;
-    }
-    for (std::size_t i = 0; i < scene.sides.size(); ++i) {
-        if (is_open(scene.sides[i])) {
-            set(fmt::format("boundary.{}", plane_side_names[i]));
+    } else {
+        for (std::size_t i = 0; i < scene.sides.size(); ++i) {
+            if (is_open(scene.sides[i])) {
+                set(fmt::format("boundary.{}", plane_side_names[i]));
+            }
         }
     }
-    return settings;
+    return fmt::format("{}", fmt::join(settings, " "));
 }
 
 void print_strip(const PlaneStrip& strip, const PlaneScene& scene) {
@@ -115,28 +123,21 @@ void print_table(const Advice& advice) {
 }  // namespace
 
 PlaneScene as_advised(const PlaneScene& scene, double tolerance, bool quiet) {
-    const Advice advice = advice_for(scene, tolerance, true);
+    const Advice advice = advice_for(scene, tolerance, quiet);
+    const std::string settings = settings_of(scene, advice);
+    fmt::print("advice     {}\n", settings);
     PlaneScene advised = advice.strip ? advice.strip->scene : scene;
-    std::string line =
-        advice.strip ? fmt::format("{} x {} nodes", advised.nodes[0], advised.nodes[1]) : "";
     if (advice.has_artificial) {
-        const PlaneSideChoice& side = advice.best().what.side;
-        advised = with_sides(advised, side);
+        advised = with_sides(advised, advice.best().what.side);
         advised.allow_unstable = scene.allow_unstable;
-        line += fmt::format("{}{}, error {:.1e}", line.empty() ? "" : ", ", heading_of(side),
-                            advice.best().error);
     }
-    if (!quiet) {
-        fmt::print("advice    {}\n", line);
-    }
-    advised.given["the advice"] = line;  // a checkpoint is of this one
+    advised.given["the advice"] = settings;  // a checkpoint is of this one
     return advised;
 }
 
 void advise_plane(const PlaneScene& scene, double tolerance, bool quiet) {
     note_interrupts();
     const Advice advice = advice_for(scene, tolerance, quiet);
-    std::string settings = advice.strip ? " " + advice.strip->settings : "";
     if (advice.strip && !quiet) {
         print_strip(*advice.strip, scene);
     }
@@ -146,9 +147,8 @@ void advise_plane(const PlaneScene& scene, double tolerance, bool quiet) {
         }
         fmt::print("advice     {}, error {:.1e}\n", heading_of(advice.best().what.side),
                    advice.best().error);
-        settings += settings_of(scene, advice.best().what.side);
     }
-    fmt::print("settings  {}\n", settings);
+    fmt::print("settings   {}\n", settings_of(scene, advice));
 }
 
 }  // namespace nmbcrun

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/names/printable.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/csv.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
@@ -19,9 +20,8 @@ void chart_plane(const PlaneScene& scene, const PlaneChartOptions& options) {
     if (std::ranges::none_of(
             scene.sides, [](const PlaneSideChoice& side) { return is_artificial(side.kind); })) {
         throw SceneError(
-            "all sides are physical, fixed, free, sbp, mirror or periodic, and chart compares "
-            "artificial ones: "
-            "there is none");
+            "all sides are physical, fixed, free, sbp, kernel, mirror or periodic, and chart "
+            "compares artificial ones: there is none");
     }
     note_interrupts();
     CsvFile csv(options.folder / (scene.name + "_chart.csv"), side_points_header);
@@ -37,7 +37,7 @@ void chart_plane(const PlaneScene& scene, const PlaneChartOptions& options) {
             options.long_run);
         print(points);
     }
-    fmt::print("chart        {}\n", csv.path().string());
+    fmt::print("chart        {}\n", nmbcgen::printable(csv.path().string()));
     const std::string picture = (options.folder / (scene.name + "_chart")).string();
     draw("plane_chart.gp", {csv.path().string(), picture, scene.title},
          {picture + ".svg", picture + ".png"});

@@ -44,19 +44,19 @@ void try_sides(SidePoint& point, Job job) {
 class Measurement {
   public:
     Measurement(PlaneScene scene, const std::vector<SideCandidate>& candidates,
-                std::size_t long_run)
-        : scene_(std::move(scene)), long_run_(long_run) {
+                std::size_t long_run, bool quiet)
+        : scene_(std::move(scene)), long_run_(long_run), quiet_(quiet) {
         for (const SideCandidate& what : candidates) {
             points_.push_back({.what = what});
         }
         sides_.resize(points_.size());
         const PlaneScene fixed = with_sides(scene_, {.kind = SideKind::fixed});
-        bare_step_ = longest_step(fixed, sides_of(fixed));
+        bare_step_ = longest_step(fixed, sides_of(fixed, quiet_).all);
     }
 
-    std::vector<SidePoint> run(bool quiet) {
+    std::vector<SidePoint> run() {
         find_steps();
-        Work work(total_work(), quiet);
+        Work work(total_work(), quiet_);
         run_reference(work);
         on_points([&](std::size_t i) { tune(i, work); });
         on_points([&](std::size_t i) { run(i, work); });
@@ -105,6 +105,7 @@ class Measurement {
 
     PlaneScene scene_;
     std::size_t long_run_;
+    bool quiet_;
     std::vector<SidePoint> points_{};
     std::vector<std::optional<nmbc::PlaneSides>> sides_{};  // of the points
     double bare_step_ = 0;                                  // longest between fixed sides
@@ -117,13 +118,13 @@ class Measurement {
 void Measurement::find_steps() {
     on_points([&](std::size_t i) {
         const PlaneScene scene = with_sides(scene_, points_[i].what.side);
-        sides_[i] = sides_of(scene);
+        sides_[i] = sides_of(scene, quiet_).all;
         points_[i].longest_step = longest_step(scene, *sides_[i]);
     });
     step_ = bare_step_;
     const PlaneScene fixed = with_sides(scene_, {.kind = SideKind::fixed});
     if (fixed.step || fixed.cfl) {
-        step_ = PlaneSimulation(fixed).plan().time_step;
+        step_ = PlaneSimulation(fixed, quiet_).plan().time_step;
     } else {
         for (const SidePoint& point : points_) {
             if (point.refused.empty()) {
@@ -131,7 +132,7 @@ void Measurement::find_steps() {
                 step_ = std::min(step_, of_stable * point.longest_step);
             }
         }
-        step_ = std::min(step_, PlaneSimulation(fixed).plan().time_step);
+        step_ = std::min(step_, PlaneSimulation(fixed, quiet_).plan().time_step);
     }
     steps_ = scene_.end / step_;
 }
@@ -161,10 +162,10 @@ double Measurement::total_work() const {
 }
 
 void Measurement::run_reference(Work& work) {
-    PlaneSimulation endless(in_steps({.kind = SideKind::extended}));
+    PlaneSimulation endless(in_steps({.kind = SideKind::extended}), quiet_);
     reference_ = samples_of(endless, work.of(0));
     if (!(reference_.largest > 0)) {
-        throw Unstable("nothing moved at any time, so there is nothing to compare with");
+        throw nothing_to_compare_with();
     }
 }
 
@@ -177,13 +178,13 @@ void Measurement::tune(std::size_t i, Work& work) {
     const auto error_with = [&](const Losses& losses) {
         side.profile = losses.profile;
         side.target = losses.target;
-        PlaneSimulation simulation(in_steps(side));
+        PlaneSimulation simulation(in_steps(side), quiet_);
         return run_trial(simulation, reference_, advance).error;
     };
     const Losses best = least_erring_losses(profiles, tuning_runs, error_with);
     side.profile = best.profile;
     side.target = best.target;
-    sides_[i] = sides_of(in_steps(side));
+    sides_[i] = sides_of(in_steps(side), quiet_).all;
 }
 
 void Measurement::run(std::size_t i, Work& work) {
@@ -198,7 +199,7 @@ void Measurement::run(std::size_t i, Work& work) {
 
 /// One after the other: what runs beside it changes what is measured.
 void Measurement::measure_costs(Work& work) {
-    PlaneSimulation bare(in_steps({.kind = SideKind::fixed}));
+    PlaneSimulation bare(in_steps({.kind = SideKind::fixed}), quiet_);
     for (std::size_t i = 0; i < points_.size(); ++i) {
         SidePoint& point = points_[i];
         if (point.refused.empty()) {
@@ -216,7 +217,7 @@ std::vector<SidePoint> measure_sides(const PlaneScene& scene,
                                      const std::vector<SideCandidate>& candidates,
                                      std::size_t long_run, bool quiet) {
     const InOneThread steps;
-    return Measurement(scene, candidates, long_run).run(quiet);
+    return Measurement(scene, candidates, long_run, quiet).run();
 }
 
 }  // namespace nmbcrun

@@ -11,7 +11,7 @@ namespace {
 /// What was chosen for the scene, in words.
 std::string choice(const PlaneSideChoice& side) {
     return has_layer(side.kind)
-               ? fmt::format("  profile {}, target {:.2g}", side.profile, side.target)
+               ? fmt::format("  profile {}, target {:.3g}", side.profile, side.target)
                : "";
 }
 
@@ -36,7 +36,7 @@ void write(const std::vector<SidePoint>& points, CsvFile& csv) {
         csv.append(fmt::format(
             "{},{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{},{:d}", point.what.name, name_of(side.kind),
             side.layer,
-            has_layer(side.kind) ? fmt::format("{},{:.3g}", side.profile, side.target) : ",",
+            has_layer(side.kind) ? fmt::format("{},{}", side.profile, side.target) : ",",
             point.error, point.energy_left, point.step_cost, point.run_cost, point.long_run(),
             point.on_front));
     }

@@ -91,7 +91,7 @@ bool grows(const PlaneScene& scene, const PlaneSideChoice& side, std::size_t ste
                                .width = scene.spacing / 2};
     box.step.reset();
     box.cfl.reset();
-    PlaneSimulation simulation(box);
+    PlaneSimulation simulation(box, true);
     constexpr std::size_t looks = 400;
     const double first = simulation.plane().energies().staggered;
     std::array<double, 4> most{};  // of each quarter
@@ -110,23 +110,23 @@ bool grows(const PlaneScene& scene, const PlaneSideChoice& side, std::size_t ste
 }
 
 double relative_cost(PlaneSimulation& simulation, PlaneSimulation& other) {
-    const auto nodes = double(other.plane().grid().nx) * double(other.plane().grid().ny);
-    constexpr double node_steps = 4e5;  // some 20 ms
-    const std::size_t steps = 2 + std::size_t(node_steps / nodes);
-    const auto seconds = [steps](PlaneSimulation& one) {
+    const auto seconds_a_step = [](PlaneSimulation& one) {
+        const auto nodes = double(one.plane().grid().nx) * double(one.plane().grid().ny);
+        constexpr double node_steps = 4e5;  // some 20 ms
+        const std::size_t steps = 2 + std::size_t(node_steps / nodes);
         const auto state = one.state();
         const std::size_t begun = one.plane().steps();
         const double start = seconds_of_this_process();
         one.advance(steps);
         const double taken = seconds_of_this_process() - start;
         one.resume(begun, state);
-        return taken;
+        return taken / double(steps);
     };
     std::vector<double> ratios;
     constexpr std::size_t pairs = 21;
     for (std::size_t pair = 0; pair < pairs; ++pair) {
-        const double own = seconds(simulation);
-        ratios.push_back(own / seconds(other));
+        const double own = seconds_a_step(simulation);
+        ratios.push_back(own / seconds_a_step(other));
     }
     std::ranges::nth_element(ratios, ratios.begin() + pairs / 2);
     return ratios[pairs / 2];

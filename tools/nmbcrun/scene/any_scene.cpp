@@ -8,10 +8,19 @@
 #include <cmath>
 #include <filesystem>
 
-#include "tools/nmbcrun/scene/printable.hpp"
+#include "generator/names/printable.hpp"
 #include "tools/nmbcrun/scene/scene_reader.hpp"
 
 namespace nmbcrun {
+
+std::string warning_of_short_run(const AnyScene& scene) {
+    const double way = scene.end / unit_of_time(scene);
+    return way < 1 ? fmt::format(
+                         "until time.end waves go {:.1g} dX: do the units of material, "
+                         "domain and time belong together?",
+                         way)
+                   : "";
+}
 
 void read_title(SceneReader& reader, const std::string& path, AnyScene& scene) {
     const auto name = reader.text("output.name");
@@ -22,7 +31,7 @@ void read_title(SceneReader& reader, const std::string& path, AnyScene& scene) {
                     "must be a file name without a folder, '..' and control characters");
     }
     scene.name = name.value_or(std::filesystem::path(path).stem().string());
-    scene.title = printable(reader.text("title").value_or(scene.name));
+    scene.title = nmbcgen::printable(reader.text("title").value_or(scene.name));
 }
 
 void read_material(SceneReader& reader, AnyScene& scene) {

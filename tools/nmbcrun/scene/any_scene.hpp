@@ -3,6 +3,7 @@
 /// defaults: docs/reference/scene.md.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -32,6 +33,20 @@ struct AnyScene {
     /// Every key that is given, by its dotted path, and its value as text, for comparison.
     std::map<std::string, std::string> given{};
 };
+
+/// c = sqrt(E/rho) [length/time].
+inline double wave_speed(const AnyScene& scene) {
+    return std::sqrt(scene.youngs_modulus / scene.density);
+}
+
+/// dX/c [time].
+inline double unit_of_time(const AnyScene& scene) {
+    return scene.spacing / wave_speed(scene);
+}
+
+/// Where waves do not go from node to node until time.end, as where units do not belong together;
+/// empty where they do.
+std::string warning_of_short_run(const AnyScene& scene);
 
 // Each reads some keys of a scene, and throws SceneError.
 

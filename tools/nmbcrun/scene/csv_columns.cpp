@@ -37,19 +37,42 @@ double number_in(std::string_view entry, const std::string& where) {
     return value;
 }
 
+constexpr auto no_place = std::size_t(-1);
+
+/// Where the columns are in a row, the first `required` of which the header has to have; no_place:
+/// it has none of this name.
+std::vector<std::size_t> places_in(const std::vector<std::string_view>& header,
+                                   const std::vector<std::string>& names, std::size_t required,
+                                   const std::string& where) {
+    std::vector<std::size_t> places;
+    places.reserve(names.size());
+    for (const std::string& name : names) {
+        const auto found = std::ranges::find(header, name);
+        if (found == header.end() && places.size() < required) {
+            throw SceneError(fmt::format("{}: the header has no column '{}'", where, name));
+        }
+        places.push_back(found == header.end() ? no_place : std::size_t(found - header.begin()));
+    }
+    return places;
+}
+
 }  // namespace
 
 std::vector<std::vector<double>> read_columns(const std::filesystem::path& path,
-                                              const std::vector<std::string>& names) {
+                                              const std::vector<std::string>& names,
+                                              const std::vector<std::string>& optional) {
     constexpr std::uintmax_t most_bytes = 1U << 30U;  // 10^7 nodes have 0.6e9
     std::ifstream stream = open_regular_file(path, most_bytes);
-    return read_columns(stream, path.string(), names);
+    return read_columns(stream, path.string(), names, optional);
 }
 
 std::vector<std::vector<double>> read_columns(std::istream& stream, const std::string& name,
-                                              const std::vector<std::string>& names) {
-    std::vector<std::vector<double>> columns(names.size());
-    std::vector<std::size_t> places;
+                                              const std::vector<std::string>& names,
+                                              const std::vector<std::string>& optional) {
+    std::vector<std::string> all = names;
+    all.insert(all.end(), optional.begin(), optional.end());
+    std::vector<std::vector<double>> columns(all.size());
+    std::vector<std::size_t> places;  // of the columns in a row
     std::size_t header_entries = 0;
     std::string line;
     for (std::size_t number = 1; std::getline(stream, line); ++number) {
@@ -68,19 +91,18 @@ std::vector<std::vector<double>> read_columns(std::istream& stream, const std::s
             throw SceneError(fmt::format("{}: the row has {} entries, the header {}", where,
                                          entries.size(), header_entries));
         }
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            if (is_header) {
-                const auto found = std::ranges::find(entries, names[i]);
-                if (found == entries.end()) {
-                    throw SceneError(
-                        fmt::format("{}: the header has no column '{}'", where, names[i]));
-                }
-                places.push_back(std::size_t(found - entries.begin()));
-            } else if (places[i] >= entries.size()) {
-                throw SceneError(fmt::format("{}: column '{}' is missing", where, names[i]));
-            } else {
-                columns[i].push_back(number_in(entries[places[i]], where));
+        if (is_header) {
+            places = places_in(entries, all, names.size(), where);
+            continue;
+        }
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (places[i] == no_place) {
+                continue;
             }
+            if (places[i] >= entries.size()) {
+                throw SceneError(fmt::format("{}: column '{}' is missing", where, all[i]));
+            }
+            columns[i].push_back(number_in(entries[places[i]], where));
         }
     }
     if (columns.front().empty()) {

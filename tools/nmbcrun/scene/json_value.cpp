@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "generator/names/printable.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/scene/printable.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -17,7 +17,7 @@ std::string as_written(const nlohmann::json& value) {
     if (value.is_structured()) {
         return value.is_object() ? "an object" : fmt::format("a list of {}", value.size());
     }
-    return beginning_of(value.dump());
+    return nmbcgen::beginning_of(value.dump());
 }
 
 }  // namespace

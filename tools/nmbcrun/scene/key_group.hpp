@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tools/nmbcrun/scene/read_choice.hpp"
+#include "tools/nmbcrun/scene/sources.hpp"
 
 namespace nmbcrun {
 
@@ -40,6 +41,10 @@ class KeyGroup {
     Value choice(std::string_view name,
                  const std::vector<std::pair<std::string_view, Value>>& choices) const {
         return reader_.required(key(name), read_choice(reader_, key(name), choices));
+    }
+    /// That of the file, where `name` says "csv" or "hdf5".
+    FileFormat format_in(std::string_view name) const {
+        return reader_.is_word(key(name), "hdf5") ? FileFormat::hdf5 : FileFormat::csv;
     }
     std::filesystem::path file() const {
         return folder_ / reader_.required(key("file"), reader_.text(key("file")));

@@ -95,6 +95,13 @@ Preload read_preload(const KeyGroup& group) {
     return {.strain = group.number("strain", any_number)};
 }
 
+void require_begun(const SceneReader& reader, const std::string& key, double start, double end) {
+    if (start > end) {
+        reader.fail(key,
+                    fmt::format("lets it begin at t = {:.4g}, after time.end = {:g}", start, end));
+    }
+}
+
 template <class Source>
 void read(std::optional<Source>& source, Source (*read_group)(const KeyGroup&),
           const KeyGroup& group, const std::string& name) {
@@ -103,13 +110,32 @@ void read(std::optional<Source>& source, Source (*read_group)(const KeyGroup&),
     }
 }
 
+/// Of a pulse, which has a duration.
+void refuse_frequency(const KeyGroup& group, History history) {
+    const std::string key = group.key("frequency");
+    const auto frequency = group.reader().number(key, positive);
+    if (!frequency) {
+        return;
+    }
+    const std::string duration = group.key("duration");
+    group.reader().fail(
+        key, history == History::gaussian
+                 ? fmt::format("has no meaning for a gaussian, exp(-((t - time)/duration)^2): give "
+                               "{}",
+                               duration)
+                 : fmt::format("has no meaning for a ricker: {} = {:.4g}, 1/(pi frequency), makes "
+                               "its spectrum largest there",
+                               duration, 1 / (std::numbers::pi * *frequency)));
+}
+
 }  // namespace
 
 History history_of(const KeyGroup& group) {
     return group.choice<History>("history", {{"gaussian", History::gaussian},
                                              {"ricker", History::ricker},
                                              {"sine", History::sine},
-                                             {"csv", History::file}});
+                                             {"csv", History::file},
+                                             {"hdf5", History::file}});
 }
 
 ForceHistory read_history(const KeyGroup& group, History history) {
@@ -119,15 +145,19 @@ ForceHistory read_history(const KeyGroup& group, History history) {
         force.amplitude = group.reader().has(group.key("amplitude")) ? group.not_zero("amplitude")
                                                                      : force.amplitude;
         force.file = group.file();
+        force.format = group.format_in("history");
     } else {
         force.amplitude = group.not_zero("amplitude");
         group.refuse({"file"}, "this history");
     }
     if (force.history == History::gaussian || force.history == History::ricker) {
+        refuse_frequency(group, force.history);
         force.duration = group.number("duration", positive);
         force.time = group.number("time", any_number);
     } else {
-        group.refuse({"duration"}, "this history");
+        group.refuse({"duration"}, force.history == History::sine
+                                       ? "a sine, which has a frequency and cycles"
+                                       : "this history");
         force.time = group.number_or("time", any_number, force.time);
     }
     if (force.history == History::sine) {
@@ -187,48 +217,44 @@ void require_physical_sources(const SceneReader& reader, const Scene& scene) {
     }
 }
 
+void require_in_run(const SceneReader& reader, const std::string& group, const ForceHistory& force,
+                    double end) {
+    const std::string key = group + ".time";
+    const bool has_middle = force.duration > 0;
+    const double rest = has_middle ? widths_of_pulse * force.duration
+                                   : force.cycles / force.frequency;  // of a file: inf
+    require_begun(reader, key, has_middle ? force.time - rest : force.time, end);
+    if (force.time + rest < 0) {
+        reader.fail(key, "lets it end before the run begins, at t = 0");
+    }
+}
+
 void require_sources_in_run(const SceneReader& reader, const Scene& scene) {
-    constexpr double widths = 6.5;  // exp(-42), times the 84 of a ricker
-    const auto starts_late = [&](const std::string& key, double start) {
-        if (start > scene.end) {
-            reader.fail(key, fmt::format("lets it begin at t = {:.4g}, after time.end = {:g}",
-                                         start, scene.end));
-        }
-    };
     if (scene.initial && scene.initial->kind != InitialKind::file) {
-        const double reach = widths * scene.initial->pulse.width;
+        const double reach = widths_of_pulse * scene.initial->pulse.width;
         const double first = scene.spacing;
         const double last = double(scene.nodes) * scene.spacing;
         const double centre = scene.initial->centre;
         if ((centre + reach < first && !has_layer(scene.left.kind)) ||
             (centre - reach > last && !has_layer(scene.right.kind))) {
-            reader.fail("initial.centre",
-                        fmt::format("puts it outside of the bar, whose nodes are at {:g} to {:g}",
-                                    first, last));
+            reader.fail_beside(
+                "initial.centre", "domain.nodes",
+                fmt::format("puts it outside of the bar, whose nodes are at {:g} to {:g}", first,
+                            last));
         }
     }
-    const auto in_run = [&](const std::string& group, const ForceHistory& force) {
-        const std::string key = group + ".time";
-        const bool has_middle = force.duration > 0;
-        starts_late(key, force.time - (has_middle ? widths * force.duration : 0));
-        const double rest = has_middle ? widths * force.duration
-                                       : force.cycles / force.frequency;  // of a file: inf
-        if (force.time + rest < 0) {
-            reader.fail(key, "lets it end before the run begins, at t = 0");
-        }
-    };
     if (scene.force) {
-        in_run("force", *scene.force);
+        require_in_run(reader, "force", *scene.force, scene.end);
     }
     if (scene.left.value) {
-        in_run("boundary.left.value", *scene.left.value);
+        require_in_run(reader, "boundary.left.value", *scene.left.value, scene.end);
     }
     if (scene.right.value) {
-        in_run("boundary.right.value", *scene.right.value);
+        require_in_run(reader, "boundary.right.value", *scene.right.value, scene.end);
     }
     if (scene.incoming) {
-        const double way = widths * scene.incoming->pulse.width / wave_speed(scene);
-        starts_late("incoming.arrival", scene.incoming->arrival - way);
+        const double way = widths_of_pulse * scene.incoming->pulse.width / wave_speed(scene);
+        require_begun(reader, "incoming.arrival", scene.incoming->arrival - way, scene.end);
     }
 }
 

@@ -10,10 +10,19 @@
 
 namespace nmbcrun {
 
+/// Beyond them a gaussian, ricker or packet is less than 1e-9 of its amplitude: what
+/// runs on that alone was meant to be elsewhere. exp(-25) = 1.4e-11, times the 49 of a ricker.
+inline constexpr double widths_of_pulse = 5;
+
 /// The keys of a force that say how it goes in time: which history, and its own. Throws SceneError
 /// where they do not fit.
 History history_of(const KeyGroup& group);
 ForceHistory read_history(const KeyGroup& group, History history);
+
+/// Throws SceneError where a force whose keys are in this group acts at no time of a run to `end`,
+/// but for the tail beyond widths_of_pulse.
+void require_in_run(const SceneReader& reader, const std::string& group, const ForceHistory& force,
+                    double end);
 
 /// Sets the scene's sources. path: of the scene file, whose folder those of files are relative to.
 /// Throws SceneError where a source is incomplete or has a key that it does not take.
@@ -26,8 +35,8 @@ void require_a_source(const std::string& path, const Scene& scene);
 /// not the same at any lattice, or where the wave equation's answer to them is not known.
 void require_physical_sources(const SceneReader& reader, const Scene& scene);
 
-/// Throws SceneError where a source acts on no node of the bar, or at no time of the run: a shape
-/// is 1e-16 of its height beyond 6.5 widths. What is in a layer beside the bar may come in.
+/// Throws SceneError where a source acts on no node of the bar, or at no time of the run, but for
+/// the tail beyond widths_of_pulse. What is in a layer beside the bar may come in.
 void require_sources_in_run(const SceneReader& reader, const Scene& scene);
 
 }  // namespace nmbcrun

@@ -53,9 +53,9 @@ std::vector<std::size_t> read_probes(SceneReader& reader, const Scene& scene) {
     for (const double X : reader.numbers("output.probes", any_number)) {
         const double node = std::round(X / scene.spacing);
         if (!(node >= 1 && node <= double(scene.nodes))) {
-            reader.fail("output.probes",
-                        fmt::format("has {}, but the nodes are at {} to {}", X, scene.spacing,
-                                    double(scene.nodes) * scene.spacing));
+            reader.fail_beside("output.probes", "domain.nodes",
+                               fmt::format("has {}, but the nodes are at {} to {}", X,
+                                           scene.spacing, double(scene.nodes) * scene.spacing));
         }
         if (std::ranges::find(probes, std::size_t(node) - 1) != probes.end()) {
             reader.fail("output.probes", fmt::format("has node {} twice", node));

@@ -2,7 +2,6 @@
 /// A scene: what nmbcrun runs, read from TOML. Keys, units and defaults: docs/reference/scene.md.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -143,16 +142,6 @@ inline bool has_loaded_surface(const Scene& scene) {
 
 inline bool is_damped(const Scene& scene) {
     return scene.tau != "0";
-}
-
-/// c = sqrt(E/rho) [length/time].
-inline double wave_speed(const Scene& scene) {
-    return std::sqrt(scene.youngs_modulus / scene.density);
-}
-
-/// dX/c [time].
-inline double unit_of_time(const Scene& scene) {
-    return scene.spacing / wave_speed(scene);
 }
 
 /// Of the scene's chain in such steps [time].

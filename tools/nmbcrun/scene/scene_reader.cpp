@@ -2,17 +2,16 @@
 #include "tools/nmbcrun/scene/scene_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
 #include <set>
 
-#include "tools/nmbcrun/scene/printable.hpp"
 #include "tools/nmbcrun/scene/toml_text.hpp"
 
 namespace nmbcrun {
@@ -23,35 +22,38 @@ namespace {
 constexpr std::size_t longest_scene = 32768;
 constexpr std::size_t longest_override = 4096;
 
-/// Levenshtein distance.
+/// Levenshtein distance, where two neighbours that changed places count once.
 std::size_t edit_distance(std::string_view left, std::string_view right) {
     std::vector<std::size_t> row(right.size() + 1);
     std::iota(row.begin(), row.end(), 0);
+    std::vector<std::size_t> above(row.size());
+    std::vector<std::size_t> two_above(row.size());
     for (std::size_t i = 1; i <= left.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i);
+        two_above = std::exchange(above, row);
+        row[0] = i;
         for (std::size_t j = 1; j <= right.size(); ++j) {
-            const std::size_t substituted = diagonal + (left[i - 1] == right[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+            const bool is_same = left[i - 1] == right[j - 1];
+            row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (is_same ? 0 : 1)});
+            if (i > 1 && j > 1 && left[i - 1] == right[j - 2] && left[i - 2] == right[j - 1]) {
+                row[j] = std::min(row[j], two_above[j - 2] + 1);
+            }
         }
     }
     return row.back();
 }
 
-std::string as_written(const toml::node& node) {
-    return beginning_of(text_of(node));
+/// "model." of "model.nu"
+std::string_view table_of(std::string_view key) {
+    return key.substr(0, key.rfind('.') + 1);
 }
 
-bool is_within(double value, const Bounds& bounds) {
-    return std::isfinite(value) && value >= bounds.lowest && value <= bounds.highest &&
-           (value != bounds.lowest || bounds.lowest_allowed);
-}
-
-/// In words, for a value that is not within them.
-std::string allowed(const Bounds& bounds, const std::optional<double>& value) {
-    const bool too_large = value && std::isfinite(*value) && std::abs(*value) > largest_number;
-    return fmt::format("{}{}", bounds.words,
-                       too_large ? fmt::format(" of size {:g} at most", largest_number) : "");
+/// Whether a misspelt key is one that is missing: of one table, with less than half of its letters
+/// changed.
+bool may_be_meant(std::string_view given, std::string_view missing) {
+    const std::string_view table = table_of(missing);
+    const std::string_view name = missing.substr(table.size());
+    return table_of(given) == table &&
+           2 * edit_distance(given.substr(table.size()), name) < name.size();
 }
 
 void add_given(const toml::table& table, const std::string& prefix,
@@ -146,22 +148,37 @@ std::string SceneReader::place(std::string_view key) const {
     if (is_overridden(key)) {
         return fmt::format("--set {}", key);
     }
+    std::vector<std::string> below;
+    for (const std::string& other : overridden_) {
+        if (key.starts_with(other + ".")) {
+            return fmt::format("--set {}: {}", other, key);
+        }
+        if (other.starts_with(fmt::format("{}.", key))) {
+            below.push_back("--set " + other);
+        }
+    }
     const auto node = document_.at_path(key);
     if (!node) {
         return fmt::format("{}: {}", path_, key);
     }
     const auto line = node.node()->source().begin.line;
-    if (line == 0) {  // a table that no file has, made for an override of something in it
-        const auto below = std::ranges::find_if(overridden_, [&](const std::string& other) {
-            return other.starts_with(fmt::format("{}.", key));
-        });
-        return fmt::format("--set {}: {}", below == overridden_.end() ? key : *below, key);
+    if (line == 0 && !below.empty()) {  // a table that no file has, made for them
+        return fmt::format("{}: {}", below.front(), key);
     }
-    return fmt::format("{}:{}: {}", path_, line, key);
+    return fmt::format("{}:{}: {}{}", path_, line, key,
+                       below.empty() ? "" : fmt::format(", with {},", fmt::join(below, ", ")));
 }
 
 void SceneReader::fail(std::string_view key, const std::string& problem) const {
     throw SceneError(fmt::format("{} {}", place(key), problem));
+}
+
+void SceneReader::fail_beside(std::string_view key, std::string_view other,
+                              const std::string& problem) const {
+    if (!is_overridden(key) && is_overridden(other)) {
+        throw SceneError(fmt::format("--set {}: {} {}", other, key, problem));
+    }
+    fail(key, problem);
 }
 
 void SceneReader::missing(std::string_view key) const {
@@ -171,202 +188,13 @@ void SceneReader::missing(std::string_view key) const {
     }
     const auto given = this->given();
     const auto meant = std::ranges::find_if(given, [&](const auto& one) {
-        return std::ranges::find(known_, one.first) == known_.end() &&
-               3 * edit_distance(one.first, std::string(key)) <= key.size();
+        return std::ranges::find(known_, one.first) == known_.end() && may_be_meant(one.first, key);
     });
+    const auto whole = std::ranges::find_if(
+        overridden_, [&](const std::string& other) { return key.starts_with(other + "."); });
     throw SceneError(fmt::format(
-        "{}: {} is missing{}", path_, key,
+        "{}: {} is missing{}", whole == overridden_.end() ? path_ : "--set " + *whole, key,
         meant == given.end() ? "" : fmt::format("; is {} meant for it?", meant->first)));
-}
-
-std::optional<double> SceneReader::number(std::string_view key, const Bounds& bounds) {
-    const toml::node* node = find(key);
-    if (node == nullptr) {
-        return std::nullopt;
-    }
-    const auto value = node->is_number() ? node->value<double>() : std::nullopt;
-    if (!value || !is_within(*value, bounds)) {
-        fail(key, fmt::format("must be {}, not {}", allowed(bounds, value), as_written(*node)));
-    }
-    return value;
-}
-
-std::optional<long> SceneReader::whole_number(std::string_view key, long lowest, long highest) {
-    const toml::node* node = find(key);
-    if (node == nullptr) {
-        return std::nullopt;
-    }
-    const auto value = node->is_integer() ? node->value<long>() : std::nullopt;
-    const auto decimal = node->is_floating_point() ? node->value<double>() : std::nullopt;
-    if (decimal && std::isfinite(*decimal) && std::trunc(*decimal) == *decimal) {
-        fail(key,
-             fmt::format("must be a whole number from {} to {}, written without a point and an "
-                         "exponent",
-                         lowest, highest));
-    }
-    if (!value || *value < lowest || *value > highest) {
-        fail(key, fmt::format("must be a whole number from {} to {}, not {}", lowest, highest,
-                              as_written(*node)));
-    }
-    return value;
-}
-
-std::optional<std::string> SceneReader::text(std::string_view key) {
-    const toml::node* node = find(key);
-    if (node != nullptr && !node->is_string()) {
-        fail(key, fmt::format("must be a string in quotes, not {}", as_written(*node)));
-    }
-    return node == nullptr ? std::nullopt : node->value<std::string>();
-}
-
-std::optional<std::string> SceneReader::number_or_text(std::string_view key) {
-    const toml::node* node = find(key);
-    if (node == nullptr) {
-        return std::nullopt;
-    }
-    if (node->is_string()) {
-        return node->value<std::string>();
-    }
-    if (!node->is_number()) {
-        fail(key, fmt::format("must be a number, or one as a string in quotes, not {}",
-                              as_written(*node)));
-    }
-    return text_of(*node);
-}
-
-bool SceneReader::is_word(std::string_view key, std::string_view word) {
-    return is_text(key) && text(key) == word;
-}
-
-std::optional<bool> SceneReader::truth(std::string_view key) {
-    const toml::node* node = find(key);
-    if (node != nullptr && !node->is_boolean()) {
-        fail(key, fmt::format("must be true or false, not {}", as_written(*node)));
-    }
-    return node == nullptr ? std::nullopt : node->value<bool>();
-}
-
-std::vector<double> SceneReader::numbers(std::string_view key, const Bounds& bounds) {
-    const toml::node* node = find(key);
-    if (node == nullptr) {
-        return {};
-    }
-    if (!node->is_array()) {
-        fail(key, fmt::format("must be a list of numbers, [1, 2.5], not {}", as_written(*node)));
-    }
-    std::vector<double> values;
-    values.reserve(node->as_array()->size());
-    for (const toml::node& entry : *node->as_array()) {
-        const auto value = entry.is_number() ? entry.value<double>() : std::nullopt;
-        if (!value || !is_within(*value, bounds)) {
-            fail(key, fmt::format("must be a list of numbers, each {}; one of them is {}",
-                                  allowed(bounds, value), as_written(entry)));
-        }
-        values.push_back(*value);
-    }
-    return values;
-}
-
-std::optional<std::array<double, 2>> SceneReader::pair(std::string_view key, const Bounds& bounds) {
-    const std::vector<double> values = numbers(key, bounds);
-    if (find(key) == nullptr) {
-        return std::nullopt;
-    }
-    if (values.size() != 2) {
-        fail(key, fmt::format("must be a list [x, y], not one of {} numbers", values.size()));
-    }
-    return std::array{values[0], values[1]};
-}
-
-template <std::size_t Size>
-std::vector<std::array<double, Size>> SceneReader::lists(std::string_view key,
-                                                         std::string_view allowed_words) {
-    const toml::node* node = find(key);
-    if (node == nullptr) {
-        return {};
-    }
-    std::vector<std::array<double, Size>> values;
-    const auto refuse = [&](const toml::node& entry) {
-        fail(key, fmt::format("must be a list of {}, not {}", allowed_words, as_written(entry)));
-    };
-    if (!node->is_array()) {
-        refuse(*node);
-    }
-    for (const toml::node& entry : *node->as_array()) {
-        const toml::array* const list = entry.as_array();
-        if (list == nullptr || list->size() != Size) {
-            refuse(entry);
-        }
-        std::array<double, Size>& numbers = values.emplace_back();
-        for (std::size_t i = 0; i < Size; ++i) {
-            const auto number =
-                list->at(i).is_number() ? list->at(i).value<double>() : std::nullopt;
-            if (!number || !is_within(*number, any_number)) {
-                refuse(entry);
-            }
-            numbers[i] = *number;
-        }
-    }
-    return values;
-}
-
-std::vector<std::array<double, 2>> SceneReader::pairs(std::string_view key) {
-    return lists<2>(key, "points, [[1, 2.5], [3, 4]]");
-}
-
-std::vector<std::array<double, 4>> SceneReader::segments(std::string_view key) {
-    return lists<4>(key, "four numbers each, [[X1, Y1, X2, Y2], ..]");
-}
-
-std::vector<std::string> SceneReader::tables_in(std::string_view key) {
-    const toml::node* const node = find(key);
-    if (node == nullptr) {
-        return {};
-    }
-    std::vector<std::string> names;
-    const bool is_of_tables =
-        node->is_table() && std::ranges::all_of(*node->as_table(), [](const auto& entry) {
-            return entry.second.is_table();
-        });
-    if (!is_of_tables) {
-        fail(key, fmt::format("must be tables with names, such as [{}.top]", key));
-    }
-    for (const auto& [name, entry] : *node->as_table()) {
-        names.emplace_back(name.str());
-    }
-    return names;
-}
-
-std::vector<std::string> SceneReader::texts(std::string_view key) {
-    const toml::node* node = find(key);
-    const auto is_string = [](const toml::node& each) { return each.is_string(); };
-    if (node != nullptr &&
-        (!node->is_array() || !std::ranges::all_of(*node->as_array(), is_string))) {
-        fail(key, fmt::format(R"(must be a list of strings in quotes, ["a", "b"], not {})",
-                              as_written(*node)));
-    }
-    return numbers_or_texts(key);
-}
-
-std::vector<std::string> SceneReader::numbers_or_texts(std::string_view key) {
-    const toml::node* node = find(key);
-    if (node == nullptr) {
-        return {};
-    }
-    if (!node->is_array()) {
-        fail(key, fmt::format("must be a list, not {}", as_written(*node)));
-    }
-    std::vector<std::string> values;
-    values.reserve(node->as_array()->size());
-    for (const toml::node& entry : *node->as_array()) {
-        if (!entry.is_string() && !entry.is_number()) {
-            fail(key, fmt::format("must be a list of numbers, or of numbers as strings in quotes; "
-                                  "one of them is {}",
-                                  as_written(entry)));
-        }
-        values.push_back(entry.is_string() ? *entry.value<std::string>() : text_of(entry));
-    }
-    return values;
 }
 
 std::map<std::string, std::string> SceneReader::given() const {

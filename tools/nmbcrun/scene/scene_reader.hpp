@@ -93,6 +93,11 @@ class SceneReader {
     /// Throws for the key if it is there, for the whole file if not.
     [[noreturn]] void fail(std::string_view key, const std::string& problem) const;
 
+    /// Likewise, for a key whose value does not fit that of another: of the two an override is
+    /// named.
+    [[noreturn]] void fail_beside(std::string_view key, std::string_view other,
+                                  const std::string& problem) const;
+
     /// Throws where the document has another key than these outside of all tables: a misspelt table
     /// is named before what is missing without it.
     void refuse_other_tables(const std::vector<std::string>& tables) const;

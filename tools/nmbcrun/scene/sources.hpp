@@ -46,6 +46,9 @@ struct Initial {
     std::filesystem::path file;  ///< columns node, u, v
 };
 
+/// Of a file of numbers.
+enum class FileFormat { csv, hdf5 };
+
 enum class History {
     gaussian,  ///< exp(-((t - time) / duration)^2)
     ricker,    ///< (1 - 2 s^2) exp(-s^2), s = (t - time) / duration
@@ -61,7 +64,8 @@ struct ForceHistory {
     double duration = 0;         ///< [time]
     double frequency = 0;        ///< of a sine [1/time]
     double cycles = 1;           ///< of a sine
-    std::filesystem::path file;  ///< columns time, force
+    std::filesystem::path file;  ///< columns or datasets time, force
+    FileFormat format = FileFormat::csv;
 
     friend bool operator==(const ForceHistory&, const ForceHistory&) = default;
 };

@@ -168,7 +168,7 @@ std::unique_ptr<nmbc::BoundaryCondition<double>> PmlEnd::make(
             "a perfectly matched layer needs a lattice whose energy is a sum of squares, none of "
             "them with a negative weight");
     }
-    return std::make_unique<PmlCondition>(lattice, half_step_losses(layer, 0.5, parameters),
+    return std::make_unique<PmlCondition>(lattice, nmbc::half_step_losses(layer, 0.5, parameters),
                                           parameters.wave_speed() / parameters.spacing,
                                           parameters.time_step);
 }

@@ -5,9 +5,8 @@
 #include <memory>
 #include <nmbc/boundary_condition.hpp>
 #include <nmbc/lattice.hpp>
+#include <nmbc/loss_layer.hpp>
 #include <type_traits>
-
-#include "tools/nmbcrun/sides/loss_layer.hpp"
 
 namespace nmbcrun {
 
@@ -35,7 +34,7 @@ namespace nmbcrun {
 /// It is positive below the interior's limit of the time step, so nothing grows at any sigma, n or
 /// G, with backward waves or without. (Of a damped lattice, less dt/4 v.tau sigma v, likewise.)
 struct PmlEnd {
-    LossLayer layer;
+    nmbc::LossLayer layer;
 
     /// Throws std::invalid_argument where the lattice has no squares or one of negative weight, and
     /// as half_step_losses does.

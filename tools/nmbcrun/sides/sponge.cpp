@@ -58,7 +58,7 @@ class SpongeCondition final : public nmbc::BoundaryCondition<double> {
 std::unique_ptr<nmbc::BoundaryCondition<double>> SpongeEnd::make(
     const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
     std::type_identity<double> /*precision*/) const {
-    std::vector<double> losses = half_step_losses(layer, 1, parameters);
+    std::vector<double> losses = nmbc::half_step_losses(layer, 1, parameters);
     losses.pop_back();  // there are no squares of its own beyond the layer
     return std::make_unique<SpongeCondition>(lattice.reach(), std::move(losses));
 }

@@ -5,9 +5,8 @@
 #include <memory>
 #include <nmbc/boundary_condition.hpp>
 #include <nmbc/lattice.hpp>
+#include <nmbc/loss_layer.hpp>
 #include <type_traits>
-
-#include "tools/nmbcrun/sides/loss_layer.hpp"
 
 namespace nmbcrun {
 
@@ -20,7 +19,7 @@ namespace nmbcrun {
 /// Leapfrog takes energy out at a rate of gamma v^2, v the mean of the two velocities, and adds
 /// none at any gamma: every step up to the interior's limit is stable, damped lattices included.
 struct SpongeEnd {
-    LossLayer layer;
+    nmbc::LossLayer layer;
 
     std::unique_ptr<nmbc::BoundaryCondition<double>> make(
         const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,

@@ -17,7 +17,7 @@
 #include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/sides/exact.hpp"
 #include "tools/nmbcrun/sides/higdon.hpp"
-#include "tools/nmbcrun/sides/passive.hpp"
+#include "tools/nmbcrun/sides/passive_design.hpp"
 #include "tools/nmbcrun/sides/pml.hpp"
 #include "tools/nmbcrun/sides/silent_layer.hpp"
 #include "tools/nmbcrun/sides/sponge.hpp"

@@ -39,13 +39,15 @@ void require_room(const Scene& scene) {
 Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
     require_room(scene);
     const double omega_max = highest_frequency(scene, lattice);
-    const auto automatic =
-        scene.step || scene.cfl ? AutomaticStep{} : automatic_step(scene, lattice, omega_max);
+    const SurfaceLimits surfaces = surface_limits(scene, lattice);
+    const auto automatic = scene.step || scene.cfl
+                               ? AutomaticStep{}
+                               : automatic_step(scene, lattice, omega_max, surfaces);
     const double time_step =
         scene.step ? *scene.step : 2 * scene.cfl.value_or(automatic.cfl) / omega_max;
     require_matched(scene, time_step);
     const double cfl = time_step * omega_max / 2;
-    require_stable_steps(scene, lattice, time_step);
+    require_stable_steps(scene, lattice, time_step, surfaces);
     Plan plan{{.time_step = time_step,
                .steps = steps_until(scene.end, time_step),
                .cfl = cfl,

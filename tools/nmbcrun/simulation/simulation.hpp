@@ -38,7 +38,7 @@ class Simulation {
     bool is_driven(double time) const { return sources_.is_driven(time); }
 
     /// In words: what the time steps miss of the sources; empty where they do not.
-    std::string warning() const { return sources_.warning(); }
+    std::vector<std::string> warnings() const { return sources_.warnings(); }
 
     /// In words: why a run may have had no energy at any time.
     std::string why_no_energy() const { return sources_.why_no_energy(); }

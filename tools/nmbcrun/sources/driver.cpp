@@ -18,11 +18,8 @@ Driver::Driver(const Scene& scene, double time_step)
       time_step_(time_step),
       // A duration of so many steps is one, whatever its last digits are.
       last_(std::ceil(drive_.duration / time_step * (1 - 1e-12))),
-      driven_(
-          nodes_within(scene, drive_.centre, drive_.half_width * scene.horizon * scene.spacing)) {
-    if (driven_.empty()) {
-        throw SceneError("drive.centre and drive.half_width select no node");
-    }
+      driven_(require_nodes_within(scene, drive_.centre, drive_.half_width, "drive",
+                                   scene.horizon * scene.spacing)) {
     if (last_ < 2) {  // the first one begins at what initial and incoming have, not at rest
         throw SceneError(
             fmt::format("drive.duration is {:.6g}, not longer than a time step of {:.6g}",

@@ -11,13 +11,29 @@
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/scene/csv_columns.hpp"
+#include "tools/nmbcrun/scene/hdf5_input.hpp"
+#include "tools/nmbcrun/sources/two_digits.hpp"
 
 namespace nmbcrun {
+namespace {
+
+/// Of the peak: the most that may be cut off at the beginning or the end of a run without a word.
+constexpr double negligible_part = 0.05;
+/// From the middle of a gaussian or ricker on, so many durations away it is below 4e-6 of its peak.
+constexpr double enough_durations = 4;
+
+bool has_middle(History history) {
+    return history == History::gaussian || history == History::ricker;
+}
+
+}  // namespace
 
 ForceInTime::ForceInTime(ForceHistory history, const std::string& column)
     : force_(std::move(history)) {
     if (force_.history == History::file) {
-        auto columns = read_columns(force_.file, {"time", column});
+        const std::vector<std::string> names{"time", column};
+        auto columns = force_.format == FileFormat::hdf5 ? read_datasets(force_.file, names)
+                                                         : read_columns(force_.file, names);
         times_ = std::move(columns[0]);
         forces_ = std::move(columns[1]);
         if (std::ranges::adjacent_find(times_, std::ranges::greater_equal()) != times_.end()) {
@@ -28,18 +44,101 @@ ForceInTime::ForceInTime(ForceHistory history, const std::string& column)
     switch (force_.history) {
         case History::gaussian:
         case History::ricker:
+            first_ = force_.time - widths * force_.duration;
             last_ = force_.time + widths * force_.duration;
             break;
         case History::sine:
+            first_ = force_.time;
             last_ = force_.time + force_.cycles / force_.frequency;
             break;
         case History::file:
+            first_ = force_.time + times_.front();
             last_ = force_.time + times_.back();
             break;
     }
 }
 
-std::string ForceInTime::warning(double time_step) const {
+/// |f|, between two times of which the first is not after the second.
+double ForceInTime::largest(double from, double to) const {
+    std::vector<double> extrema{from, to};
+    const auto add = [&](double time) { extrema.push_back(std::clamp(time, from, to)); };
+    switch (force_.history) {
+        case History::gaussian:
+            add(force_.time);
+            break;
+        case History::ricker: {
+            const double trough = std::sqrt(1.5) * force_.duration;
+            add(force_.time - trough);
+            add(force_.time);
+            add(force_.time + trough);
+            break;
+        }
+        case History::sine: {
+            const double quarter = 1 / (4 * force_.frequency);
+            const double halves = std::ceil((from - force_.time - quarter) / (2 * quarter));
+            add(force_.time + quarter + 2 * quarter * std::max(0.0, halves));
+            break;
+        }
+        case History::file:
+            for (const double row : times_) {
+                add(force_.time + row);
+            }
+            break;
+    }
+    double most = 0;
+    for (const double time : extrema) {
+        most = std::max(most, std::abs(at(time)));
+    }
+    return most;
+}
+
+std::vector<std::string> ForceInTime::warnings(const std::string& table, double time_step) const {
+    std::vector<std::string> all{missed_rows(time_step), jump_at_start(table)};
+    std::erase(all, "");
+    return all;
+}
+
+std::vector<std::string> ForceInTime::warnings(const std::string& table, double time_step,
+                                               double end) const {
+    std::vector<std::string> all = warnings(table, time_step);
+    if (const std::string rest = rest_after(end, table); !rest.empty()) {
+        all.push_back(rest);
+    }
+    return all;
+}
+
+std::string ForceInTime::jump_at_start(const std::string& table) const {
+    const bool is_cut = first_ < 0 && last_ >= 0;
+    const double start = std::max(0.0, first_);
+    const double jump =
+        force_.history == History::file && !is_cut ? force_.amplitude * forces_.front() : at(start);
+    const double cut = is_cut ? largest(first_, 0) : 0;
+    if (std::max(cut, std::abs(jump)) <= negligible_part * peak()) {
+        return "";
+    }
+    return fmt::format("{} jumps to {:.2g} of its peak at t = {:.4g}{}: {} would do", table,
+                       jump / peak(), start, is_cut ? ", and what is before is cut off" : "",
+                       has_middle(force_.history)
+                           ? fmt::format("{}.time = {:.4g}", table,
+                                         two_digits(enough_durations * force_.duration, false))
+                       : force_.history == History::sine ? table + ".time = 0"
+                                                         : "a first row of 0, at t = 0 or later,");
+}
+
+std::string ForceInTime::rest_after(double end, const std::string& table) const {
+    const double rest = last_ > end ? largest(std::max(end, first_), last_) : 0;
+    if (rest <= negligible_part * peak()) {
+        return "";
+    }
+    const double enough =
+        has_middle(force_.history) ? force_.time + enough_durations * force_.duration : last_;
+    return fmt::format(
+        "{} has not ended at time.end = {:.4g}: up to {:.2g} of its peak comes later. time.end = "
+        "{:.4g} or more has all of it",
+        table, end, rest / peak(), two_digits(enough, false));
+}
+
+std::string ForceInTime::missed_rows(double time_step) const {
     double shortest = time_step;
     for (std::size_t row = 1; row < times_.size(); ++row) {
         shortest = std::min(shortest, times_[row] - times_[row - 1]);

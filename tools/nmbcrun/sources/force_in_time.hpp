@@ -11,8 +11,8 @@ namespace nmbcrun {
 
 class ForceInTime {
   public:
-    /// column: of a file, beside `time`. Throws SceneError where its file does not make a history,
-    /// FileError where that cannot be read.
+    /// column: of a file, or dataset, beside `time`. Throws SceneError where its file does not make
+    /// a history, FileError where that cannot be read.
     explicit ForceInTime(ForceHistory history, const std::string& column = "force");
 
     double at(double time) const;
@@ -22,13 +22,23 @@ class ForceInTime {
     /// Whether the force acts, above 1e-16 of its amplitude, at this time or later.
     bool drives(double time) const { return time <= last_; }
 
-    /// In words: what such time steps miss of a history from a file; empty where they do not.
-    std::string warning(double time_step) const;
+    /// In words, what a run of such steps to `end` misses of it: rows of a file, or what is before
+    /// or after the run. table: of the scene, that it is in.
+    std::vector<std::string> warnings(const std::string& table, double time_step, double end) const;
+
+    /// The same, but for what is after the run: loads may stay on.
+    std::vector<std::string> warnings(const std::string& table, double time_step) const;
 
   private:
     double linear_between_rows(double time) const;
+    double peak() const { return largest(first_, last_); }
+    double largest(double from, double to) const;
+    std::string missed_rows(double time_step) const;
+    std::string jump_at_start(const std::string& table) const;
+    std::string rest_after(double end, const std::string& table) const;
 
     ForceHistory force_;
+    double first_ = 0;
     double last_ = 0;
     std::vector<double> times_{};  // of a file
     std::vector<double> forces_{};

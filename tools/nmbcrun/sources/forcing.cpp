@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/sources/forcing.hpp"
 
-#include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/sources/nodes_within.hpp"
 
 namespace nmbcrun {
@@ -10,11 +9,8 @@ Forcing::Forcing(const Scene& scene, double time_step)
     : history_(*scene.force),
       density_(scene.density),
       time_step_(time_step),
-      nodes_(nodes_within(scene, scene.force->centre, scene.force->half_width)) {
-    if (nodes_.empty()) {
-        throw SceneError("force.centre and force.half_width select no node");
-    }
-}
+      nodes_(
+          require_nodes_within(scene, scene.force->centre, scene.force->half_width, "force", 1)) {}
 
 void Forcing::operator()(std::span<double> v, std::size_t first_interior, double time) const {
     const double change = time_step_ * history_.at(time - time_step_) / density_;

@@ -28,8 +28,10 @@ class Forcing {
     /// Whether the force acts, above 1e-16 of its amplitude, at this time or later.
     bool drives(double time) const { return history_.drives(time); }
 
-    /// In words: what the time steps miss of a history from a file; empty where they do not.
-    std::string warning() const { return history_.warning(time_step_); }
+    /// As ForceInTime has it.
+    std::vector<std::string> warnings(double end) const {
+        return history_.warnings("force", time_step_, end);
+    }
 
     /// first_interior: entry of the first interior node of v. time: the end of the step.
     void operator()(std::span<double> v, std::size_t first_interior, double time) const;

@@ -72,11 +72,13 @@ Sources::Sources(const Scene& scene, const nmbc::Lattice& lattice,
     if (scene.force) {
         forcing_.emplace(scene, time_step_);
     }
-    for (const Boundary& end : {scene.left, scene.right}) {
+    const auto add_surface = [&](const char* table, const Boundary& end) {
         if (end.value) {
-            surfaces_.push_back(value_in_time(*end.value));
+            surfaces_.emplace(table, value_in_time(*end.value));
         }
-    }
+    };
+    add_surface("boundary.left.value", scene.left);
+    add_surface("boundary.right.value", scene.right);
 }
 
 nmbc::ChainEnd Sources::end(nmbc::End side, const nmbc::ChainEnd& inner) const {
@@ -183,16 +185,17 @@ bool Sources::is_driven(double time) const {
     return (driver_ && driver_->drives(time)) || (forcing_ && forcing_->drives(time)) ||
            comes_in(left_) || comes_in(right_) ||
            std::ranges::any_of(surfaces_,
-                               [time](const ForceInTime& surface) { return surface.drives(time); });
+                               [time](const auto& surface) { return surface.second.drives(time); });
 }
 
-std::string Sources::warning() const {
-    std::string warning = forcing_ ? forcing_->warning() : "";
-    for (const ForceInTime& surface : surfaces_) {
-        const std::string more = surface.warning(time_step_);
-        warning += (warning.empty() || more.empty() ? "" : "; ") + more;
+std::vector<std::string> Sources::warnings() const {
+    std::vector<std::string> all =
+        forcing_ ? forcing_->warnings(scene_.end) : std::vector<std::string>();
+    for (const auto& [table, surface] : surfaces_) {
+        const auto more = surface.warnings(table, time_step_, scene_.end);
+        all.insert(all.end(), more.begin(), more.end());
     }
-    return warning;
+    return all;
 }
 
 std::string Sources::why_no_energy() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <nmbc/chain.hpp>
 #include <nmbc/lattice.hpp>
@@ -44,8 +45,8 @@ class Sources {
     /// Whether a source still feeds the chain in the step that ends at this time.
     bool is_driven(double time) const;
 
-    /// In words: what the time steps miss of the sources; empty where they do not.
-    std::string warning() const;
+    /// In words: what the run misses of the sources.
+    std::vector<std::string> warnings() const;
 
     /// In words: why a chain with these sources may have had no energy at any time.
     std::string why_no_energy() const;
@@ -61,8 +62,8 @@ class Sources {
     std::size_t first_interior_ = 0;
     std::optional<Driver> driver_;
     std::optional<Forcing> forcing_;
-    std::vector<ForceInTime> surfaces_;          ///< what is given on them
-    std::shared_ptr<const IncidentField> left_;  // none: nullptr
+    std::map<std::string, ForceInTime> surfaces_;  ///< what is given on them, by table
+    std::shared_ptr<const IncidentField> left_;    // none: nullptr
     std::shared_ptr<const IncidentField> right_;
 };
 

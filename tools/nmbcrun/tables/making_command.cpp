@@ -9,6 +9,7 @@
 #include "generator/exact/rational.hpp"
 #include "generator/families/family.hpp"
 #include "generator/names/names.hpp"
+#include "generator/names/projected_family.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -22,38 +23,69 @@ nmbcgen::Rational exact_G(double G) {
     }
 }
 
-bool is_known_lattice(const nmbcgen::Specification& what) {
-    constexpr unsigned most = 99;  // that nmbcgen takes
-    if (what.horizon > most || what.order > most || what.stride > most) {
-        return false;
+constexpr unsigned highest_count = 99;  // that nmbcgen takes
+
+std::vector<nmbcgen::Rational> weights_of(const Scene& scene) {
+    std::vector<nmbcgen::Rational> weights;
+    for (const std::string& weight : scene.weights) {
+        weights.push_back(nmbcgen::parse_signed_rational(weight));
     }
-    try {
-        const auto model =
-            nmbcgen::make_model(what.family, what.horizon, what.damping, what.weights);
-        return what.stabilisation == 0 ||
-               std::ranges::find(model.energy, nmbcgen::EnergyPart::stabilisation,
-                                 &nmbcgen::ExactSquare::part) != model.energy.end();
-    } catch (const nmbcgen::NoSuchModel&) {
-        return false;
-    }
+    return weights;
+}
+
+bool is_family(const std::string& name) {
+    return nmbcgen::projected_family(name).has_value() ||
+           std::ranges::find(nmbcgen::families(), name, &nmbcgen::Family::name) !=
+               nmbcgen::families().end();
 }
 
 }  // namespace
 
+std::string why_no_G(std::string_view family, double G) {
+    return fmt::format(
+        "the lattice of family {} has no stabilisation: model.G must be absent or 0, not {}",
+        family, G);
+}
+
+std::string why_no_lattice(const Scene& scene) {
+    if (!is_family(scene.family)) {
+        std::string names;
+        for (const nmbcgen::Family& family : nmbcgen::families()) {
+            names += fmt::format("\"{}\", ", family.name);
+        }
+        return fmt::format(
+            "there is no family \"{}\": model.family is {}a wave of a plane such as "
+            "\"nopd2d_r1_nu1o4_P\", or what a table of model.tables has",
+            scene.family, names);
+    }
+    if (scene.G != 0 && !nmbcgen::is_stabilised(scene.family)) {
+        return why_no_G(scene.family, scene.G);
+    }
+    if (unsigned(scene.horizon) > highest_count) {
+        return "";  // not looked at, which takes long
+    }
+    try {
+        nmbcgen::make_model(scene.family, unsigned(scene.horizon),
+                            nmbcgen::parse_rational(scene.tau), weights_of(scene));
+    } catch (const nmbcgen::NoSuchModel& error) {
+        return fmt::format("there is no such model: {}", error.what());
+    }
+    return "";
+}
+
 std::string how_to_make(const Scene& scene, const Boundary& boundary) {
     const bool matching = takes_table(boundary.kind);
-    nmbcgen::Specification what{
+    const nmbcgen::Specification what{
         .family = scene.family,
         .horizon = unsigned(scene.horizon),
         .order = matching ? unsigned(boundary.order) : 1,
         .stride = matching ? unsigned(boundary.stride) : 1,
         .stabilisation = exact_G(scene.G),
         .damping = nmbcgen::parse_rational(scene.tau),
-        .time_step = nmbcgen::parse_rational(matching ? boundary.matched_step : "0")};
-    for (const std::string& weight : scene.weights) {
-        what.weights.push_back(nmbcgen::parse_signed_rational(weight));
-    }
-    if (!is_known_lattice(what)) {
+        .time_step = nmbcgen::parse_rational(matching ? boundary.matched_step : "0"),
+        .weights = weights_of(scene)};
+    if (std::max({what.horizon, what.order, what.stride}) > highest_count ||
+        !why_no_lattice(scene).empty()) {
         return "";
     }
     if (what.order == 1 && what.time_step > 0) {

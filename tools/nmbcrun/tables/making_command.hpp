@@ -3,10 +3,18 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
+
+/// Of a family without stabilisation, in words.
+std::string why_no_G(std::string_view family, double G);
+
+/// Why nmbcgen has no lattice of the scene's model, and what is allowed; empty where it has, or
+/// where the horizon is beyond its own.
+std::string why_no_lattice(const Scene& scene);
 
 /// ". To make it: nmbcgen .., and model.tables = ..", of the table that an end needs, or one with
 /// the scene's lattice where it needs none of its own; empty where nmbcgen has no such lattice.

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <nmbc/coefficients.hpp>
 #include <nmbc/tables/tables.hpp>
 #include <set>
@@ -24,9 +23,7 @@ void require_stabilisation(const nmbc::MatchingTable& table, double G) {
     const bool is_stabilised = std::ranges::find(energy, nmbc::EnergyPart::stabilisation,
                                                  &nmbc::EnergySquare::part) != energy.end();
     if (G != 0 && !is_stabilised) {
-        throw SceneError(fmt::format(
-            "the lattice of family {} has no stabilisation: model.G must be absent or 0, not {}",
-            table.lattice->family, G));
+        throw SceneError(why_no_G(table.lattice->family, G));
     }
 }
 
@@ -80,28 +77,38 @@ void require_settled(const Scene& scene) {
     }
 }
 
+/// Of the scene's family, which nmbcgen need not know then.
+bool has_own_table(const Scene& scene) {
+    return std::ranges::any_of(scene.own_tables, [&](const auto& file) {
+        return std::ranges::any_of(file->tables(), [&](const OwnTable& own) {
+            return own.table.lattice->family == scene.family;
+        });
+    });
+}
+
 /// Of the scene's family, horizon and influence, or else which of those there are.
 std::string what_there_is(const Scene& scene) {
     std::string names;
-    std::map<std::string_view, std::set<int>> horizons;
+    std::set<std::string_view> families;
+    std::set<int> horizons;  // of its own
     for_each_of_the_influence(scene, [&](const nmbc::MatchingTable& table) {
-        horizons[table.lattice->family].insert(table.lattice->horizon);
-        if (table.lattice->family == scene.family && table.lattice->horizon == scene.horizon) {
+        families.insert(table.lattice->family);
+        if (table.lattice->family != scene.family) {
+            return;
+        }
+        horizons.insert(table.lattice->horizon);
+        if (table.lattice->horizon == scene.horizon) {
             names += (names.empty() ? "" : ", ") + std::string(table.name);
         }
     });
     if (!names.empty()) {
         return "of this family and horizon there are " + names;
     }
-    if (horizons.empty()) {
-        return "there is nothing of this influence";
+    if (!horizons.empty()) {
+        return fmt::format("there are the horizons {} of this family", fmt::join(horizons, ", "));
     }
-    std::string families;
-    for (const auto& [family, list] : horizons) {
-        families += fmt::format("{}{} with horizon {}", families.empty() ? "" : ", ", family,
-                                fmt::join(list, ", "));
-    }
-    return "there is nothing of this family and horizon, but " + families;
+    return families.empty() ? "there is nothing of this influence"
+                            : fmt::format("there are the families {}", fmt::join(families, ", "));
 }
 
 /// Whether both have the same coefficients at G, to roundings.
@@ -170,6 +177,9 @@ const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary
     });
     if (found != tables.end()) {
         return **found;
+    }
+    if (const std::string why = why_no_lattice(scene); !why.empty() && !has_own_table(scene)) {
+        throw SceneError(why);
     }
     throw SceneError(fmt::format(
         "nmbcrun has no table for family {}, horizon {}{}{}{}{}{}. It knows the committed "

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// Text of scenes and tables, as messages quote it.
+/// Text of users, as messages quote it.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-namespace nmbcrun {
+namespace nmbcgen {
 
 /// UTF-8 with its control characters escaped, \x1b or \u009b, so that none of them commands the
 /// terminal; and so is what is no UTF-8, \xff.
@@ -17,4 +17,4 @@ std::string printable_lines(std::string_view text);
 /// UTF-8, cut after 60 bytes of whole letters where it is longer.
 std::string beginning_of(const std::string& text);
 
-}  // namespace nmbcrun
+}  // namespace nmbcgen

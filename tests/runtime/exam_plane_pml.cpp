@@ -8,37 +8,41 @@
 #include <cmath>
 #include <cstddef>
 #include <nmbc/plane.hpp>
+#include <nmbc/plane_pml.hpp>
 #include <nmbc/plane_stability.hpp>
 #include <random>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "tools/nmbcrun/sides/plane_pml.hpp"
-
 namespace {
 
-using nmbcrun::LossLayer;
-using nmbcrun::PlanePml;
+using nmbc::LossLayer;
+using nmbc::PlanePml;
 
 nmbc::PlaneSide room_for(const LossLayer& layer) {
     return nmbc::SpongeSide{std::vector<double>(layer.nodes, 0)};
 }
 
+void kick_layers(PlanePml& pml, nmbc::Plane& plane) {
+    pml.kick({plane.displacement(0), plane.displacement(1)},
+             {plane.velocity(0), plane.velocity(1)});
+}
+
 /// With such a layer at all four sides.
-struct Box {
-    Box(const nmbc::PlaneModel& model, const LossLayer& layer, double of_stable, std::size_t nx = 9,
-        std::size_t ny = 7)
+struct PmlBox {
+    PmlBox(const nmbc::PlaneModel& model, const LossLayer& layer, double of_stable,
+           std::size_t nx = 9, std::size_t ny = 7)
         : plane(model, nmbc::PlaneSides::all(room_for(layer)),
                 {.nx = nx,
                  .ny = ny,
                  .time_step = of_stable * 2 / std::sqrt(nmbc::highest_eigenvalue(model))}),
           pml(std::get<nmbc::CorrespondenceModel>(model.law()), {layer, layer, layer, layer},
-              plane) {}
+              plane.grid(), plane.parameters()) {}
 
     void advance(std::size_t steps) {
         plane.advance(
-            steps, [this](nmbc::Plane& body, double /*time*/) { pml(body); },
+            steps, [this](nmbc::Plane& body, double /*time*/) { kick_layers(pml, body); },
             [](const nmbc::Plane& /*body*/) {});
     }
 
@@ -111,7 +115,7 @@ TEST_CASE("head-on it is the layer of first order of the chain") {
     for (const std::size_t component : {0U, 1U}) {
         nmbc::Plane plane(model, sides, {.nx = nodes, .ny = 3, .time_step = dt});
         PlanePml pml(std::get<nmbc::CorrespondenceModel>(model.law()), {LossLayer{}, layer, {}, {}},
-                     plane);
+                     plane.grid(), plane.parameters());
         FirstOrderChain chain{.c = component == 0 ? model.speed_P() : model.speed_S(), .dt = dt};
         constexpr std::size_t all = 2 + nodes + 12 + 2;  // ghosts at both ends
         std::vector<double> u(all, 0);
@@ -132,7 +136,7 @@ TEST_CASE("head-on it is the layer of first order of the chain") {
         double error = 0;
         for (std::size_t step = 0; step < 60; ++step) {
             plane.advance(
-                1, [&](nmbc::Plane& body, double /*time*/) { pml(body); },
+                1, [&](nmbc::Plane& body, double /*time*/) { kick_layers(pml, body); },
                 [](const nmbc::Plane& /*body*/) {});
             chain.step();
             for (std::size_t x = 0; x < nodes; ++x) {
@@ -153,8 +157,8 @@ TEST_CASE("from random data nothing grows at G = 1/4 and 1, nearly at the interi
                 CAPTURE(radius_squared);
                 CAPTURE(G);
                 CAPTURE(target);
-                Box box(nmbc::nopd2d(radius_squared, 0.25, G),
-                        {.nodes = 6, .profile = 2, .target = target}, 0.99);
+                PmlBox box(nmbc::nopd2d(radius_squared, 0.25, G),
+                           {.nodes = 6, .profile = 2, .target = target}, 0.99);
                 start_plane_at_random(box.plane);
                 double before = box.plane.energies().staggered;
                 for (std::size_t look = 0; look < 4; ++look) {
@@ -168,8 +172,27 @@ TEST_CASE("from random data nothing grows at G = 1/4 and 1, nearly at the interi
     }
 }
 
+TEST_CASE("nor where bonds count by their length, whose waves it absorbs as well") {
+    const auto left = [](const nmbc::CorrespondenceModel& model) {
+        PmlBox box(model, {.nodes = 10, .profile = 2, .target = 1e-3}, 0.9, 20, 20);
+        for (std::size_t y = 0; y < 20; ++y) {
+            for (std::size_t x = 0; x < 20; ++x) {
+                box.plane.displacement(0)[box.plane.entry(x, y)] =
+                    std::exp(-(std::pow(double(x) - 9, 2) + std::pow(double(y) - 10, 2)) / 16);
+            }
+        }
+        box.plane.start();
+        const double first = box.plane.energies().staggered;
+        box.advance(300);
+        return box.plane.energies().staggered / first;
+    };
+    const nmbc::CorrespondenceModel model = nmbc::nopd2d(4, 0.25, 0.5);
+    CHECK(left(model) < 1e-3);
+    CHECK(left(nmbc::with_influence(model, {4, 2, 1})) < 1e-3);
+}
+
 TEST_CASE("at G = 0 fields grow in it") {
-    Box box(nmbc::nopd2d(4, 0.25, 0), {.nodes = 6, .profile = 2, .target = 1e-4}, 0.9);
+    PmlBox box(nmbc::nopd2d(4, 0.25, 0), {.nodes = 6, .profile = 2, .target = 1e-4}, 0.9);
     start_plane_at_random(box.plane);
     const double first = box.plane.energies().staggered;
     box.advance(4000);
@@ -216,10 +239,10 @@ TEST_CASE("where losses are constant no wave grows") {
 TEST_CASE("goes on from what it remembers, bit for bit") {
     const nmbc::PlaneModel model = nmbc::nopd2d(2, 0.25, 0.5);
     const LossLayer layer{.nodes = 5, .profile = 2, .target = 1e-3};
-    Box whole(model, layer, 0.9);
+    PmlBox whole(model, layer, 0.9);
     start_plane_at_random(whole.plane);
     whole.advance(20);
-    Box rest(model, layer, 0.9);
+    PmlBox rest(model, layer, 0.9);
     rest.plane.resume(whole.plane.state());
     rest.pml.remember(whole.pml.memory());
     whole.advance(20);
@@ -232,8 +255,8 @@ TEST_CASE("goes on from what it remembers, bit for bit") {
 TEST_CASE("mirrored data give mirrored fields, and turned ones turned fields") {
     const nmbc::PlaneModel model = nmbc::nopd2d(5, 0.25, 0.5);
     const LossLayer layer{.nodes = 7, .profile = 2, .target = 1e-3};
-    Box one(model, layer, 0.9, 11, 9);
-    Box turned(model, layer, 0.9, 9, 11);
+    PmlBox one(model, layer, 0.9, 11, 9);
+    PmlBox turned(model, layer, 0.9, 9, 11);
     // By 90 degrees: (x, y) to (8 - y, x), (u_x, u_y) to (-u_y, u_x).
     one.plane.displacement(0)[one.plane.entry(3, 5)] = 1;
     turned.plane.displacement(1)[turned.plane.entry(3, 3)] = 1;
@@ -253,4 +276,81 @@ TEST_CASE("mirrored data give mirrored fields, and turned ones turned fields") {
     }
     CHECK(largest > 1e-3);
     CHECK(error < 1e-13);  // roundings of 60 steps, of fields of at most 1
+}
+
+TEST_CASE("on arrays of one's own it is the same, whatever made the forces") {
+    const nmbc::PlaneModel model = nmbc::nopd2d(4, 0.25, 0.5);
+    const LossLayer layer{.nodes = 5, .profile = 2, .target = 1e-3};
+    PmlBox box(model, layer, 0.9);
+    start_plane_at_random(box.plane);
+    // Forces of a plane without losses, on copies of its fields.
+    nmbc::Plane without(model, nmbc::PlaneSides::all(room_for(layer)), box.plane.parameters());
+    PlanePml pml(std::get<nmbc::CorrespondenceModel>(model.law()), {layer, layer, layer, layer},
+                 box.plane.grid(), box.plane.parameters());
+    std::array<std::vector<double>, 2> u;
+    std::array<std::vector<double>, 2> v;
+    for (const std::size_t a : {0U, 1U}) {
+        u[a].assign(box.plane.displacement(a).begin(), box.plane.displacement(a).end());
+        v[a].assign(box.plane.velocity(a).begin(), box.plane.velocity(a).end());
+    }
+    for (std::size_t step = 0; step < 30; ++step) {
+        for (const std::size_t a : {0U, 1U}) {
+            std::ranges::copy(u[a], without.displacement(a).begin());
+            std::ranges::copy(v[a], without.velocity(a).begin());
+        }
+        without.advance(1);
+        for (const std::size_t a : {0U, 1U}) {
+            v[a].assign(without.velocity(a).begin(), without.velocity(a).end());
+        }
+        pml.kick({u[0], u[1]}, {v[0], v[1]});
+        for (const std::size_t a : {0U, 1U}) {
+            for (std::size_t i = 0; i < u[a].size(); ++i) {
+                u[a][i] += box.plane.parameters().time_step * v[a][i];
+            }
+        }
+        box.advance(1);
+    }
+    for (const std::size_t a : {0U, 1U}) {
+        CHECK(std::ranges::equal(u[a], box.plane.displacement(a)));
+        CHECK(std::ranges::equal(v[a], box.plane.velocity(a)));
+    }
+}
+
+TEST_CASE("in single precision it absorbs as in double") {
+    const nmbc::CorrespondenceModel model = nmbc::nopd2d(1, 0.25, 1);
+    const LossLayer layer{.nodes = 10, .profile = 2, .target = 1e-3};
+    const nmbc::PlaneParameters p{.nx = 20, .ny = 20, .time_step = 0.5};
+    const auto run = [&]<class Real>(Real /*of this type*/) {
+        nmbc::BasicPlane<Real> plane(model, nmbc::PlaneSides::all(room_for(layer)), p);
+        nmbc::BasicPlanePml<Real> pml(model, {layer, layer, layer, layer}, plane.grid(), p);
+        for (std::size_t y = 0; y < p.ny; ++y) {
+            for (std::size_t x = 0; x < p.nx; ++x) {
+                plane.displacement(0)[plane.entry(x, y)] = static_cast<Real>(
+                    std::exp(-(std::pow(double(x) - 9, 2) + std::pow(double(y) - 10, 2)) / 16));
+            }
+        }
+        plane.start();
+        const double first = plane.energies().staggered;
+        plane.advance(200, [&](nmbc::BasicPlane<Real>& body, double /*time*/) {
+            pml.kick({body.displacement(0), body.displacement(1)},
+                     {body.velocity(0), body.velocity(1)});
+        });
+        return plane.interior_energies().total() / first;
+    };
+    const double in_double = run(0.0);
+    CHECK(in_double < 1e-3);
+    CHECK(run(0.0F) == doctest::Approx(in_double).scale(0).epsilon(1e-3));
+}
+
+TEST_CASE("layers that leave no interior, and the memory of others, are refused") {
+    const nmbc::CorrespondenceModel model = nmbc::nopd2d(1, 0.25, 1);
+    const nmbc::PlaneParameters p{.time_step = 0.5};
+    const auto made = [&](const LossLayer& layer, const nmbc::Grid& grid) {
+        return PlanePml(model, {layer, layer, LossLayer{}, LossLayer{}}, grid, p);
+    };
+    CHECK_THROWS_AS(made({.nodes = 5, .target = 0.1}, {.nx = 14, .ny = 9}), std::invalid_argument);
+    CHECK_THROWS_AS(made({.nodes = 5, .target = 0.1}, {.nx = 15, .ny = 4}), std::invalid_argument);
+    CHECK_THROWS_AS(made({.nodes = 5, .target = 0}, {.nx = 15, .ny = 5}), std::invalid_argument);
+    PlanePml smallest = made({.nodes = 5, .target = 0.1}, {.nx = 15, .ny = 5});
+    CHECK_THROWS_AS(smallest.remember(std::vector<double>(3)), std::invalid_argument);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/passive.hpp"
+#include "tools/nmbcrun/sides/passive_design.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/scene/printable.hpp"
+#include "generator/names/printable.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace nmbcrun {
+namespace nmbcgen {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::string beginning_of(const std::string& text) {
     return text.substr(0, size) + "..";
 }
 
-}  // namespace nmbcrun
+}  // namespace nmbcgen

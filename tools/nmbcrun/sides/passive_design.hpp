@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Passive ends, designed for the lattice and the steps of the chain that they end.
+/// Passive ends, designed for the lattice and the steps of the chain that they end. What they do in
+/// a step is in nmbc/passive.hpp.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/matching/solve.hpp"
+#include "generator/matching/points_equations.hpp"
 
 #include <algorithm>
 #include <cstddef>

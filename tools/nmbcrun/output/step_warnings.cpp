@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/output/step_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include "tools/nmbcrun/output/duration.hpp"
+
+namespace nmbcrun {
+
+std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_time,
+                                           std::size_t steps_left, std::size_t nodes) {
+    std::vector<std::string> warnings;
+    constexpr double short_cfl = 1e-3;
+    if (plan.cfl < short_cfl) {
+        warnings.push_back(fmt::format(
+            "time steps of {:.3g}, {}, are {:.1g} of what the lattice allows: the run has {:.3g} "
+            "of them",
+            plan.time_step, plan.limit.empty() ? "as the scene asks for" : plan.limit, plan.cfl,
+            double(plan.steps)));
+    }
+    constexpr double stiff = 0.02;  // 2/omega_max, which is 0.3 to 1 of usual lattices
+    const double longest = plan.time_step / plan.cfl / unit_of_time;
+    if (longest < stiff) {
+        warnings.push_back(fmt::format(
+            "the lattice is so stiff (a large model.G, or model.nu near its limit) that time steps "
+            "above {:.2g} dX/c are unstable: the run has {:.3g} of them",
+            longest, double(plan.steps)));
+    }
+    constexpr double pace = 1e8;  // node-steps per second, of a fast core
+    constexpr double hour = 3600;
+    const double seconds = double(steps_left) * double(nodes) / pace;
+    if (seconds > hour) {
+        warnings.push_back(fmt::format(
+            "{:.3g} steps of {} nodes take about {} at {:g} node-steps a second: until time.end "
+            "waves go {:.2g} dX",
+            double(steps_left), nodes, duration(seconds), pace,
+            double(plan.steps) * plan.time_step / unit_of_time));
+    }
+    return warnings;
+}
+
+}  // namespace nmbcrun

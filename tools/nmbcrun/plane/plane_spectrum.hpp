@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+/// What waves the sources of a plane scene send out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/nmbcrun/plane/plane_scene.hpp"
+
+namespace nmbcrun {
+
+/// In words: each source that gives an endless lattice more than a tenth of its energy in waves
+/// that are much slower or faster than those of the solid, or go backwards. Looked at are the force
+/// and the initial field, but for those from files and those of more nodes than waves are short.
+std::vector<std::string> warnings_of_short_waves(const PlaneScene& scene);
+
+}  // namespace nmbcrun
