@@ -51,10 +51,13 @@ MatchingPoint parse_point(const std::string& text) {
 
 /// XI:ROWS
 MatchingPoint parse_rows(const std::string& text) {
-    const std::size_t colon = std::min(text.find(':'), text.size());
+    const std::size_t colon = text.find(':');
     MatchingPoint point = parse_point(text.substr(0, colon));
-    point.multiplicity =
-        parse_whole_number(text.substr(std::min(colon + 1, text.size())), 2 * highest_count + 1);
+    if (colon == std::string::npos) {
+        throw std::invalid_argument("'" + text.substr(0, 60) +
+                                    "' has no number of rows; give XI:ROWS, such as 0:3 or 1/2:1");
+    }
+    point.multiplicity = parse_whole_number(text.substr(colon + 1), 2 * highest_count + 1);
     return point;
 }
 

@@ -63,6 +63,8 @@ def evaluate(function, G=0):
     """
     G = Fraction(G)
     numerator, denominator = (sum(a * G**k for k, a in enumerate(p)) for p in function)
+    if denominator == 0:
+        raise ZeroDivisionError(f"it has a pole at G = {G}")
     return Fraction(numerator) / denominator
 
 

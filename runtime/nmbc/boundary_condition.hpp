@@ -60,7 +60,7 @@ class BoundaryCondition {
     virtual void after_start(NodeLine<const Real> /*u*/, NodeLine<Real> /*v*/,
                              double /*duration*/) {}
 
-    /// Of an end whose outermost nodes have an energy of their own: that.
+    /// Of an end beyond which there is no energy: what its outermost nodes have of their own.
     virtual const EdgeEnergy* own_energy(End /*end*/) const { return nullptr; }
 
     /// In every step, when the lattice's own forces have acted and nothing else has: the forces of

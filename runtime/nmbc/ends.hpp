@@ -85,6 +85,8 @@ class FreeCondition final : public BoundaryCondition<Real> {
     void after_kick(NodeLine<const Real> /*u*/, NodeLine<Real> v, std::size_t /*step*/) override {
         mirror(v);
     }
+    /// The squares of the nodes that there are have all the energy: ghosts mirror the others.
+    const EdgeEnergy* own_energy(End /*end*/) const override { return &nothing_more_; }
 
   private:
     void mirror(NodeLine<Real> field) const {
@@ -94,6 +96,7 @@ class FreeCondition final : public BoundaryCondition<Real> {
     }
 
     std::size_t ghosts_;
+    EdgeEnergy nothing_more_{};
 };
 
 template <class Real>

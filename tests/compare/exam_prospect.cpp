@@ -104,7 +104,7 @@ TEST_CASE("what an extended end sends back is what gets to its far end and has t
         scene.left = scene.right = {.kind = BoundaryKind::extended, .layer = layer};
         return prospect_of(Simulation(scene)).ends;
     };
-    CHECK(ends_of(20).starts_with("about 1 of the energy that reaches them comes back"));
+    CHECK(ends_of(20).starts_with("all of the energy that reaches them comes back"));
     CHECK(ends_of(90) == "nothing of the energy that reaches them comes back");
 }
 

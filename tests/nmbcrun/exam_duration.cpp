@@ -52,4 +52,18 @@ TEST_CASE("a run of many steps, or of very short ones, is told before it begins"
     CHECK(warnings_of_steps(plan(1e-4, 123'000, 9e-4), 0.5, 123'000, 9) == small);
 }
 
+TEST_CASE("files that are large, or do not fit, are told before a run begins") {
+    using nmbcrun::warning_of_files;
+    constexpr double giga = 1e9;
+    CHECK(warning_of_files({.rows = 1e6, .snapshots = 100, .bytes_of_snapshot = 1e6}, 80 * giga)
+              .empty());
+    CHECK(warning_of_files({.rows = 1e6, .snapshots = 100, .bytes_of_snapshot = 1e6}, 0.3 * giga) ==
+          "the run writes about 0.5 GB, 1e+06 rows of energies most of it, and 0.3 GB are free: a "
+          "larger output.every writes less");
+    CHECK(
+        warning_of_files({.rows = 1e4, .snapshots = 1e5, .bytes_of_snapshot = 3.2e7}, 80 * giga) ==
+        "the run writes about 3.2e+03 GB, 1e+05 snapshots most of it, and 80 GB are free: a "
+        "larger output.snapshots writes less");
+}
+
 }  // namespace

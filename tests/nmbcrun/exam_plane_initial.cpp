@@ -120,8 +120,8 @@ TEST_CASE("a field without velocities is at rest at t = 0") {
 
 /// What is said of this initial field's waves, on a lattice with dX = 1/2.
 std::string short_waves_of(const std::string& initial, const Overrides& overrides = {}) {
-    const auto warnings = warnings_of_short_waves(
-        plane_scene_of(nopd2d_of_2 + of_lattice + free_sides + initial, overrides));
+    const auto warnings = warnings_of_short_waves(PlaneSimulation(
+        plane_scene_of(nopd2d_of_2 + of_lattice + free_sides + initial, overrides)));
     CHECK(warnings.size() < 2);
     return warnings.empty() ? "" : warnings.front();
 }
@@ -160,6 +160,32 @@ TEST_CASE("an initial field that the lattice does not resolve is told, with one 
     const std::string would_do = told.substr(told.rfind("= ") + 2, 3);
     CHECK(of_wave(would_do.c_str(), "9") == "");
     CHECK(of_wave("0.4", "0.1").ends_with("; no initial.wave_number alone would do"));
+}
+
+TEST_CASE("a field from a file is told of its short waves, whatever its size") {
+    const auto file = file_named("exam_plane_initial.h5");
+    for (const char* const nodes : {"[24, 18]", "[150, 70]", "[3, 90]"}) {
+        CAPTURE(nodes);
+        const auto told = [&](double width, std::size_t steps) {
+            const Overrides overrides{{"domain.nodes", nodes}};
+            const std::string text = nopd2d_of_2 + of_lattice + free_sides;
+            PlaneSimulation whole(plane_scene_of(
+                text + fmt::format("[initial]\nshape = 'gaussian'\namplitude = 0.01\n"
+                                   "centre = [1, 4]\nwidth = {}\ncomponent = 'y'\n",
+                                   width),
+                overrides));
+            write_fields(whole, file);
+            PlaneScene scene = started_from(text, file, "origin = [0.5, 0.5]\n");
+            scene.nodes = whole.scene().nodes;
+            PlaneSimulation read(scene);
+            read.advance(steps);
+            return warnings_of_short_waves(read);
+        };
+        CHECK(told(5, 0).empty());
+        REQUIRE(told(0.3, 0).size() == 1);
+        CHECK(told(0.3, 0)[0].ends_with("; a smoother field or a finer lattice has less"));
+        CHECK(told(0.3, 1).empty());  // of a run that goes on it has been said
+    }
 }
 
 }  // namespace

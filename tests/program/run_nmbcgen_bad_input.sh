@@ -61,7 +61,10 @@ done
 refuses --match "'0:3,1/2:1,1/3:1" "has more than 1000 items" -- --horizon 1 --G 1/2 \
     --match "0:3$(printf ',1/%d:1' {2..1001})"
 refuses --match "makes the order 1000" -- --horizon 1 --G 1/2 --match "0:3$(printf ',1/%d:1' {2..1000})"
-for bad in "0" "0:3,1:0" "0:3,1:-1" "0:3,1:1:1" "0:3,1:" "0:3,1" "0:3,1:200" "0:3,1:one"; do
+for bad in "0" "0:3,1"; do
+    refuses --match "has no number of rows; give XI:ROWS" -- --horizon 1 --G 1/2 --match "$bad"
+done
+for bad in "0:3,1:0" "0:3,1:-1" "0:3,1:1:1" "0:3,1:" "0:3,1:200" "0:3,1:one"; do
     refuses --match "whole number from 1 to 199" -- --horizon 1 --G 1/2 --match "$bad"
 done
 # The double nearest to 3.1415926535897932385 is that of pi, which is less.

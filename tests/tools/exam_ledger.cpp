@@ -140,6 +140,8 @@ TEST_CASE("the ledger closes: ends, horizons, damping, sources") {
                     const bool flies = left.name == "free" && right.name == "free";
                     CHECK(outcome.drift < (flies ? 3e-12 : 1e-13));
                     CHECK(outcome.peak > 0);
+                    CHECK((left.name != "free" || outcome.last.left == 0));
+                    CHECK((right.name != "free" || outcome.last.right == 0));
                     CHECK((ledger.totals().work > 0.5 * outcome.peak));
                 }
             }

@@ -97,7 +97,7 @@ Run::Run(const Scene& scene, const RunOptions& options)
                         prospect_.warnings.empty()
                             ? "Another model.G, order or stride may absorb it: nmbcrun advise"
                             : fmt::format("{}", fmt::join(prospect_.warnings, ". ")),
-                        choices_at_another_G(scene, [](Scene other) {
+                        choices_in_place(scene, [](Scene other) {
                             other.step.reset();  // theirs may be shorter
                             other.cfl.reset();
                             return absorbs(other);
@@ -160,10 +160,11 @@ void Run::judge(const Sample& sample) {
     highlights().drift = std::max(highlights().drift, std::abs(sample.balance.drift));
     const double between = double(look_every) * simulation_.plan().time_step;
     if (has_grown(total, simulation_.is_driven(std::max(0.0, time() - between)))) {
-        throw unstable(fmt::format(
-            "the energy has grown to {:.3g} times its peak before its sources ended, most "
-            "at {},",
-            total / highlights().driven_peak, fastest_node(chain())));
+        const Scene& scene = simulation_.scene();
+        const bool has_sources =
+            scene.force || scene.drive || scene.incoming || scene.left.value || scene.right.value;
+        throw unstable(
+            fmt::format("{}, most at {},", growth(total, has_sources), fastest_node(chain())));
     }
 }
 
@@ -178,6 +179,9 @@ std::vector<std::string> Run::warnings() const {
     }
     std::erase(all, "");
     all.erase(std::unique(all.begin(), all.end()), all.end());  // of both ends
+    if (prospect_.sends_much_back) {
+        all.push_back("at the ends " + prospect_.ends + ": nmbcrun advise finds better ones");
+    }
     all.insert(all.end(), prospect_.warnings.begin(), prospect_.warnings.end());
     return all;
 }
@@ -206,7 +210,9 @@ void Run::print() {
 
 void run(const Scene& scene, const RunOptions& options) {
     Run run(scene, options);
-    run.warn(run.warnings(), run.simulation().chain().nodes());
+    // u and v, in a growing file and, at the end, its copy
+    run.warn(run.warnings(), run.simulation().chain().nodes(),
+             4.0 * sizeof(double) * double(scene.nodes));
     if (!options.quiet) {
         const Plan& plan = run.simulation().plan();
         const std::string& ends = run.prospect().ends;

@@ -141,15 +141,20 @@ std::optional<AutomaticStep> matched_step(const Scene& scene, const nmbc::Lattic
     return std::nullopt;
 }
 
+/// The scene with this end in the place of each nmbc.
+Scene with_in_place(const Scene& scene, const Boundary& boundary) {
+    Scene other = scene;
+    for (Boundary* end : {&other.left, &other.right}) {
+        *end = end->kind == BoundaryKind::nmbc ? boundary : *end;
+    }
+    return other;
+}
+
 /// The orders and strides that are certified in the place of the scene's nmbc, with their cfl.
-std::string certified_choices(const Scene& scene, const Suits& suits = {}) {
+std::string certified_orders(const Scene& scene, const Suits& suits) {
     std::string choices;
     for (const nmbc::MatchingTable* table : tables_of(scene)) {
-        const Boundary boundary{.order = table->order, .stride = table->stride};
-        Scene other = scene;
-        for (Boundary* end : {&other.left, &other.right}) {
-            *end = end->kind == BoundaryKind::nmbc ? boundary : *end;
-        }
+        const Scene other = with_in_place(scene, {.order = table->order, .stride = table->stride});
         const double cfl = table->time_step == "0"
                                ? largest_certified_cfl(other, make_lattice(*table, scene.G))
                                : 0;
@@ -159,6 +164,26 @@ std::string certified_choices(const Scene& scene, const Suits& suits = {}) {
         }
     }
     return choices;
+}
+
+/// Whether passive ends, which are stable by construction, can be designed and suit.
+bool has_passive(const Scene& scene, const Suits& suits) {
+    if (!has_constant_influence(scene) || is_damped(scene) ||
+        scene.horizon > DesignedEnd::largest_horizon) {
+        return false;
+    }
+    const Scene other = with_in_place(scene, {.kind = BoundaryKind::passive});
+    if (suits) {
+        return suits(other);
+    }
+    const nmbc::Lattice lattice = lattice_of(scene);
+    const double cfl = largest_certified_cfl(other, lattice);
+    try {
+        sent_back_by_passive_end(lattice, 2 * cfl / nmbc::maximum_frequency(lattice));
+    } catch (const SceneError&) {  // no design for these steps
+        return false;
+    }
+    return cfl > 0;
 }
 
 }  // namespace
@@ -252,16 +277,24 @@ double largest_certified_cfl(const Scene& scene, const nmbc::Lattice& lattice) {
                : certified_together(scene, step, highest_frequency(scene, lattice)).cfl;
 }
 
-std::string choices_at_another_G(const Scene& scene, const Suits& suits) {
+std::string choices_in_place(const Scene& scene, const Suits& suits) {
+    const char* const are = suits ? "Certified and absorbing" : "Certified";
+    const std::string own = certified_orders(scene, suits);
+    if (has_passive(scene, suits)) {
+        return fmt::format(R"(. {} at this G: {}{}boundary.kind = "passive")", are, own,
+                           own.empty() ? "" : "; ");
+    }
+    if (!own.empty()) {
+        return fmt::format(". {} at this G: {}", are, own);
+    }
     const std::string G = best_G(scene.horizon);
     Scene other = scene;
     other.G = nmbc::detail::nearest_to_fraction(G);
     const bool is_best = has_constant_influence(scene) && other.G != scene.G;
-    const std::string choices = is_best ? certified_choices(other, suits) : "";
-    return choices.empty()
-               ? ""
-               : fmt::format(R"(. {} at model.G = "{}", which suits long waves best: {})",
-                             suits ? "Certified and absorbing" : "Certified", G, choices);
+    const std::string there = is_best ? certified_orders(other, suits) : "";
+    return there.empty() ? ""
+                         : fmt::format(R"(. {} at model.G = "{}", which suits long waves best: {})",
+                                       are, G, there);
 }
 
 std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice) {
@@ -270,12 +303,10 @@ std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice) 
         return fmt::format("Certified for these ends is cfl = {:.3g}, time.step = {:.4g}", own,
                            2 * own / omega_max);
     }
-    if (const std::string choices = certified_choices(scene); !choices.empty()) {
-        return "Certified in its place at this G: " + choices;
-    }
-    const std::string at_another_G = choices_at_another_G(scene);
-    return "No other order or stride that there is a table of is certified here" +
-           (at_another_G.empty() ? R"(; boundary.kind = "extended" is)" : at_another_G);
+    const std::string choices = choices_in_place(scene);
+    return choices.empty() ? "No other end that there is a table of is certified here; "
+                             R"(boundary.kind = "extended" is)"
+                           : choices.substr(2);
 }
 
 }  // namespace nmbcrun

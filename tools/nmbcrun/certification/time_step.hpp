@@ -45,14 +45,13 @@ double largest_certified_cfl(const Scene& scene, const nmbc::Lattice& lattice);
 /// What else is asked of a scene with other ends; empty: nothing.
 using Suits = std::function<bool(const Scene& scene)>;
 
-/// ". Certified at model.G = .." : the orders and strides that are, at best_G(), in the place of
-/// the scene's nmbc, of those that suit; empty where none are, where it is the scene's own G, or
-/// best for another lattice.
-std::string choices_at_another_G(const Scene& scene, const Suits& suits = {});
+/// ". Certified here is ..": what may stand in the place of the scene's nmbc, of what suits: the
+/// orders and strides that are certified at its own G, and passive ends; where neither does, the
+/// orders and strides at best_G(), unless that is best for another lattice. Empty where none do.
+std::string choices_in_place(const Scene& scene, const Suits& suits = {});
 
-/// A sentence: the largest cfl that the scene's ends are certified for or, where there is none, the
-/// orders and strides that are certified in the place of its nmbc, with theirs; or where there are
-/// none, another G or kind of end.
+/// A sentence: the largest cfl that the scene's ends are certified for or, where there is none,
+/// what is certified in the place of its nmbc.
 std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice);
 
 /// Throws Unstable where the interior, or a mode beside a true end, is not stable in such steps

@@ -46,7 +46,7 @@ Energies arriving_at(nmbc::End side, const Simulation& simulation,
         for (std::size_t part = 0; part < source.spectrum.parts(); ++part) {
             const double xi = source.spectrum.wave_number(part);
             const double speed = std::abs(group_velocity(simulation.chain().lattice(), xi, step));
-            if (speed * scene.end / unit >= way + double(beyond)) {
+            if (speed * (scene.end - source.start) / unit >= way + double(beyond)) {
                 energies[xi] += source.spectrum.energy() * source.spectrum.share(part);
             }
         }
@@ -99,9 +99,18 @@ class Returned {
             return "nothing of the energy that reaches them comes back";
         }
         const auto most = std::ranges::max_element(back_, {}, &Energies::value_type::second);
-        return fmt::format(
-            "about {:.1g} of the energy that reaches them comes back, most at xi dX = {:.2g}", back,
-            most->first);
+        constexpr double nearly = 0.95;
+        const std::string part = back < nearly       ? fmt::format("about {:.1g} of ", back)
+                                 : back < 1 / nearly ? "all of "
+                                                     : fmt::format("{:.2g} times ", back);
+        return fmt::format("{}the energy that reaches them comes back, most at xi dX = {:.2g}",
+                           part, most->first);
+    }
+
+    /// Whether more than a tenth comes back.
+    bool is_much() const {
+        constexpr double much = 0.1;
+        return sum_of(back_) > much * arrived_;
     }
 
     /// Empty where next to nothing is amplified.
@@ -270,6 +279,7 @@ Prospect prospect_of(const Simulation& simulation) {
         prospect.ends = unknown.empty()
                             ? returned.in_words()
                             : "nothing is predicted " + unknown + ": nmbcrun verify measures it";
+        prospect.sends_much_back = unknown.empty() && returned.is_much();
     }
     return prospect;
 }

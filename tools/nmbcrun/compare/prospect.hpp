@@ -13,6 +13,8 @@ struct Prospect {
     /// How much of the energy that gets to the artificial ends comes back, in words; empty where
     /// both are physical.
     std::string ends;
+    /// Whether that is known to be more than a tenth.
+    bool sends_much_back = false;
     /// Which end sends back more than comes, of what comes; empty where none does.
     std::string objection;
     /// Sources that the lattice does not carry, and what would do.

@@ -6,6 +6,7 @@
 #include <complex>
 #include <functional>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 #include <unsupported/Eigen/FFT>
 #include <utility>
@@ -98,9 +99,29 @@ Spectrum spectrum_of(const Pulse& pulse, double spacing,
     return Spectrum(std::move(energies));
 }
 
+/// Of a force in time, and when it begins.
+struct ChangesSpectrum {
+    Spectrum spectrum;
+    double start = 0;  // as SourceSpectrum has it
+};
+
+/// The first of the changes before which there is less than 1e-6 of their squares.
+std::size_t first_that_counts(const std::vector<double>& changes) {
+    constexpr double negligible = 1e-6;
+    const double all = std::inner_product(changes.begin(), changes.end(), changes.begin(), 0.0);
+    double before = 0;
+    std::size_t first = 0;
+    while (first + 1 < changes.size() &&
+           before + changes[first] * changes[first] <= negligible * all) {
+        before += changes[first] * changes[first];
+        ++first;
+    }
+    return first;
+}
+
 /// What a force gives the velocities of so many nodes [dX/c times v], by the angle by which a wave
 /// turns meanwhile. change: from a time on, for so long.
-Spectrum spectrum_of_changes(
+ChangesSpectrum spectrum_of_changes(
     const Scene& scene, const nmbc::Lattice& lattice, double time_step, const ForceHistory& force,
     const std::string& column, double nodes,
     const std::function<double(const ForceInTime&, double time, double between)>& change) {
@@ -132,10 +153,11 @@ Spectrum spectrum_of_changes(
             width_of_part * place * place *
             power.between(angle(xi - width_of_part / 2), angle(xi + width_of_part / 2)));
     }
-    return Spectrum(std::move(energies));
+    return {Spectrum(std::move(energies)), first + double(first_that_counts(changes)) * between};
 }
 
-Spectrum spectrum_of_force(const Scene& scene, const nmbc::Lattice& lattice, double time_step) {
+ChangesSpectrum spectrum_of_force(const Scene& scene, const nmbc::Lattice& lattice,
+                                  double time_step) {
     const auto change = [&](const ForceInTime& force, double time, double between) {
         return between * force.at(time) / scene.density * unit_of_time(scene);
     };
@@ -146,8 +168,8 @@ Spectrum spectrum_of_force(const Scene& scene, const nmbc::Lattice& lattice, dou
 
 /// A traction t on a surface moves the bar as the force 2 t/dX on one node of a longer bar moves
 /// each half of it; a displacement g as the traction rho c g'.
-Spectrum spectrum_of_surface(const Scene& scene, const nmbc::Lattice& lattice, double time_step,
-                             const Boundary& end) {
+ChangesSpectrum spectrum_of_surface(const Scene& scene, const nmbc::Lattice& lattice,
+                                    double time_step, const Boundary& end) {
     const double of_each_half = std::sqrt(0.5);
     const double of_traction = 2 * of_each_half / (scene.density * wave_speed(scene));
     const auto change = [&](const ForceInTime& value, double time, double between) {
@@ -224,10 +246,11 @@ std::vector<SourceSpectrum> source_spectra(const Scene& scene, const nmbc::Latti
     std::vector<SourceSpectrum> spectra;
     const double dX = scene.spacing;
     const auto last_node = double(scene.nodes) - 1;
-    const auto add = [&](const char* name, Spectrum spectrum, double centre, double half_width) {
+    const auto add = [&](const char* name, Spectrum spectrum, double centre, double half_width,
+                         double start = 0) {
         spectra.push_back({name, std::move(spectrum),
                            std::clamp((centre - half_width) / dX - 1, 0.0, last_node),
-                           std::clamp((centre + half_width) / dX - 1, 0.0, last_node)});
+                           std::clamp((centre + half_width) / dX - 1, 0.0, last_node), start});
     };
     const auto squared = [&](double xi) { return std::pow(omega_of(lattice, xi), 2); };
     if (scene.initial && scene.initial->kind == InitialKind::file) {
@@ -250,14 +273,14 @@ std::vector<SourceSpectrum> source_spectra(const Scene& scene, const nmbc::Latti
             drive.half_width * scene.horizon * dX);
     }
     if (scene.force) {
-        add("force", spectrum_of_force(scene, lattice, time_step), scene.force->centre,
-            scene.force->half_width);
+        auto [spectrum, start] = spectrum_of_force(scene, lattice, time_step);
+        add("force", std::move(spectrum), scene.force->centre, scene.force->half_width, start);
     }
     for (const auto& [name, end, node] : {std::tuple("boundary.left.value", &scene.left, 0.0),
                                           {"boundary.right.value", &scene.right, last_node}}) {
         if (end->value) {
-            spectra.push_back(
-                {name, spectrum_of_surface(scene, lattice, time_step, *end), node, node});
+            auto [spectrum, start] = spectrum_of_surface(scene, lattice, time_step, *end);
+            spectra.push_back({name, std::move(spectrum), node, node, start});
         }
     }
     if (scene.incoming) {

@@ -16,6 +16,7 @@ struct SourceSpectrum {
     Spectrum spectrum;  ///< of the energy of its waves, in the same units for all sources
     double first = 0;  ///< the interior nodes that its waves start from, counted from 0 at the left
     double last = 0;
+    double start = 0;  ///< [time]: before it the source sends out less than 1e-6 of its energy
 };
 
 /// Of each source but a preload, which does not move; time_step [time]. Of a drive and of files the

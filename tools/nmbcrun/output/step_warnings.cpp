@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "tools/nmbcrun/output/duration.hpp"
 
 namespace nmbcrun {
@@ -37,6 +39,23 @@ std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_
             double(plan.steps) * plan.time_step / unit_of_time));
     }
     return warnings;
+}
+
+std::string warning_of_files(const Output& output, double free) {
+    constexpr double bytes_of_row = 2 * 200;  // a growing file and, at the end, its copy
+    constexpr double many = 2e9;
+    constexpr double giga = 1e9;
+    const double of_rows = output.rows * bytes_of_row;
+    const double of_fields = output.snapshots * output.bytes_of_snapshot;
+    if (of_rows + of_fields <= std::min(many, free)) {
+        return "";
+    }
+    return fmt::format(
+        "the run writes about {:.2g} GB, {:.3g} {}, and {:.2g} GB are free: a larger {} writes "
+        "less",
+        (of_rows + of_fields) / giga, of_rows > of_fields ? output.rows : output.snapshots,
+        of_rows > of_fields ? "rows of energies most of it" : "snapshots most of it", free / giga,
+        of_rows > of_fields ? "output.every" : "output.snapshots");
 }
 
 }  // namespace nmbcrun

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Runs whose steps are many or very short.
+/// Runs whose steps are many or very short, or whose files are large.
 #pragma once
 
 #include <cstddef>
@@ -15,5 +15,15 @@ namespace nmbcrun {
 /// unit_of_time: dX/c.
 std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_time,
                                            std::size_t steps_left, std::size_t nodes);
+
+/// What a run still writes.
+struct Output {
+    double rows = 0;               ///< of energies
+    double snapshots = 0;          ///< fields of all nodes
+    double bytes_of_snapshot = 0;  ///< as large as it gets while the run ends
+};
+
+/// In words: where that is more than 2 GB, or than is free [bytes]; empty where it is not.
+std::string warning_of_files(const Output& output, double free);
 
 }  // namespace nmbcrun

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <system_error>
 #include <utility>
 
@@ -47,7 +48,17 @@ std::optional<Checkpoint> StoppableRun::claim(std::map<std::string, std::string>
     return from;
 }
 
-void StoppableRun::warn(std::vector<std::string> warnings, std::size_t nodes) const {
+void StoppableRun::warn(std::vector<std::string> warnings, std::size_t nodes,
+                        double bytes_of_snapshot) const {
+    const auto left = double(plan_.steps - steps());
+    const auto every = [&](std::size_t interval) {
+        return interval == 0 ? 0.0 : left / double(interval);
+    };
+    std::error_code unknown;  // then as much as one likes is free
+    const auto space = std::filesystem::space(options_.folder, unknown);
+    warnings.push_back(warning_of_files({every(every_), every(snapshots_), bytes_of_snapshot},
+                                        unknown ? HUGE_VAL : double(space.available)));
+    std::erase(warnings, "");
     for (const std::string& one :
          warnings_of_steps(plan_, unit_of_time_, plan_.steps - steps(), nodes)) {
         warnings.push_back(one);
@@ -73,6 +84,12 @@ bool StoppableRun::has_grown(double energy, bool is_driven) {
         return false;
     }
     return driven_peak > 0 && energy > 10 * driven_peak;
+}
+
+std::string StoppableRun::growth(double energy, bool has_sources) const {
+    return fmt::format(
+        "the energy has grown to {:.3g} times {}", energy / highlights_.driven_peak,
+        has_sources ? "its peak before its sources ended" : "what it was at the start");
 }
 
 /// The next step at which anything is written or looked at.

@@ -40,8 +40,8 @@ class StoppableRun {
     void to_the_end();
 
     /// Prints these on stderr, a line each, and what its user may not expect of any run of so many
-    /// nodes.
-    void warn(std::vector<std::string> warnings, std::size_t nodes) const;
+    /// nodes with such snapshots.
+    void warn(std::vector<std::string> warnings, std::size_t nodes, double bytes_of_snapshot) const;
 
   protected:
     /// About so many rows of energies are printed.
@@ -77,6 +77,8 @@ class StoppableRun {
     /// are long before the fields. What a source gave since the last look is in this energy alone,
     /// so that this one counts as driven.
     bool has_grown(double energy, bool is_driven);
+    /// "the energy has grown to .. times .."; has_sources: beside an initial field.
+    std::string growth(double energy, bool has_sources) const;
 
     std::string place() const;
     const Highlights& highlights() const { return highlights_; }

@@ -190,6 +190,15 @@ std::string_view extension_of(FieldFormat format) {
     return format == FieldFormat::vtk ? ".vti" : ".h5";
 }
 
+double bytes_of_fields(const PlaneSimulation& simulation) {
+    const auto [nx, ny] = simulation.body().nodes;
+    double bytes = 0;
+    for (const Quantity& quantity : quantities_of(simulation.scene())) {
+        bytes += double(nx) * double(ny) * double(quantity.components * sizeof(double));
+    }
+    return bytes;
+}
+
 void write_fields(const PlaneSimulation& simulation, const std::filesystem::path& path) {
     if (simulation.scene().field_format == FieldFormat::vtk) {
         nmbcgen::write_files({{path, vti_text(simulation)}});

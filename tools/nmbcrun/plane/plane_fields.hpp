@@ -19,6 +19,9 @@ std::string_view extension_of(FieldFormat format);
 /// Throws FileError.
 void write_fields(const PlaneSimulation& simulation, const std::filesystem::path& path);
 
+/// Of such a file, but for its head.
+double bytes_of_fields(const PlaneSimulation& simulation);
+
 struct Snapshot {
     double time = 0;             ///< of displacement
     std::filesystem::path file;  ///< relative to the series' folder

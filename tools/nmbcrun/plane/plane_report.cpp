@@ -73,7 +73,7 @@ std::string heading_of(const PlaneSimulation& simulation) {
 
 std::vector<std::string> warnings_of(const PlaneSimulation& simulation) {
     std::vector<std::string> warnings = simulation.warnings();
-    const auto short_waves = warnings_of_short_waves(simulation.scene());
+    const auto short_waves = warnings_of_short_waves(simulation);
     warnings.insert(warnings.end(), short_waves.begin(), short_waves.end());
     warnings.insert(warnings.end(),
                     {warning_of_short_run(simulation.scene()), warning_of_jumps(simulation)});

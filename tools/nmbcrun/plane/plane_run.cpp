@@ -95,10 +95,7 @@ void PlaneRun::judge(double energy) {
     const bool is_driven = steps() == 0 || simulation_.is_driven(std::max(0.0, time() - between));
     if (has_grown(energy, is_driven) && std::abs(simulation_.times_supplied()) > 10) {
         const PlaneScene& scene = simulation_.scene();
-        throw unstable(fmt::format(
-            "the energy has grown to {:.3g} times {},", energy / highlights().driven_peak,
-            scene.force || scene.drive || !scene.loads.empty() ? "its peak before its sources ended"
-                                                               : "what it was at the start"));
+        throw unstable(growth(energy, scene.force || scene.drive || !scene.loads.empty()) + ",");
     }
 }
 
@@ -178,7 +175,7 @@ void run_plane(const PlaneScene& scene, const RunOptions& options) {
     const SceneSides sides = sides_of(scene, options.quiet);
     PlaneRun run(scene, sides.all, options);
     const nmbc::Grid grid = run.simulation().plane().grid();
-    run.warn(warnings_of(run.simulation()), grid.nx * grid.ny);
+    run.warn(warnings_of(run.simulation()), grid.nx * grid.ny, bytes_of_fields(run.simulation()));
     if (!options.quiet) {
         const PlanePlan& plan = run.simulation().plan();
         const std::string ends = prospect_of(scene, sides.passive);

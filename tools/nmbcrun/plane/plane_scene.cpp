@@ -105,12 +105,12 @@ double read_plane_G(SceneReader& reader, const PlaneScene& scene) {
     if (!G) {
         PlaneScene undamped = scene;
         undamped.tau = 0;
-        reader.fail("model.G",
-                    fmt::format("is missing: 0 is standard NOPD, some of whose short waves no side "
-                                "absorbs; {:.2g} makes the dispersion of long S waves least at "
-                                "this radius, nu and influence, {:.2g} that of P waves",
-                                G_of_least_dispersion(undamped, false),
-                                G_of_least_dispersion(undamped, true)));
+        reader.missing("model.G",
+                       fmt::format("0 is standard NOPD, some of whose short waves no side absorbs; "
+                                   "{:.2g} makes the dispersion of long S waves least at this "
+                                   "radius, nu and influence, {:.2g} that of P waves",
+                                   G_of_least_dispersion(undamped, false),
+                                   G_of_least_dispersion(undamped, true)));
     }
     return *G;
 }

@@ -10,8 +10,8 @@
 #include <numbers>
 #include <vector>
 
+#include "tools/nmbcrun/plane/patch_spectrum.hpp"
 #include "tools/nmbcrun/plane/plane_initial.hpp"
-#include "tools/nmbcrun/plane/plane_lattice.hpp"
 #include "tools/nmbcrun/sources/two_digits.hpp"
 
 namespace nmbcrun {
@@ -19,7 +19,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double widest = 30;  // [dX]: what reaches farther has long waves
+constexpr double widest = 30;  // [dX], fits in a patch: what reaches farther has long waves
 
 /// |F(omega)|^2 of the history, but for a factor; 0 where it is not known.
 double spectral_energy(const ForceHistory& history, double omega) {
@@ -44,99 +44,50 @@ double spectral_energy(const ForceHistory& history, double omega) {
     return 0;
 }
 
-/// What a source gives a node, u and v or one of them, for its transforms.
-struct OfNode {
-    std::array<double, 2> place{};  ///< from the source's centre [dX]
-    StartOfNode gives{};
-};
-
 /// Of the nodes of an endless lattice within a reach [length] of a centre.
 template <class Gives>
-std::vector<OfNode> nodes_about(const std::array<double, 2>& centre, double reach, double spacing,
-                                const Gives& gives) {
-    std::vector<OfNode> nodes;
+Patch patch_about(const std::array<double, 2>& centre, double reach, double spacing,
+                  const Gives& gives) {
     const double radius = reach / spacing * (1 + 1e-9);
-    const auto about = [&](std::size_t axis) { return centre[axis] / spacing; };
-    for (double y = std::ceil(about(1) - radius); y <= about(1) + radius; ++y) {
-        for (double x = std::ceil(about(0) - radius); x <= about(0) + radius; ++x) {
-            if (std::hypot(x - about(0), y - about(1)) <= radius) {
-                nodes.push_back({{x - about(0), y - about(1)}, gives(x * spacing, y * spacing)});
-            }
+    const std::array<double, 2> about{centre[0] / spacing, centre[1] / spacing};
+    const auto first = [&](std::size_t axis) { return std::ceil(about[axis] - radius); };
+    const auto last = [&](std::size_t axis) { return std::floor(about[axis] + radius); };
+    Patch patch{.nx = std::size_t(std::max(0.0, last(0) - first(0) + 1))};
+    for (double y = first(1); y <= last(1); ++y) {
+        for (double x = first(0); x <= last(0); ++x) {
+            const bool is_within = std::hypot(x - about[0], y - about[1]) <= radius;
+            patch.gives.push_back(is_within ? gives(x * spacing, y * spacing) : StartOfNode{});
         }
     }
-    return nodes;
+    return patch;
 }
 
-/// Whether waves about xi go at the speed of the solid's, nearly.
-bool is_carried(const nmbc::PlaneModel& model, const std::array<double, 2>& xi, bool is_P) {
-    const auto omega = [&](double x, double y) {
-        return std::sqrt(std::max(0.0, nmbc::plane_wave(model, {x, y}, is_P).omega_squared));
+/// The square from node `first` of the scene on, tapered as in Welch's method: cut off, it would
+/// have the short waves of its edges. Beyond its nodes a plane goes on as a mirror has it.
+Patch tapered_patch(const PlaneSimulation& simulation, const std::array<std::ptrdiff_t, 2>& first) {
+    const auto weight = [](std::size_t i) {
+        const double sine = std::sin(pi * (double(i) + 0.5) / Patch::across);
+        return sine * sine;
     };
-    constexpr double aside = 1e-4;
-    const std::array<double, 2> group{
-        (omega(xi[0] + aside, xi[1]) - omega(xi[0] - aside, xi[1])) / (2 * aside),
-        (omega(xi[0], xi[1] + aside) - omega(xi[0], xi[1] - aside)) / (2 * aside)};
-    const double forwards = (group[0] * xi[0] + group[1] * xi[1]) / std::hypot(xi[0], xi[1]);
-    const double speed = forwards / (is_P ? model.speed_P() : model.speed_S());
-    constexpr double far_off = 0.25;
-    return std::abs(speed - 1) <= far_off;
-}
-
-/// Energy in waves of a lattice.
-class Waves {
-  public:
-    explicit Waves(const PlaneScene& scene) : rate_(rate_of(scene)), model_(model_of(scene)) {}
-
-    const nmbc::PlaneModel& model() const { return model_; }
-
-    /// energy(wave, omega [1/time]): of the P and the S wave about xi, but for a factor.
-    template <class Energy>
-    void add(const std::array<double, 2>& xi, const Energy& energy) {
-        for (const bool is_P : {true, false}) {
-            const nmbc::PlaneWave wave = nmbc::plane_wave(model_, xi, is_P);
-            const double one = energy(wave, rate_ * std::sqrt(std::max(0.0, wave.omega_squared)));
-            all_ += one;
-            lost_ += is_carried(model_, xi, is_P) ? 0 : one;
-        }
-    }
-
-    /// The part in waves that the lattice does not carry.
-    double not_carried() const { return all_ > 0 ? lost_ / all_ : 0; }
-
-  private:
-    double rate_;
-    nmbc::PlaneModel model_;
-    double all_ = 0;
-    double lost_ = 0;
-};
-
-/// Of a source. weight(omega): what a wave has of the power of `gives.v`.
-template <class Weight>
-double not_carried(const PlaneScene& scene, const std::vector<OfNode>& nodes,
-                   const Weight& weight) {
-    constexpr int steps = 32;  // over half the zone
-    Waves waves(scene);
-    for (int y = 0; y < steps; ++y) {
-        for (int x = -steps; x < steps; ++x) {
-            const std::array<double, 2> xi{pi * (x + 0.5) / steps, pi * (y + 0.5) / steps};
-            std::array<std::complex<double>, 2> u{};
-            std::array<std::complex<double>, 2> v{};
-            for (const OfNode& node : nodes) {
-                const auto turn = std::polar(1.0, -xi[0] * node.place[0] - xi[1] * node.place[1]);
-                for (const std::size_t a : {0U, 1U}) {
-                    u[a] += turn * node.gives.u[a];
-                    v[a] += turn * node.gives.v[a];
-                }
+    const auto node = [&](std::size_t axis, std::size_t i) {
+        const auto n = std::ptrdiff_t(simulation.scene().nodes[axis]);
+        const std::ptrdiff_t turned = (first[axis] + std::ptrdiff_t(i)) % (2 * n);
+        const std::ptrdiff_t folded = turned < 0 ? turned + 2 * n : turned;
+        return std::size_t(std::min(folded, 2 * n - 1 - folded));
+    };
+    Patch patch{.nx = Patch::across};
+    for (std::size_t y = 0; y < Patch::across; ++y) {
+        for (std::size_t x = 0; x < Patch::across; ++x) {
+            const std::size_t entry = simulation.entry(node(0, x), node(1, y));
+            const double w = weight(x) * weight(y);
+            StartOfNode& start = patch.gives.emplace_back();
+            for (const std::size_t a : {0U, 1U}) {
+                start.u[a] = w * simulation.plane().displacement(a)[entry];
+                start.v[a] = w * simulation.plane().velocity(a)[entry];
             }
-            waves.add(xi, [&](const nmbc::PlaneWave& wave, double omega) {
-                const auto along = [&](const std::array<std::complex<double>, 2>& field) {
-                    return std::norm(wave.direction[0] * field[0] + wave.direction[1] * field[1]);
-                };
-                return omega * omega * along(u) + weight(omega) * along(v);
-            });
         }
     }
-    return waves.not_carried();
+    return patch;
 }
 
 /// Of a packet, whose transform is exp(-(width |xi - k|/2)^2).
@@ -149,20 +100,35 @@ double not_carried_of_packet(const PlaneScene& scene) {
     const std::array<double, 2> k{initial.wave_number * std::cos(radians),
                                   initial.wave_number * std::sin(radians)};
     Waves waves(scene);
-    const auto own = nmbc::plane_wave(waves.model(), k, initial.is_P).direction;
+    const auto own = waves.wave(k, initial.is_P).direction;
     for (int y = -steps; y <= steps; ++y) {
         for (int x = -steps; x <= steps; ++x) {
             const auto folded = [](double xi) { return std::remainder(xi, 2 * pi); };
             const double r = farthest / steps * std::hypot(x, y);
-            waves.add({folded(k[0] + x * step), folded(k[1] + y * step)},
-                      [&](const nmbc::PlaneWave& wave, double omega) {
-                          const double along =
-                              wave.direction[0] * own[0] + wave.direction[1] * own[1];
-                          return omega * omega * along * along * std::exp(-r * r / 2);
-                      });
+            for (const bool is_P : {true, false}) {
+                const LatticeWave wave =
+                    waves.wave({folded(k[0] + x * step), folded(k[1] + y * step)}, is_P);
+                const double along = wave.direction[0] * own[0] + wave.direction[1] * own[1];
+                waves.add(wave, wave.omega * wave.omega * along * along * std::exp(-r * r / 2));
+            }
         }
     }
     return waves.not_carried();
+}
+
+/// Of a field that was read from a file, in squares that overlap by half.
+double not_carried_of_field(const PlaneSimulation& simulation) {
+    constexpr std::ptrdiff_t apart = Patch::across / 2;
+    const auto last = [&](std::size_t axis) {
+        return std::ptrdiff_t(simulation.scene().nodes[axis]) - 1;
+    };
+    PatchSpectrum spectrum(simulation.scene());
+    for (std::ptrdiff_t y = -apart; y <= last(1); y += apart) {
+        for (std::ptrdiff_t x = -apart; x <= last(0); x += apart) {
+            spectrum.add(tapered_patch(simulation, {x, y}), [](double) { return 1.0; });
+        }
+    }
+    return spectrum.not_carried();
 }
 
 double not_carried_of_force(const PlaneScene& scene) {
@@ -172,13 +138,15 @@ double not_carried_of_force(const PlaneScene& scene) {
     }
     StartOfNode alike;
     alike.v[force.component] = 1;
-    return not_carried(scene,
-                       nodes_about(force.centre, force.half_width, scene.spacing,
-                                   [&](double, double) { return alike; }),
-                       [&](double omega) { return spectral_energy(force.history, omega); });
+    PatchSpectrum spectrum(scene);
+    spectrum.add(patch_about(force.centre, force.half_width, scene.spacing,
+                             [&](double, double) { return alike; }),
+                 [&](double omega) { return spectral_energy(force.history, omega); });
+    return spectrum.not_carried();
 }
 
-double not_carried_of_initial(const PlaneScene& scene) {
+/// none: of the scene's lattice, with nothing in it.
+double not_carried_of_initial(const PlaneScene& scene, PatchSpectrum none) {
     const PlaneInitial& initial = *scene.initial;
     if (initial.shape == PlaneShape::packet) {
         return not_carried_of_packet(scene);
@@ -189,12 +157,12 @@ double not_carried_of_initial(const PlaneScene& scene) {
         return 0;
     }
     const InitialShape shape(scene);
-    return not_carried(scene,
-                       nodes_about(initial.centre, reach, scene.spacing,
-                                   [&](double x, double y) {
-                                       return shape.at({x, y});
-                                   }),
-                       [](double) { return 1.0; });
+    none.add(patch_about(initial.centre, reach, scene.spacing,
+                         [&](double x, double y) {
+                             return shape.at({x, y});
+                         }),
+             [](double) { return 1.0; });
+    return none.not_carried();
 }
 
 constexpr double most_not_carried = 0.1;
@@ -202,12 +170,13 @@ constexpr double most_not_carried = 0.1;
 /// "; KEY = VALUE would do", or that none would.
 std::string what_would_do(PlaneScene scene) {
     const bool is_packet = scene.initial->shape == PlaneShape::packet;
+    const PatchSpectrum none(scene);
     double& value = is_packet ? scene.initial->wave_number : scene.initial->width;
     const char* const key = is_packet ? "initial.wave_number" : "initial.width";
     const double own = value;
     for (double factor = 1.25; factor < 1e3; factor *= 1.25) {
         value = two_digits(is_packet ? own / factor : own * factor, is_packet);
-        if (not_carried_of_initial(scene) <= most_not_carried) {
+        if (not_carried_of_initial(scene, none) <= most_not_carried) {
             return fmt::format("; {} = {:.2g} would do", key, value);
         }
     }
@@ -223,12 +192,17 @@ std::string in_short_waves(double share, const char* source) {
 
 }  // namespace
 
-std::vector<std::string> warnings_of_short_waves(const PlaneScene& scene) {
+std::vector<std::string> warnings_of_short_waves(const PlaneSimulation& simulation) {
+    const PlaneScene& scene = simulation.scene();
     std::vector<std::string> warnings;
-    if (scene.initial && scene.initial->shape != PlaneShape::file) {
-        const double share = not_carried_of_initial(scene);
+    const bool is_read = scene.initial && scene.initial->shape == PlaneShape::file;
+    if (scene.initial && !(is_read && simulation.plane().steps() > 0)) {
+        const double share = is_read ? not_carried_of_field(simulation)
+                                     : not_carried_of_initial(scene, PatchSpectrum(scene));
         if (share > most_not_carried) {
-            warnings.push_back(in_short_waves(share, "initial") + what_would_do(scene));
+            warnings.push_back(in_short_waves(share, "initial") +
+                               (is_read ? "; a smoother field or a finer lattice has less"
+                                        : what_would_do(scene)));
         }
     }
     if (scene.force) {

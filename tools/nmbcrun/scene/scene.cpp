@@ -29,13 +29,13 @@ double read_G(SceneReader& reader, const Scene& scene) {
     const auto G = reader.number("model.G", not_negative);
     const bool has_G = scene.family.starts_with("nopd");
     if (!G && has_G) {
-        reader.fail("model.G",
-                    "is missing: 0 is standard NOPD, whose zero-energy modes no end absorbs" +
-                        (scene.family == "nopd1d"
-                             ? fmt::format("; \"{}\" makes the dispersion of long waves least at "
-                                           "horizon {} and constant influence",
-                                           best_G(scene.horizon), scene.horizon)
-                             : ""));
+        reader.missing("model.G",
+                       "0 is standard NOPD, whose zero-energy modes no end absorbs" +
+                           (scene.family == "nopd1d"
+                                ? fmt::format("; \"{}\" makes the dispersion of long waves least "
+                                              "at horizon {} and constant influence",
+                                              best_G(scene.horizon), scene.horizon)
+                                : ""));
     }
     return G.value_or(0);
 }

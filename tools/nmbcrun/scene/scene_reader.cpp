@@ -47,13 +47,21 @@ std::string_view table_of(std::string_view key) {
     return key.substr(0, key.rfind('.') + 1);
 }
 
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& letter : result) {
+        letter = letter >= 'A' && letter <= 'Z' ? char(letter - 'A' + 'a') : letter;
+    }
+    return result;
+}
+
 /// Whether a misspelt key is one that is missing: of one table, with less than half of its letters
-/// changed.
+/// changed, capitals or not.
 bool may_be_meant(std::string_view given, std::string_view missing) {
     const std::string_view table = table_of(missing);
     const std::string_view name = missing.substr(table.size());
     return table_of(given) == table &&
-           2 * edit_distance(given.substr(table.size()), name) < name.size();
+           2 * edit_distance(lower(given.substr(table.size())), lower(name)) < name.size();
 }
 
 void add_given(const toml::table& table, const std::string& prefix,
@@ -181,20 +189,23 @@ void SceneReader::fail_beside(std::string_view key, std::string_view other,
     fail(key, problem);
 }
 
-void SceneReader::missing(std::string_view key) const {
+void SceneReader::missing(std::string_view key, const std::string& advice) const {
     const std::string_view group = key.substr(0, key.find('.'));
     if (document_.contains(group) && !document_.get(group)->is_table()) {
         fail(group, "must be a table");
     }
+    const auto whole = std::ranges::find_if(
+        overridden_, [&](const std::string& other) { return key.starts_with(other + "."); });
     const auto given = this->given();
     const auto meant = std::ranges::find_if(given, [&](const auto& one) {
         return std::ranges::find(known_, one.first) == known_.end() && may_be_meant(one.first, key);
     });
-    const auto whole = std::ranges::find_if(
-        overridden_, [&](const std::string& other) { return key.starts_with(other + "."); });
+    std::string hint = advice.empty() ? "" : ": " + advice;
+    if (meant != given.end()) {
+        hint = fmt::format("; is {} meant for it?", meant->first);
+    }
     throw SceneError(fmt::format(
-        "{}: {} is missing{}", whole == overridden_.end() ? path_ : "--set " + *whole, key,
-        meant == given.end() ? "" : fmt::format("; is {} meant for it?", meant->first)));
+        "{}: {} is missing{}", whole == overridden_.end() ? path_ : "--set " + *whole, key, hint));
 }
 
 std::map<std::string, std::string> SceneReader::given() const {

@@ -93,7 +93,10 @@ class SceneReader {
     /// Throws for the key if it is there, for the whole file if not.
     [[noreturn]] void fail(std::string_view key, const std::string& problem) const;
 
-    /// Likewise, for a key whose value does not fit that of another: of the two an override is
+    /// Throws for a key that is required: what it may stand for under another name, or the advice.
+    [[noreturn]] void missing(std::string_view key, const std::string& advice = "") const;
+
+    /// As fail(), for a key whose value does not fit that of another: of the two an override is
     /// named.
     [[noreturn]] void fail_beside(std::string_view key, std::string_view other,
                                   const std::string& problem) const;
@@ -109,7 +112,6 @@ class SceneReader {
     template <std::size_t Size>
     std::vector<std::array<double, Size>> lists(std::string_view key,
                                                 std::string_view allowed_words);
-    [[noreturn]] void missing(std::string_view key) const;
     void apply_override(const std::string& key, const std::string& value);
     void refuse_unknown_keys_in(const toml::table& table, const std::string& prefix) const;
     [[noreturn]] void fail_unknown(const std::string& key,

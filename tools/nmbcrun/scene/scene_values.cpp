@@ -119,10 +119,14 @@ std::vector<double> SceneReader::numbers(std::string_view key, const Bounds& bou
 }
 
 std::optional<std::array<double, 2>> SceneReader::pair(std::string_view key, const Bounds& bounds) {
-    const std::vector<double> values = numbers(key, bounds);
-    if (find(key) == nullptr) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
         return std::nullopt;
     }
+    if (!node->is_array()) {
+        fail(key, fmt::format("must be a list [x, y], not {}", as_written(*node)));
+    }
+    const std::vector<double> values = numbers(key, bounds);
     if (values.size() != 2) {
         fail(key, fmt::format("must be a list [x, y], not one of {} numbers", values.size()));
     }

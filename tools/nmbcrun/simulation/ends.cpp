@@ -102,7 +102,7 @@ void require_no_pole(const Scene& scene, const Boundary& boundary) {
     if (has_pole_next_to(table, scene.G)) {
         throw nmbc::CoefficientError(
             fmt::format("{} does not exist here: {} has a pole of a coefficient at G = {}{}",
-                        heading_of(boundary), table.name, scene.G, choices_at_another_G(scene)));
+                        heading_of(boundary), table.name, scene.G, choices_in_place(scene)));
     }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -36,8 +37,10 @@ ForceInTime::ForceInTime(ForceHistory history, const std::string& column)
                                                          : read_columns(force_.file, names);
         times_ = std::move(columns[0]);
         forces_ = std::move(columns[1]);
-        if (std::ranges::adjacent_find(times_, std::ranges::greater_equal()) != times_.end()) {
-            throw SceneError(force_.file.string() + ": its times must ascend from row to row");
+        const auto later = std::ranges::adjacent_find(times_, std::ranges::greater_equal());
+        if (later != times_.end()) {
+            throw SceneError(fmt::format("{}: its times must ascend from row to row, not from {} to {}",
+                                         force_.file.string(), *later, *std::next(later)));
         }
     }
     constexpr double widths = 6.5;  // exp(-42), times the 84 of a ricker
