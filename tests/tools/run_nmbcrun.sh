@@ -114,7 +114,7 @@ expect_stderr "times its peak before its sources ended"  # found long before any
 try run "$2/tools/scenes/broadband.toml" --set boundary.order=2 --set boundary.stride=1 \
     --set boundary.allow_unstable=true
 expect_exit 4
-expect_stderr "times its peak before its sources ended"
+expect_stderr "times what it was at the start, most at node"
 # No energy, and why.
 try run "$sourceless" "${short[@]}" --set initial.shape=gaussian --set initial.amplitude=1e-300 \
     --set initial.width=9 --set initial.centre=250

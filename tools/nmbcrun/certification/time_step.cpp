@@ -2,6 +2,7 @@
 #include "tools/nmbcrun/certification/time_step.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <nmbc/surface.hpp>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "tools/nmbcrun/certification/certificate.hpp"
 #include "tools/nmbcrun/errors.hpp"
@@ -278,23 +280,27 @@ double largest_certified_cfl(const Scene& scene, const nmbc::Lattice& lattice) {
 }
 
 std::string choices_in_place(const Scene& scene, const Suits& suits) {
-    const char* const are = suits ? "Certified and absorbing" : "Certified";
+    std::vector<std::string> choices;
     const std::string own = certified_orders(scene, suits);
-    if (has_passive(scene, suits)) {
-        return fmt::format(R"(. {} at this G: {}{}boundary.kind = "passive")", are, own,
-                           own.empty() ? "" : "; ");
-    }
     if (!own.empty()) {
-        return fmt::format(". {} at this G: {}", are, own);
+        choices.push_back("at this G: " + own);
+    }
+    if (has_passive(scene, suits)) {
+        choices.push_back(own.empty() ? R"(at this G: boundary.kind = "passive")"
+                                      : R"(boundary.kind = "passive")");
     }
     const std::string G = best_G(scene.horizon);
     Scene other = scene;
     other.G = nmbc::detail::nearest_to_fraction(G);
     const bool is_best = has_constant_influence(scene) && other.G != scene.G;
-    const std::string there = is_best ? certified_orders(other, suits) : "";
-    return there.empty() ? ""
-                         : fmt::format(R"(. {} at model.G = "{}", which suits long waves best: {})",
-                                       are, G, there);
+    const std::string there = own.empty() && is_best ? certified_orders(other, suits) : "";
+    if (!there.empty()) {
+        choices.push_back(
+            fmt::format(R"(at model.G = "{}", which suits long waves best: {})", G, there));
+    }
+    return choices.empty() ? ""
+                           : fmt::format(". Certified{} {}", suits ? " and absorbing" : "",
+                                         fmt::join(choices, "; "));
 }
 
 std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice) {

@@ -45,9 +45,9 @@ double largest_certified_cfl(const Scene& scene, const nmbc::Lattice& lattice);
 /// What else is asked of a scene with other ends; empty: nothing.
 using Suits = std::function<bool(const Scene& scene)>;
 
-/// ". Certified here is ..": what may stand in the place of the scene's nmbc, of what suits: the
-/// orders and strides that are certified at its own G, and passive ends; where neither does, the
-/// orders and strides at best_G(), unless that is best for another lattice. Empty where none do.
+/// ". Certified at this G: ..": what may stand in the place of the scene's nmbc, of what suits: the
+/// orders and strides that are certified, and passive ends; where no order is, those at best_G(),
+/// too, unless that is best for another lattice. Empty where nothing may.
 std::string choices_in_place(const Scene& scene, const Suits& suits = {});
 
 /// A sentence: the largest cfl that the scene's ends are certified for or, where there is none,
