@@ -21,8 +21,9 @@ void require_one_of(CLI::App& app, CLI::Option* horizon, CLI::Option* radius) {
 SpecificationOptions add_specification(CLI::App& app, Request& request, Pending& pending) {
     Specification& what = request.specification;
     const SpecificationOptions options{
-        .family = add_parsed(app, "--family", what.family, parse_family,
-                             "lattice model: " + family_names() + " (default nopd1d)"),
+        .family = add_parsed(
+            app, "--family", what.family, parse_family,
+            "lattice model: " + family_names() + " (default nopd1d, with --radius2 nopd2d)"),
         .order =
             add_parsed(app, "--order", what.order, parse_count, "order N of the condition, >= 1"),
         .match =

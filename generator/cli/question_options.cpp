@@ -45,7 +45,7 @@ CLI::App* add_dispersion(CLI::App& app, Curves& curves, Pending& pending) {
         "dispersion",
         "print dispersion relations over the band as CSV (docs/explanation/dispersion.md)");
     add_parsed(*dispersion, "--family", curves.family, parse_family,
-               "lattice model: " + family_names() + " (default nopd1d)");
+               "lattice model: " + family_names() + " (default nopd1d, with --radius2 nopd2d)");
     CLI::Option* const horizon =
         add_parsed(*dispersion, "--horizon", curves.horizons, parse_counts,
                    "horizons n in units of dX, with commas between, such as 1,2,3");
@@ -74,7 +74,7 @@ CLI::App* add_passive(CLI::App& app, Request& request, Pending& pending) {
         "design an end of a chain, or a side of a plane lattice, that is stable by "
         "construction; JSON");
     add_parsed(*passive, "--family", question.family, parse_family,
-               "lattice model: nopd1d (default), nopd2d, bond2d");
+               "lattice model: nopd1d (default), nopd2d (default with --radius2), bond2d");
     const auto parse_horizon = [](const std::string& text) {
         return parse_whole_number(text, largest_designed_horizon);
     };
@@ -106,7 +106,7 @@ CLI::App* add_recommend(CLI::App& app, Request& request, Pending& pending) {
     auto* const recommend = app.add_subcommand(
         "recommend", "say which boundary to use at a horizon and a G, and why not another one");
     add_parsed(*recommend, "--family", question.family, parse_family,
-               "lattice model: " + family_names() + " (default nopd1d)");
+               "lattice model: " + family_names() + " (default nopd1d, with --radius2 nopd2d)");
     CLI::Option* const horizon = add_parsed(*recommend, "--horizon", question.horizon, parse_count,
                                             "horizon n in units of dX, >= 1");
     CLI::Option* const radius = add_plane(*recommend, pending.plane);

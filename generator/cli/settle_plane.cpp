@@ -25,10 +25,14 @@ void require_model(const char* option, Make make) {
     }
 }
 
+bool is_given(const CLI::App& used, const char* option) {
+    const CLI::Option* const known = used.get_option_no_throw(option);
+    return known != nullptr && known->count() > 0;
+}
+
 void refuse_options(const std::string& family, const CLI::App& used) {
     for (const char* option : {"--radius2", "--nu", "--state", "--polarisation", "--angle"}) {
-        const CLI::Option* const given = used.get_option_no_throw(option);
-        if (given != nullptr && given->count() > 0) {
+        if (is_given(used, option)) {
             throw CLI::ValidationError(option, family + " is no plane family");
         }
     }
@@ -37,8 +41,7 @@ void refuse_options(const std::string& family, const CLI::App& used) {
 /// A side of the plane is not one condition in steps of its own.
 void refuse_options_of_chains(const CLI::App& used) {
     for (const char* option : {"--order", "--tolerance", "--cfl", "--band"}) {
-        const CLI::Option* const given = used.get_option_no_throw(option);
-        if (given != nullptr && given->count() > 0) {
+        if (is_given(used, option)) {
             throw CLI::ValidationError(option,
                                        "is of the waves of one polarisation: --polarisation");
         }
@@ -169,6 +172,9 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
     const bool recommends = request.action == Action::recommend || designs;
     const bool disperses = request.action == Action::dispersion;
     std::string& family = family_of(request);
+    if (is_given(used, "--radius2") && !is_given(used, "--family")) {
+        family = "nopd2d";
+    }
     const VectorFamily* const known = vector_family(family);
     if (known == nullptr) {
         refuse_options(family, used);

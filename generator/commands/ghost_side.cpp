@@ -67,9 +67,10 @@ double growth_between_four(const PlaneLattice& lattice, const SideCondition& con
 }
 
 bool grows(const PlaneLattice& lattice, const SideCondition& condition) {
-    return growth_between_two(lattice, condition, side_samples.layers) > 0 ||
-           growth_between_four(lattice, condition) > 0 ||
-           growth_between_two(lattice, condition, side_samples.other_layers) > 0;
+    return growth_between_four(lattice, condition) > 0 ||
+           std::ranges::any_of(side_samples.layers, [&](std::size_t layers) {
+               return growth_between_two(lattice, condition, layers) > 0;
+           });
 }
 
 }  // namespace
@@ -103,8 +104,10 @@ std::string component_name(unsigned order, unsigned stride) {
 
 void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice) {
     side.amplification = largest_amplification(lattice, side.condition, side_samples.waves);
-    side.growth = std::max(growth_between_two(lattice, side.condition, side_samples.layers),
-                           growth_between_two(lattice, side.condition, side_samples.other_layers));
+    side.growth = 0;
+    for (const std::size_t layers : side_samples.layers) {
+        side.growth = std::max(side.growth, growth_between_two(lattice, side.condition, layers));
+    }
     side.growth_with_corners = growth_between_four(lattice, side.condition);
     const VectorFamily& family = find_vector_family(model.family);
     if (!side.grows() || !family.has_stabilisation) {

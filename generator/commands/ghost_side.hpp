@@ -3,6 +3,7 @@
 /// samples.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -28,9 +29,8 @@ struct GhostSide {
 
 /// How finely sides are sampled. Strips and boxes are wider where a condition reaches across them.
 struct SideSamples {
-    std::size_t layers = 20;        ///< of the strip between two like sides
-    std::size_t other_layers = 31;  ///< of another one
-    std::size_t wave_numbers = 40;  ///< steps of those along them
+    std::array<std::size_t, 4> layers{20, 31, 9, 5};  ///< of the strips between two like sides
+    std::size_t wave_numbers = 40;  ///< steps of those along them, the first of them halved, too
     std::size_t nodes = 12;         ///< of the box between four, along an edge
     std::size_t waves = 24;         ///< in each direction
 };

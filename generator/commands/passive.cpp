@@ -132,7 +132,7 @@ std::string passive_json(const SideTask& model, const DesignProgress& progress) 
                             "side is a sum of squares, which the side's dashpots never raise"},
              {"designed_up_to_degrees", widest_designed_angle(side)},
              {"highest_eigenvalue_interior", side.task.highest_eigenvalue},
-             {"highest_eigenvalue", side.highest_eigenvalue},
+             {"highest_eigenvalue", side.eigenvalue_bound()},
              {"reflected_energy", reflections(lattice, side)}});
     return all.dump(2) + "\n";
 }
@@ -161,7 +161,7 @@ std::string passive_json(const ChainModel& model) {
                      "their scale: the energy of a chain with this end is a sum of "
                      "squares, which its dashpots never raise"},
                     {"highest_eigenvalue_interior", side.task.highest_eigenvalue},
-                    {"highest_eigenvalue", side.highest_eigenvalue},
+                    {"highest_eigenvalue", side.eigenvalue_bound()},
                     {"reflected_energy", reflections}});
     return all.dump(2) + "\n";
 }

@@ -2,6 +2,7 @@
 #include "generator/commands/plane_sides.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <atomic>
@@ -172,18 +173,20 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
     }
     return fmt::format(
         "passive, on the {} outermost layers of {}, g = {}\n"
-        "  proved     this straight side adds no energy: with others that add none a body keeps "
+        "  stable     by construction: this straight side adds no energy. With others that add "
+        "none a body keeps "
         "what "
         "it has or less\n"
         "  designed   for waves up to {:g} degrees from the normal; what is left head-on does not "
         "vanish for long waves\n"
         "  steps      times {:.2f} of those without it, beside an endless side\n\n"
         "{}\n"
-        "grade: passive is proved. Found on samples, {} x {} wave vectors, strips of {} and {} "
-        "layers with {} wave\n"
+        "grade: passive is by construction. Sampled, at {} x {} wave vectors, in strips of {} "
+        "layers "
+        "with {} wave\n"
         "  numbers along them and a box of {} x {} nodes: contractive (opposite any passive side), "
         "paired (opposite its\n"
-        "  like), amplifies, grows (in a strip or in the box)\n"
+        "  like), amplifies, grows (in a strip or in the box). Other strips may grow\n"
         "amplifies: amplitudes at one reflection between like sides, the largest; <=: a bound\n"
         "growth: rate in the strips; box: rate between four like sides, with corners "
         "[sqrt(E/density)/dX]; tau: least of\n"
@@ -194,8 +197,9 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
         passive->design.strain.size(), sides.described.description, to_string(model.g),
         widest_designed_angle(*passive),
         std::sqrt(passive->task.highest_eigenvalue / passive->highest_eigenvalue), table,
-        side_samples.waves, side_samples.waves + 1, side_samples.layers, side_samples.other_layers,
-        side_samples.wave_numbers + 1, side_samples.nodes, side_samples.nodes, long_xi);
+        side_samples.waves, side_samples.waves + 1, fmt::join(side_samples.layers, ", "),
+        strip_wave_numbers(side_samples.wave_numbers).size(), side_samples.nodes,
+        side_samples.nodes, long_xi);
 }
 
 std::string side_reflection_csv(const SideTask& model, const std::vector<AbsorbedWave>& absorbed,

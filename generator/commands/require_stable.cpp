@@ -89,12 +89,18 @@ void require_stable_in_plane(const Specification& what, const ProjectedFamily& p
     if (grade == "contractive" || grade == "paired") {
         return;
     }
-    std::string options = options_of(projected);
-    options.erase(options.find(" --polarisation"));
+    std::string sides;
+    if (family.at_edge != nullptr) {
+        std::string options = options_of(projected);
+        options.erase(options.find(" --polarisation"));
+        sides = fmt::format(
+            "\nnmbcgen recommend {} --G {} shows the sides there are; the passive one is stable by "
+            "construction",
+            options, to_string(model.g));
+    }
     throw NotStable(fmt::format(
         "{} is not stable as a side of the plane, g = {}, though it is for waves at normal "
-        "incidence: {}. Nothing was written.\nnmbcgen recommend {} --G {} shows the sides there "
-        "are; the passive one is stable by construction",
+        "incidence: {}. Nothing was written.{}",
         side.name, to_string(model.g),
         side.grows() ? fmt::format("{} between such sides grow, Re s = {:.2g} sqrt(E/density)/dX",
                                    side.growth > 0 ? "strips" : "boxes with corners",
@@ -102,7 +108,7 @@ void require_stable_in_plane(const Specification& what, const ProjectedFamily& p
                      : fmt::format("of {} wave vectors some are amplified, {} times a reflection "
                                    "between like sides",
                                    side.amplification.samples, amplification_of(side)),
-        options, to_string(model.g)));
+        sides));
 }
 
 /// A family without G has one of 0.

@@ -158,9 +158,9 @@ Json steps_array(const std::vector<StableStep>& steps) {
     return array;
 }
 
-Json evidence_object(const Certificate& certificate) {
+Json evidence_object(const Certificate& certificate, bool damped) {
     const std::string_view paired = name_of(certificate.paired);
-    const std::string_view with_any = name_of(certificate.with_any);
+    const std::string_view with_any = damped ? "not sought" : name_of(certificate.with_any);
     return {{"modal", paired},
             {"contractive", with_any},
             {"max_cfl", paired},

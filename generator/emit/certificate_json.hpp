@@ -15,8 +15,8 @@ nlohmann::ordered_json number_object(const AlgebraicNumber& number);
 nlohmann::ordered_json windows_object(const Certificate& certificate, bool damped);
 nlohmann::ordered_json poles_array(const Certificate& certificate);
 nlohmann::ordered_json steps_array(const std::vector<StableStep>& steps);
-/// By key of the table, the word that it rests on.
-nlohmann::ordered_json evidence_object(const Certificate& certificate);
+/// By key of the table, the word that it rests on, or "not sought".
+nlohmann::ordered_json evidence_object(const Certificate& certificate, bool damped);
 
 /// The certificate of an object with the keys windows, poles, max_cfl, max_cfl_contractive,
 /// least_nodes and evidence, as written by the functions above. Throws nlohmann::json::exception or

@@ -115,7 +115,7 @@ Json table_object(const Table& table, Json lattice) {
         {"poles", poles_array(certificate)},
         {"max_cfl", steps_array(certificate.max_cfl)},
         {"max_cfl_contractive", steps_array(certificate.max_cfl_contractive)},
-        {"evidence", table.certificate ? evidence_object(certificate) : Json(nullptr)},
+        {"evidence", table.certificate ? evidence_object(certificate, damped) : Json(nullptr)},
         {"certificate", table.certificate ? Json(certificate_statement(table)) : Json(nullptr)}};
     add_points(object, table);
     return object;

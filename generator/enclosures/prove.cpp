@@ -99,6 +99,31 @@ nmbc::Window window_about(const Rational& G) {
                : nmbc::Window{std::nextafter(nearest, 0), std::nextafter(nearest, HUGE_VAL)};
 }
 
+namespace {
+
+/// A proof is worth up to two hundredths of the cfl: whether one of them is proved, which the steps
+/// have then.
+bool shortened_to_proof(const Prover& prover, const nmbc::Window& window,
+                        std::vector<StableStep>& steps, Grade grade) {
+    const double sampled = steps.front().cfl;
+    const auto less = [&](int hundredths) {
+        return std::round(100 * sampled - hundredths) / 100;
+    };
+    const auto holds = [&](double cfl) {
+        return cfl > steps.front().from && prover.holds(window, cfl, grade);
+    };
+    if (holds(sampled)) {
+        return true;
+    }
+    if (steps.size() > 1 || !holds(less(2))) {
+        return false;
+    }
+    steps.front().cfl = holds(less(1)) ? less(1) : less(2);
+    return true;
+}
+
+}  // namespace
+
 void prove_certificate(const Table& table, Certificate& certificate) {
     const Specification& what = table.specification;
     constexpr unsigned highest_horizon = 3;
@@ -110,10 +135,10 @@ void prove_certificate(const Table& table, Certificate& certificate) {
     try {
         const Prover prover(table);
         const nmbc::Window window = window_about(what.stabilisation.value_or(0));
-        const auto evidence = [&](const std::vector<StableStep>& steps, Grade grade) {
+        const auto evidence = [&](std::vector<StableStep>& steps, Grade grade) {
             const bool proved =
                 !steps.empty() && (own_step > 0 ? prover.holds_in_step(window, own_step, grade)
-                                                : prover.holds(window, steps.front().cfl, grade));
+                                                : shortened_to_proof(prover, window, steps, grade));
             return proved ? Evidence::proved : Evidence::sampled;
         };
         certificate.paired = evidence(certificate.max_cfl, Grade::paired);

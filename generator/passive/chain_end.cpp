@@ -78,7 +78,7 @@ nmbc::PassiveEnd for_runtime(const DesignedSide& side, const EdgeEnergies& energ
             .stiffness = entries_of(energies.stiffness(side.edge).topRows(rows)),
             .mass = entries_of(side.edge.mass),
             .dashpots = entries_of(side.edge.dashpots.front()),
-            .highest_eigenvalue = side.highest_eigenvalue / stable_margin,
+            .highest_eigenvalue = side.eigenvalue_bound(),
             .further = std::size_t(4 * side.task.reach.node)};
 }
 

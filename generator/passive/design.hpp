@@ -90,8 +90,12 @@ struct DesignedSide {
     EdgeTask task;
     PassiveDesign design;
     PassiveEdge edge;
-    /// Of M^-1 K, in the interior or beside the edge, whichever is larger.
+    /// Of M^-1 K, in the interior or beside the edge, whichever is larger, of the wave numbers that
+    /// were looked at.
     double highest_eigenvalue = 0;
+
+    /// Higher than that of others between them, too.
+    double eigenvalue_bound() const { return highest_eigenvalue / stable_margin; }
 };
 
 /// With the highest eigenvalue of so many wave numbers along the side. Throws as design_edge(), and

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "generator/dense/decompositions.hpp"
 #include "generator/plane/ghost_row.hpp"
@@ -94,11 +95,22 @@ double growth_in_strip(const LateralChain& chain, const SideCondition& condition
     return Strip(chain, condition, layers).growth();
 }
 
+std::vector<double> strip_wave_numbers(std::size_t steps) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i <= steps; ++i) {
+        all.push_back(std::numbers::pi * double(i) / double(steps));
+    }
+    constexpr int halves = 5;
+    for (int i = 1; i <= halves; ++i) {
+        all.push_back(std::ldexp(std::numbers::pi / double(steps), -i));
+    }
+    return all;
+}
+
 double largest_growth_in_strip(const PlaneLattice& lattice, const SideCondition& condition,
                                std::size_t layers, std::size_t wave_numbers) {
     double largest = -HUGE_VAL;
-    for (std::size_t i = 0; i <= wave_numbers; ++i) {
-        const double wave_number = std::numbers::pi * double(i) / double(wave_numbers);
+    for (const double wave_number : strip_wave_numbers(wave_numbers)) {
         largest = std::max(largest,
                            growth_in_strip(lateral_chain(lattice, wave_number), condition, layers));
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "generator/plane/side_condition.hpp"
 
@@ -15,7 +16,10 @@ namespace nmbcgen {
 double growth_in_strip(const LateralChain& chain, const SideCondition& condition,
                        std::size_t layers);
 
-/// The largest over wave_numbers equal steps of k_t from 0 to pi.
+/// k_t in so many equal steps from 0 to pi, and the first of them halved up to five times.
+std::vector<double> strip_wave_numbers(std::size_t steps);
+
+/// The largest over strip_wave_numbers().
 double largest_growth_in_strip(const PlaneLattice& lattice, const SideCondition& condition,
                                std::size_t layers, std::size_t wave_numbers);
 

@@ -44,14 +44,15 @@ void CertificateCache::look_up(Table& table) const {
 void CertificateCache::keep(const std::vector<Table>& tables) const {
     std::vector<TextFile> files;
     for (const Table& table : tables) {
+        const bool damped = table.specification.damping > 0;
         const Json kept = {
             {"inputs", inputs(table)},
-            {"windows", windows_object(*table.certificate, table.specification.damping > 0)},
+            {"windows", windows_object(*table.certificate, damped)},
             {"poles", poles_array(*table.certificate)},
             {"max_cfl", steps_array(table.certificate->max_cfl)},
             {"max_cfl_contractive", steps_array(table.certificate->max_cfl_contractive)},
             {"least_nodes", table.certificate->least_nodes},
-            {"evidence", evidence_object(*table.certificate)}};
+            {"evidence", evidence_object(*table.certificate, damped)}};
         files.push_back({file_of(folder_, table), kept.dump(1) + "\n"});
     }
     write_files(files);

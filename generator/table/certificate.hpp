@@ -41,7 +41,7 @@ enum class Failure {
     backward_band,   ///< likewise, with waves of opposed group and phase velocity among them
     pole,            ///< the coefficients have a pole at the edge
     jordan_block,    ///< C(1) = 0 at the edge: a constant displacement grows like t^2
-    time_step,       ///< the step that the condition is matched in is not certified
+    time_step,       ///< the step that the condition is matched in is above the largest sampled
 };
 
 /// Its name in every format.

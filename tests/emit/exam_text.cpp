@@ -134,8 +134,8 @@ TEST_CASE("JSON of a damped table") {
     CHECK(json["windows"]["contractive"].is_null());
     CHECK(json["least_nodes"] == 100);
     CHECK(json["evidence"].dump() ==
-          R"({"modal":"proved","contractive":"sampled","max_cfl":"proved",)"
-          R"("max_cfl_contractive":"sampled","least_nodes":"sampled"})");
+          R"({"modal":"proved","contractive":"not sought","max_cfl":"proved",)"
+          R"("max_cfl_contractive":"not sought","least_nodes":"sampled"})");
     const auto found = read_table(json).certificate;
     REQUIRE(found);
     CHECK(found->modal.size() == 1);

@@ -173,7 +173,8 @@ refuses --state "'plane'" "allowed: stress, strain" -- \
     $plane --radius2 1 --nu 1/4 --state plane --polarisation P
 refuses --weights "nopd2d has constant influence" -- \
     $plane --radius2 1 --nu 1/4 --polarisation P --weights 1
-refuses --radius2 "nopd1d is no plane family" -- --order 1 --radius2 1
+refuses --radius2 "nopd1d is no plane family" -- --family nopd1d --order 1 --radius2 1
+refuses --nu "is required" -- --order 1 --radius2 1 --polarisation P
 plane="--order 1 --family bond2d --polarisation S"
 refuses --weights "bond2d takes w_1,w_2,.." -- $plane --radius2 2
 refuses --weights "2 weights are needed" "(1, 0), (1, 1)" -- $plane --radius2 2 --weights 1

@@ -48,13 +48,16 @@ stable --set boundary.kind=passive
 expect_stdout_line "boundary  passive"
 expect_stdout_line "stable    by construction"
 # What it rests on that others are stable: like ends together, unlike ones each by itself.
-proved="stable    proved at this G in these steps, for chains that decaying waves do not cross"
+proved="stable    proved at this G in these steps; that the chain is long enough for it: sampled"
 stable --set boundary.order=2 --set boundary.stride=2 --set model.G=1
 expect_stdout_line "$proved"
 stable --set boundary.order=2 --set boundary.stride=2 --set model.G=1 --set boundary.right.kind=fixed
 expect_stdout_line "$proved"
 stable --set boundary.order=1 --set model.G=1
 expect_stdout_line "$proved"
+# Decaying waves cross a chain of 30 nodes.
+stable --set boundary.order=1 --set model.G=1 --set domain.nodes=30 --set drive.centre=15
+expect_stdout_line "stable    sampled: the eigenvalues of this chain"
 stable --set boundary.order=2 --set boundary.stride=2 --set model.G=1 --set model.damping=1/100
 expect_stdout_line "stable    sampled (docs/explanation/stability.md)"
 stable --set boundary.kind=passive --set boundary.right.kind=fixed --set model.G=0

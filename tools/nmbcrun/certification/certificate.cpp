@@ -60,17 +60,22 @@ std::size_t moving_nodes(const Scene& scene) {
     return nodes;
 }
 
+/// Of an end whose eigenvalues and round trips are looked at.
+bool has_known_waves(BoundaryKind kind) {
+    return kind == BoundaryKind::nmbc || kind == BoundaryKind::fixed ||
+           kind == BoundaryKind::free || kind == BoundaryKind::extended;
+}
+
 /// Growth [c/dX] by the largest eigenvalue of one step, in chains so short that the half spaces do
 /// not tell all; 0 in longer ones, or where nothing grows.
 double short_chain_growth(const Scene& scene, const Ends& ends, double time_step) {
-    constexpr std::size_t longest = 60;  // tests/stability/exam_short_chains.cpp: 25 are short
-    const std::size_t nodes = moving_nodes(scene);
     const bool matching =
         scene.left.kind == BoundaryKind::nmbc || scene.right.kind == BoundaryKind::nmbc;
-    if (nodes > longest || !matching || is_damped(scene)) {
+    if (!is_short(scene) || !matching || is_damped(scene)) {
         return 0;  // of a damped lattice round trips tell all
     }
-    const double radius = nmbcgen::spectral_radius(ends.left, ends.right, nodes, time_step);
+    const double radius =
+        nmbcgen::spectral_radius(ends.left, ends.right, moving_nodes(scene), time_step);
     constexpr double roundings = 1e-7;  // a double eigenvalue 1 splits by their square root
     return radius > 1 + roundings ? std::log(radius) / time_step : 0;
 }
@@ -165,10 +170,6 @@ std::optional<std::string> decided_without_waves(const Scene& scene, const nmbc:
     if (adds_no_energy(scene.left.kind) && adds_no_energy(scene.right.kind)) {
         return "";
     }
-    const auto has_known_waves = [](BoundaryKind kind) {
-        return kind == BoundaryKind::nmbc || kind == BoundaryKind::fixed ||
-               kind == BoundaryKind::free || kind == BoundaryKind::extended;
-    };
     if (has_known_waves(scene.left.kind) && has_known_waves(scene.right.kind)) {
         return std::nullopt;
     }
@@ -201,6 +202,16 @@ const Boundary* alone_on_a_half_line(const Scene& scene, const nmbc::Lattice& la
 }
 
 }  // namespace
+
+bool is_short(const Scene& scene) {
+    constexpr std::size_t longest = 60;  // tests/stability/exam_short_chains.cpp: 25 are short
+    return moving_nodes(scene) <= longest;
+}
+
+bool has_eigenvalues(const Scene& scene) {
+    return is_short(scene) && !is_damped(scene) && has_known_waves(scene.left.kind) &&
+           has_known_waves(scene.right.kind);
+}
 
 PairOfEnds::PairOfEnds(const Scene& scene, const nmbc::MatchingTable& left,
                        const nmbc::MatchingTable& right)

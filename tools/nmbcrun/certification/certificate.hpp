@@ -12,6 +12,12 @@
 
 namespace nmbcrun {
 
+/// Whether decaying waves may cross the chain of a scene.
+bool is_short(const Scene& scene);
+
+/// Whether PairOfEnds looks at the eigenvalues of that, unless an end is a half line.
+bool has_eigenvalues(const Scene& scene);
+
 /// The two ends of a scene, looked at in as many time steps as one likes.
 class PairOfEnds {
   public:

@@ -5,6 +5,7 @@
 
 #include "generator/enclosures/prove.hpp"
 #include "generator/exact/exact_table.hpp"
+#include "tools/nmbcrun/certification/certificate.hpp"
 #include "tools/nmbcrun/sides/half_line.hpp"
 
 namespace nmbcrun {
@@ -26,19 +27,28 @@ std::string evidence_of(const Scene& scene, const nmbc::Lattice& lattice,
     const bool matches_left = scene.left.kind == BoundaryKind::nmbc;
     const bool matches_right = scene.right.kind == BoundaryKind::nmbc;
     if (!matches_left && !matches_right) {
-        return "by construction";
+        const bool has_surface_node =
+            scene.left.kind == BoundaryKind::snm || scene.right.kind == BoundaryKind::snm;
+        return has_surface_node ? "sampled (docs/reference/scene.md)"
+                                : "by construction";
+    }
+    const bool meets_half_line = is_half_line(scene, scene.left, lattice, step) ||
+                                 is_half_line(scene, scene.right, lattice, step);
+    if (has_eigenvalues(scene) && !meets_half_line) {
+        return "sampled: the eigenvalues of this chain";
     }
     const bool are_alike = scene.left == scene.right;
-    const auto grade_against = [&](const Boundary& opposite) {
-        return are_alike || is_half_line(scene, opposite, lattice, step)
-                   ? nmbcgen::Grade::paired
-                   : nmbcgen::Grade::contractive;
-    };
-    const bool proved =
-        (!matches_left || is_proved(left, scene.G, step, grade_against(scene.right))) &&
-        (!matches_right || are_alike || is_proved(right, scene.G, step, grade_against(scene.left)));
-    return proved ? "proved at this G in these steps, for chains that decaying waves do not cross"
-                  : "sampled (docs/explanation/stability.md)";
+    const nmbcgen::Grade grade =
+        are_alike || meets_half_line ? nmbcgen::Grade::paired : nmbcgen::Grade::contractive;
+    const bool proved = (meets_half_line || !is_short(scene)) &&
+                        (!matches_left || is_proved(left, scene.G, step, grade)) &&
+                        (!matches_right || are_alike || is_proved(right, scene.G, step, grade));
+    if (!proved) {
+        return "sampled (docs/explanation/stability.md)";
+    }
+    return meets_half_line
+               ? "proved at this G in these steps"
+               : "proved at this G in these steps; that the chain is long enough for it: sampled";
 }
 
 }  // namespace nmbcrun

@@ -79,7 +79,11 @@ std::array<std::size_t, 4> extension_of(const PlaneScene& scene) {
 /// Steps below `stable` that are short enough for what moves the scene.
 void choose_step(const PlaneScene& scene, double stable, PlanePlan& plan) {
     plan.time_step = of_stable_by_default * stable;
-    plan.limit = fmt::format("{} of what is stable between these sides", of_stable_by_default);
+    const bool may_feed = std::ranges::any_of(
+        scene.sides, [](const PlaneSideChoice& side) { return may_grow(side.kind); });
+    plan.limit = fmt::format("{} of what {}", of_stable_by_default,
+                             may_feed ? "the lattice allows, whatever its sides feed in"
+                                      : "is stable between these sides");
     constexpr double part = 0.3;
     if (const auto longest = longest_step_of_loads(scene);
         longest && part * *longest < plan.time_step) {
