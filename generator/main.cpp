@@ -30,6 +30,7 @@
 #include "generator/stability/least_nodes.hpp"
 #include "generator/support/exit_code.hpp"
 #include "generator/support/files.hpp"
+#include "generator/support/kept_texts.hpp"
 #include "generator/support/progress_line.hpp"
 
 namespace nmbcgen {
@@ -125,16 +126,26 @@ std::string advice(const Request& request, const Progress& progress) {
     if (!request.side) {
         return recommendation(request.question, progress);
     }
-    return (request.as_csv ? side_reflection_csv : side_recommendation)(*request.side,
-                                                                        request.absorbed, progress);
+    std::string question = "recommend " + words_of(*request.side);
+    for (const AbsorbedWave& wave : request.absorbed) {
+        question +=
+            fmt::format(" {}:{}", wave.polarisation == Polarisation::P ? "P" : "S", wave.degrees);
+    }
+    return KeptTexts(request.cache).text(question + (request.as_csv ? " csv" : ""), [&] {
+        return (request.as_csv ? side_reflection_csv : side_recommendation)(
+            *request.side, request.absorbed, progress);
+    });
 }
 
 std::string passive_text(const Request& request, const Progress& progress) {
     if (request.end) {
         return request.as_header ? passive_header(*request.end) : passive_json(*request.end);
     }
-    return request.as_header ? passive_header(*request.side, progress)
-                             : passive_json(*request.side, progress);
+    return KeptTexts(request.cache)
+        .text("passive " + words_of(*request.side) + (request.as_header ? " header" : ""), [&] {
+            return request.as_header ? passive_header(*request.side, progress)
+                                     : passive_json(*request.side, progress);
+        });
 }
 
 /// Puts a time step in the place of cfl.

@@ -46,7 +46,8 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
     auto* const folder = add_parsed(app, "--out", request.folder, parse_folder,
                                     "folder to write to (default generated/nmbc/tables)");
     add_parsed(app, "--cache", request.cache, parse_folder,
-               "folder to keep certificates in from one run to the next")
+               "folder to keep certificates, and designs and recommendations of sides, in from one "
+               "run to the next")
         ->envname("NMBCGEN_CACHE");
     auto* const all_flag =
         app.add_flag("--all", all, "write the committed set, with tables.hpp and tables.json");

@@ -106,9 +106,7 @@ namespace {
 bool shortened_to_proof(const Prover& prover, const nmbc::Window& window,
                         std::vector<StableStep>& steps, Grade grade) {
     const double sampled = steps.front().cfl;
-    const auto less = [&](int hundredths) {
-        return std::round(100 * sampled - hundredths) / 100;
-    };
+    const auto less = [&](int hundredths) { return std::round(100 * sampled - hundredths) / 100; };
     const auto holds = [&](double cfl) {
         return cfl > steps.front().from && prover.holds(window, cfl, grade);
     };

@@ -66,6 +66,18 @@ std::size_t least_side_layers(const VectorChoice& choice) {
 
 }  // namespace
 
+std::string words_of(const SideTask& side) {
+    std::string words = side.family + " radius2 " + std::to_string(side.choice.radius_squared) +
+                        (side.choice.poisson ? " nu " + to_string(*side.choice.poisson) : "") +
+                        (side.choice.plane_strain ? " strain" : " stress");
+    for (const Rational& weight : side.choice.weights) {
+        words += " " + to_string(weight);
+    }
+    return words + " g " + to_string(side.g) + " dt " + to_string(side.time_step) +
+           (side.has_null_lagrangian ? " layers " : " without null Lagrangian, layers ") +
+           std::to_string(side.layers);
+}
+
 ArrivingWave wave_at(const PlaneLattice& lattice, bool is_P, double xi, double degrees) {
     try {
         return arriving_wave(lattice, is_P, xi, degrees * std::numbers::pi / 180);

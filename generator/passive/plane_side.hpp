@@ -23,6 +23,9 @@ struct SideTask {
     std::size_t layers = 0;  ///< with numbers of their own; 0: twice the horizon, the fewest
 };
 
+/// All of it, in one line.
+std::string words_of(const SideTask& side);
+
 /// Larger families take minutes.
 inline constexpr unsigned largest_side_radius_squared = 25;
 

@@ -8,6 +8,7 @@
 
 #include "generator/stability/band_search.hpp"
 #include "generator/stability/damped.hpp"
+#include "generator/stability/merging_waves.hpp"
 #include "generator/stability/mode_polynomial.hpp"
 
 namespace nmbcgen {
@@ -81,6 +82,26 @@ double wave_number_at(const HalfSpace& half_space, double omega) {
     return std::abs(std::arg(wave.k));
 }
 
+bool are_alike(const LatticeEnd& left, const LatticeEnd& right) {
+    return left.half_space.c == right.half_space.c && left.half_space.b == right.half_space.b &&
+           left.half_space.stride == right.half_space.stride &&
+           left.half_space.time_step == right.half_space.time_step;
+}
+
+/// Whether no wave is amplified in pieces of the band that are too narrow to sample, as far as each
+/// end by itself tells.
+bool keeps_narrow_pieces(const LatticeEnd& left, const LatticeEnd& right) {
+    const bool meets_its_image = are_alike(left, right) || left.kind == LatticeEnd::Kind::free ||
+                                 right.kind == LatticeEnd::Kind::free;
+    const Grade enough = meets_its_image ? Grade::paired : Grade::contractive;
+    const auto keeps = [enough](const LatticeEnd& end) {
+        return end.kind != LatticeEnd::Kind::matching ||
+               grade_of_narrow_pieces(end.half_space, critical_frequencies(end.half_space)) >=
+                   enough;
+    };
+    return keeps(left) && keeps(right);
+}
+
 /// Throws std::invalid_argument where the two ends cannot be of one chain.
 void require_one_chain(const HalfSpace& left, const HalfSpace& right, std::size_t nodes) {
     if (left.symbol != right.symbol || left.damping != right.damping) {
@@ -141,7 +162,8 @@ RoundTripVerdict round_trip_verdict(const LatticeEnd& left, const LatticeEnd& ri
                                                      : largest_undamped(left, right);
     RoundTripVerdict verdict;
     verdict.amplification = highest.value;
-    if (highest.value > amplification_limit * amplification_limit) {
+    if (highest.value > amplification_limit * amplification_limit ||
+        (!left.half_space.is_damped() && !keeps_narrow_pieces(left, right))) {
         verdict.failure = Failure::amplified_wave;
     }
     if (highest.omega > 0) {

@@ -9,6 +9,9 @@
 /// Ends in time steps, as stepped() makes them, may stand opposite one in continuous time: they
 /// differ in the frequency that their condition sees only.
 ///
+/// In pieces of the band too narrow to sample (merging_waves.hpp), unlike ends are to be
+/// contractive each by itself, which is more than it takes.
+///
 /// In a damped lattice waves fade on the way, so the number of nodes counts, and all waves,
 /// decaying ones too, are in the same supremum (reflection.hpp, damped_round_trip_supremum): a
 /// chain where it is at most 1 is stable, however short. Where it is more, a chain of this length
@@ -25,9 +28,10 @@ namespace nmbcgen {
 
 struct RoundTripVerdict {
     Failure failure = Failure::none;
-    bool left = false;                ///< the left end has the growing mode or the resonance
-    double amplification = 0;         ///< of amplitudes per round trip, sup rho; 0: a mode decides
-    double wave_number = 0;           ///< where it is reached, or of the resonance
+    bool left = false;         ///< the left end has the growing mode or the resonance
+    double amplification = 0;  ///< of amplitudes per round trip, sup rho; 0: a mode decides; up to
+                               ///< 1 beside a failure: the wave is in a piece too narrow to sample
+    double wave_number = 0;    ///< where it is reached, or of the resonance
     std::complex<double> growth = 0;  ///< s [c/dX] of the growing mode; of a stepped end, sigma
 };
 

@@ -257,13 +257,17 @@ std::string PairOfEnds::objection(double time_step, double cfl) {
                                            "stable together",
                                            name_of(scene.left), name_of(scene.right));
     if (verdict.failure == nmbcgen::Failure::amplified_wave) {
+        const double growth = 100 * (verdict.amplification - 1);
+        constexpr double sampled = 1e-9;  // [%]
         return together + place +
-               fmt::format(
-                   "waves of the frequency of xi dX = {:.3g} can grow by {:.3g} % per round "
-                   "trip{}",
-                   verdict.wave_number, 100 * (verdict.amplification - 1),
-                   is_damped(scene) ? fmt::format(" in a chain of {} nodes", moving_nodes(scene))
-                                    : "");
+               (growth > sampled
+                    ? fmt::format(
+                          "waves of the frequency of xi dX = {:.3g} can grow by {:.3g} % per round "
+                          "trip",
+                          verdict.wave_number, growth)
+                    : "waves of less than a billionth of the band can grow") +
+               (is_damped(scene) ? fmt::format(" in a chain of {} nodes", moving_nodes(scene))
+                                 : "");
     }
     const double rate = short_chain_growth(scene, ends, step);
     return rate > 0 ? together + place +
