@@ -19,6 +19,7 @@
 #include "generator/families/vector_family.hpp"
 #include "generator/passive/plane_side.hpp"
 #include "generator/plane/side_reflection.hpp"
+#include "generator/plane/strip.hpp"
 #include "generator/support/on_all_cores.hpp"
 
 namespace nmbcgen {

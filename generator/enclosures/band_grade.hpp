@@ -4,7 +4,7 @@
 /// Let x_1 > .. > x_m be the cosines of the waves that travel at one frequency omega (forwards,
 /// backwards, forwards, ..), Omega = omega/sqrt(1 - omega^2 dt^2/4), C~ and B~ real trigonometric
 /// polynomials with C = k^{Ns/2} C~ and B = i k^{Ns/2} B~, and f[..] a divided difference. Then
-/// (docs/explanation/proofs.md), with Q and R polynomials, deg Q <= (m-1)/2 and deg R <= (m-2)/2,
+/// (docs/explanation/theorems.md), with Q and R polynomials, deg Q <= (m-1)/2 and deg R <= (m-2)/2,
 ///   - sup over phases of rho(R D) <= 1 (paired) if and only if for all Q and R
 ///         [x_1 .. x_m] p T h Q^2 >= 0 and [x_1 .. x_m] q T h R^2 >= 0,
 ///     h = 1/max(C~^2, B~^2/Omega^2);
