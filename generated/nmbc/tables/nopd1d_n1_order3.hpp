@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; C(1) not identically zero
-// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike, chains of least_nodes and more, too long for decaying waves to reach the other end; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; modal edges are exact where an exact value is given, else in the bracket; proved: reflection, poles; sampled: modal, max_cfl, contractive, max_cfl_contractive, least_nodes, 8 to 24 G between critical values, steps every 0.05 of cfl
+// stable  reflection: scalar |R| <= 1 on the band, exact; modal: no growing boundary mode and sup over phases of rho(R D) <= 1 on the band, both ends alike; contractive: sigma_max(R) <= 1 as well, in continuous time, so that the other end may be any that adds no energy; max_cfl: as modal, of the leapfrog scheme, both ends alike; max_cfl_contractive: as contractive, of the leapfrog scheme; all of it for chains so long that decaying waves do not reach the other end, from least_nodes on; modal edges are exact where an exact value is given, else in the bracket; proved: reflection, poles; sampled: modal, max_cfl, contractive, max_cfl_contractive, least_nodes, 8 to 24 G between critical values, steps every 0.05 of cfl
 #pragma once
 
 #include <nmbc/table.hpp>
