@@ -102,19 +102,26 @@ TEST_CASE("sup rho = 1 exactly is proved, where NMBC1 has several waves") {
 }
 
 TEST_CASE("a certificate at one G is proved or sampled") {
-    const auto evidence = [](unsigned order, const nmbcgen::Rational& G,
-                             const nmbcgen::Rational& time_step = 0) {
+    const auto certified = [](unsigned order, const nmbcgen::Rational& G,
+                              const nmbcgen::Rational& time_step) {
         const auto table = nmbcgen::derive(
             {.horizon = 1, .order = order, .stabilisation = G, .time_step = time_step});
         auto certificate = nmbcgen::certify(table);
         prove_certificate(table, certificate);
+        return certificate;
+    };
+    const auto evidence = [&](unsigned order, const nmbcgen::Rational& G,
+                              const nmbcgen::Rational& time_step = 0) {
+        const auto certificate = certified(order, G, time_step);
         return std::pair(certificate.paired, certificate.with_any);
     };
     using nmbcgen::Evidence;
     CHECK(evidence(2, {1, 2}) == std::pair(Evidence::proved, Evidence::proved));
     CHECK(evidence(2, {1, 3}) == std::pair(Evidence::proved, Evidence::proved));  // no double
-    // sampled to cfl 0.50, proved to 0.49
-    CHECK(evidence(3, {1, 2}) == std::pair(Evidence::sampled, Evidence::sampled));
+    // sampled to cfl 0.50, proved to 0.49, which it is certified to
+    CHECK(evidence(3, {1, 2}) == std::pair(Evidence::proved, Evidence::proved));
+    CHECK(certified(3, {1, 2}, 0).max_cfl.front().cfl == 0.49);
+    CHECK(certified(3, {1, 2}, 0).max_cfl_contractive.front().cfl == 0.49);
     CHECK(evidence(3, {1, 2}, {1, 2}) == std::pair(Evidence::proved, Evidence::proved));
     CHECK(evidence(2, 2) ==
           std::pair(Evidence::sampled, Evidence::sampled));  // nothing is certified
