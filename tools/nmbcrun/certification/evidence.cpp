@@ -29,8 +29,7 @@ std::string evidence_of(const Scene& scene, const nmbc::Lattice& lattice,
     if (!matches_left && !matches_right) {
         const bool has_surface_node =
             scene.left.kind == BoundaryKind::snm || scene.right.kind == BoundaryKind::snm;
-        return has_surface_node ? "sampled (docs/reference/scene.md)"
-                                : "by construction";
+        return has_surface_node ? "sampled (docs/reference/scene.md)" : "by construction";
     }
     const bool meets_half_line = is_half_line(scene, scene.left, lattice, step) ||
                                  is_half_line(scene, scene.right, lattice, step);

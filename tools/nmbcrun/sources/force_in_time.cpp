@@ -39,8 +39,9 @@ ForceInTime::ForceInTime(ForceHistory history, const std::string& column)
         forces_ = std::move(columns[1]);
         const auto later = std::ranges::adjacent_find(times_, std::ranges::greater_equal());
         if (later != times_.end()) {
-            throw SceneError(fmt::format("{}: its times must ascend from row to row, not from {} to {}",
-                                         force_.file.string(), *later, *std::next(later)));
+            throw SceneError(
+                fmt::format("{}: its times must ascend from row to row, not from {} to {}",
+                            force_.file.string(), *later, *std::next(later)));
         }
     }
     constexpr double widths = 6.5;  // exp(-42), times the 84 of a ricker
