@@ -149,6 +149,34 @@ void settle_side(Request& request, const VectorFamily& family, const VectorChoic
                     .layers = settled_layers(choice, pending.layers)};
 }
 
+/// A table, or what is said of one: of the chain that one polarisation sees. horizon: of the
+/// request, to be set.
+void settle_polarisation(Request& request, const VectorFamily& known, VectorChoice choice,
+                         const std::optional<Polarisation>& polarisation, unsigned& horizon) {
+    if (!request.absorbed.empty()) {
+        throw CLI::ValidationError("--absorb", "is of all waves, without --polarisation");
+    }
+    if (request.as_csv) {
+        throw CLI::ValidationError("--csv", "is of all waves, without --polarisation");
+    }
+    if (!polarisation) {
+        throw CLI::ValidationError("--polarisation",
+                                   "is required: a table is of the P or the S waves. Sides for all "
+                                   "waves: nmbcgen recommend, and nmbcgen passive, whose sides are "
+                                   "stable by construction");
+    }
+    choice.weights = relative(choice.weights);
+    if (known.has_poisson &&
+        std::ranges::count(choice.weights, Rational(1)) == std::ptrdiff_t(choice.weights.size())) {
+        choice.weights.clear();  // constant influence has one name
+    }
+    const ProjectedFamily projected{
+        .family = std::string(known.name), .model = choice, .polarisation = *polarisation};
+    require_model("--polarisation", [&] { projected_model(projected); });
+    family_of(request) = name_of(projected);
+    horizon = horizon_of(choice);
+}
+
 }  // namespace
 
 std::string& family_of(Request& request) {
@@ -224,28 +252,8 @@ void settle_plane(Request& request, Pending& pending, const CLI::App& used) {
         settle_side(request, *known, choice, pending, used, blamed);
         return;
     }
-    if (!request.absorbed.empty()) {
-        throw CLI::ValidationError("--absorb", "is of all waves, without --polarisation");
-    }
-    if (request.as_csv) {
-        throw CLI::ValidationError("--csv", "is of all waves, without --polarisation");
-    }
-    if (!plane.polarisation) {
-        throw CLI::ValidationError("--polarisation",
-                                   "is required: a table is of the P or the S waves. Sides for all "
-                                   "waves: nmbcgen recommend, and nmbcgen passive, whose sides are "
-                                   "stable by construction");
-    }
-    choice.weights = relative(choice.weights);
-    if (known->has_poisson &&
-        std::ranges::count(choice.weights, Rational(1)) == std::ptrdiff_t(choice.weights.size())) {
-        choice.weights.clear();  // constant influence has one name
-    }
-    const ProjectedFamily projected{
-        .family = family, .model = choice, .polarisation = *plane.polarisation};
-    require_model("--polarisation", [&] { projected_model(projected); });
-    family = name_of(projected);
-    (recommends ? request.question.horizon : request.specification.horizon) = horizon_of(choice);
+    settle_polarisation(request, *known, std::move(choice), plane.polarisation,
+                        recommends ? request.question.horizon : request.specification.horizon);
 }
 
 }  // namespace nmbcgen

@@ -10,7 +10,8 @@
 /// differ in the frequency that their condition sees only.
 ///
 /// In pieces of the band too narrow to sample (merging_waves.hpp), unlike ends are to be
-/// contractive each by itself, which is more than it takes.
+/// contractive each by itself, which is more than it takes; opposite a
+/// free end, paired.
 ///
 /// In a damped lattice waves fade on the way, so the number of nodes counts, and all waves,
 /// decaying ones too, are in the same supremum (reflection.hpp, damped_round_trip_supremum): a

@@ -30,6 +30,7 @@ std::string KeptTexts::text(const std::string& question,
             // Cut short, damaged or of another time: as if it were not there.
         }
     }
+    require_writable(file);  // before what may take minutes
     std::string text = make();
     write_files({{file, Json{{"inputs", inputs}, {"text", text}}.dump(1) + "\n"}});
     return text;

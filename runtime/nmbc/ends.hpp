@@ -3,12 +3,14 @@
 /// nothing.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <nmbc/boundary.hpp>
 #include <nmbc/boundary_condition.hpp>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace nmbc {
 
@@ -71,10 +73,30 @@ class FixedCondition final : public BoundaryCondition<Real> {
     std::size_t layer_;
 };
 
+/// Whether each square of the energy has its mirror image among them, as those of nopd1d do. A bond
+/// that is counted at one of its ends alone has none.
+inline bool has_mirrored_squares(const Lattice& lattice) {
+    const auto mirrored = [](std::vector<double> stencil, double sign) {
+        std::reverse(stencil.begin(), stencil.end());
+        for (double& entry : stencil) {
+            entry *= sign;
+        }
+        return stencil;
+    };
+    return std::all_of(lattice.energy.begin(), lattice.energy.end(), [&](const auto& one) {
+        return std::any_of(lattice.energy.begin(), lattice.energy.end(), [&](const auto& other) {
+            return other.part == one.part && other.weight == one.weight &&
+                   (other.stencil == mirrored(one.stencil, 1) ||
+                    other.stencil == mirrored(one.stencil, -1));
+        });
+    });
+}
+
 template <class Real>
 class FreeCondition final : public BoundaryCondition<Real> {
   public:
-    explicit FreeCondition(std::size_t ghosts) : ghosts_(ghosts) {}
+    explicit FreeCondition(const Lattice& lattice)
+        : ghosts_(lattice.reach()), has_all_energy_(has_mirrored_squares(lattice)) {}
 
     std::size_t least_interior_nodes() const override { return ghosts_; }
 
@@ -85,8 +107,11 @@ class FreeCondition final : public BoundaryCondition<Real> {
     void after_kick(NodeLine<const Real> /*u*/, NodeLine<Real> v, std::size_t /*step*/) override {
         mirror(v);
     }
-    /// The squares of the nodes that there are have all the energy: ghosts mirror the others.
-    const EdgeEnergy* own_energy(End /*end*/) const override { return &nothing_more_; }
+    /// Ghosts mirror the others: where their squares do, those of the nodes that there are have all
+    /// the energy.
+    const EdgeEnergy* own_energy(End /*end*/) const override {
+        return has_all_energy_ ? &nothing_more_ : nullptr;
+    }
 
   private:
     void mirror(NodeLine<Real> field) const {
@@ -96,6 +121,7 @@ class FreeCondition final : public BoundaryCondition<Real> {
     }
 
     std::size_t ghosts_;
+    bool has_all_energy_;
     EdgeEnergy nothing_more_{};
 };
 
@@ -158,7 +184,7 @@ struct FreeEnd {
     std::unique_ptr<BoundaryCondition<Real>> make(const Lattice& lattice,
                                                   const ChainParameters& /*p*/,
                                                   std::type_identity<Real> /*precision*/) const {
-        return std::make_unique<detail::FreeCondition<Real>>(lattice.reach());
+        return std::make_unique<detail::FreeCondition<Real>>(lattice);
     }
 };
 

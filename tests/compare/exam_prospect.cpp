@@ -100,12 +100,24 @@ TEST_CASE("what comes back is foretold, and what is amplified") {
 TEST_CASE("what an extended end sends back is what gets to its far end and has the time") {
     // Long waves travel 180 spacings, 100 of them to each end: 80 are left.
     Scene scene = with_pulse(scene_of(2, 32.0 / 15, 200, 180), Shape::gaussian, 8);
-    const auto ends_of = [&](std::size_t layer) {
+    const auto prospect_at = [&](std::size_t layer) {
         scene.left = scene.right = {.kind = BoundaryKind::extended, .layer = layer};
-        return prospect_of(Simulation(scene)).ends;
+        return prospect_of(Simulation(scene));
     };
-    CHECK(ends_of(20).starts_with("all of the energy that reaches them comes back"));
-    CHECK(ends_of(90) == "nothing of the energy that reaches them comes back");
+    CHECK(prospect_at(20).ends.starts_with("all of the energy that reaches them comes back"));
+    CHECK(prospect_at(20).sends_much_back);
+    CHECK(prospect_at(90).ends == "nothing of the energy that reaches them comes back");
+    CHECK(!prospect_at(90).sends_much_back);
+}
+
+TEST_CASE("what a force sends out late does not get to an end in time") {
+    Scene scene = scene_of(2, 0, 200, 300);  // at G = 0 its short waves would be amplified
+    scene.force = nmbcrun::Force{
+        {.history = nmbcrun::History::ricker, .time = 20, .duration = 2, .file = {}}, 100, 0};
+    CHECK(!prospect_of(Simulation(scene)).objection.empty());
+    scene.force->time = 290;
+    CHECK(prospect_of(Simulation(scene)).objection.empty());
+    CHECK(prospect_of(Simulation(scene)).ends == "nothing gets there before time.end");
 }
 
 TEST_CASE("a width that would do does, and a packet of short waves has none") {

@@ -164,11 +164,11 @@ TEST_CASE("an initial field that the lattice does not resolve is told, with one 
 
 TEST_CASE("a field from a file is told of its short waves, whatever its size") {
     const auto file = file_named("exam_plane_initial.h5");
+    const std::string text = nopd2d_of_2 + of_lattice + free_sides;
     for (const char* const nodes : {"[24, 18]", "[150, 70]", "[3, 90]"}) {
         CAPTURE(nodes);
         const auto told = [&](double width, std::size_t steps) {
             const Overrides overrides{{"domain.nodes", nodes}};
-            const std::string text = nopd2d_of_2 + of_lattice + free_sides;
             PlaneSimulation whole(plane_scene_of(
                 text + fmt::format("[initial]\nshape = 'gaussian'\namplitude = 0.01\n"
                                    "centre = [1, 4]\nwidth = {}\ncomponent = 'y'\n",

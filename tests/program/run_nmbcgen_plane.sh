@@ -168,6 +168,7 @@ refuses 4 "strips between such sides grow, Re s = 0.019" \
 try recommend "${next[@]}" --G 0
 expect_exit 0
 expect "the first is passive" grep -qE '^passive, on the 4 outermost layers' "$scratch/stdout"
+expect "it is kept" grep -rq '"recommend nopd2d radius2 4 nu 1/4 stress g 0 ' "$NMBCGEN_CACHE"
 expect "rates in strips and in the box" grep -qE '^NMBC1 by component +grows +<= 5\.145 +0\.049 +0\.043 +1/5 ' "$scratch/stdout"
 try "${waves[@]}" --G 1/5
 expect_exit 0

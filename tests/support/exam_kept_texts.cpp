@@ -26,7 +26,7 @@ TEST_CASE("an answer is kept by its question, and anew where the file is damaged
     CHECK(kept.text("another", answer) != first);
     CHECK(asked == 2);
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
-        std::ofstream(file.path()) << "{\"inputs\": 1, \"text\": ";
+        std::ofstream(file.path()) << R"({"inputs": 1, "text": )";
     }
     CHECK(kept.text("a question", answer) != first);
     CHECK(asked == 3);

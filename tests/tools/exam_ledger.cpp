@@ -149,6 +149,17 @@ TEST_CASE("the ledger closes: ends, horizons, damping, sources") {
     }
 }
 
+TEST_CASE("the ledger closes: bonds that are counted at one end each have no mirror image") {
+    // bonds of one and two spacings, c = 1
+    nmbc::Lattice lattice;
+    lattice.symbol = {1.25, -0.5, -0.125};
+    lattice.energy = {{nmbc::EnergyPart::strain, 0.5, {0, 0, -1, 1, 0}},
+                      {nmbc::EnergyPart::strain, 0.125, {0, 0, -1, 0, 1}}};
+    nmbc::Chain chain(lattice, nmbc::FreeEnd{}, nmbc::FreeEnd{}, parameters);
+    nmbcrun::Ledger ledger(chain, driven);
+    CHECK(run(chain, ledger, 1000).drift < 3e-12);  // as above
+}
+
 TEST_CASE("the ledger closes: initial data, ends of two kinds") {
     for (int horizon = 1; horizon <= 5; ++horizon) {
         for (const bool damped : {false, true}) {

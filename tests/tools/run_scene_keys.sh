@@ -117,6 +117,7 @@ done
 sed '/^G /d' "$scene" >"$scratch/unstabilised.toml"
 refuses 2 'model.G is missing: 0 is standard NOPD, whose zero-energy modes no end absorbs; "32/15" makes' \
     "$scratch/unstabilised.toml"
+refuses 2 'model.G is missing; is model.g meant for it?' "$scratch/unstabilised.toml" --set model.g=1
 for G in '"128/85"' 1.5058823529411764; do
     refuses 3 "has a pole of a coefficient at G = 1.5058823529411764" "$scene" --set boundary.order=2 \
         --set model.G="$G" --set boundary.allow_unstable=true

@@ -180,7 +180,7 @@ std::vector<std::string> Run::warnings() const {
     std::erase(all, "");
     all.erase(std::unique(all.begin(), all.end()), all.end());  // of both ends
     if (prospect_.sends_much_back) {
-        all.push_back("at the ends " + prospect_.ends + ": nmbcrun advise finds better ones");
+        all.push_back("at the ends " + prospect_.ends + ": nmbcrun advise compares others");
     }
     all.insert(all.end(), prospect_.warnings.begin(), prospect_.warnings.end());
     return all;
@@ -212,7 +212,7 @@ void run(const Scene& scene, const RunOptions& options) {
     Run run(scene, options);
     // u and v, in a growing file and, at the end, its copy
     run.warn(run.warnings(), run.simulation().chain().nodes(),
-             4.0 * sizeof(double) * double(scene.nodes));
+             4.0 * sizeof(double) * double(scene.nodes), 2 * scene.probes.size());
     if (!options.quiet) {
         const Plan& plan = run.simulation().plan();
         const std::string& ends = run.prospect().ends;

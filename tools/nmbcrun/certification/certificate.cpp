@@ -265,7 +265,7 @@ std::string PairOfEnds::objection(double time_step, double cfl) {
                           "waves of the frequency of xi dX = {:.3g} can grow by {:.3g} % per round "
                           "trip",
                           verdict.wave_number, growth)
-                    : "waves of less than a billionth of the band can grow") +
+                    : "waves in less than a billionth of the band are not known not to grow") +
                (is_damped(scene) ? fmt::format(" in a chain of {} nodes", moving_nodes(scene))
                                  : "");
     }

@@ -26,10 +26,11 @@ std::string evidence_of(const Scene& scene, const nmbc::Lattice& lattice,
                         double step) {
     const bool matches_left = scene.left.kind == BoundaryKind::nmbc;
     const bool matches_right = scene.right.kind == BoundaryKind::nmbc;
+    if (scene.left.kind == BoundaryKind::snm || scene.right.kind == BoundaryKind::snm) {
+        return "sampled (docs/reference/scene.md)";
+    }
     if (!matches_left && !matches_right) {
-        const bool has_surface_node =
-            scene.left.kind == BoundaryKind::snm || scene.right.kind == BoundaryKind::snm;
-        return has_surface_node ? "sampled (docs/reference/scene.md)" : "by construction";
+        return "by construction";
     }
     const bool meets_half_line = is_half_line(scene, scene.left, lattice, step) ||
                                  is_half_line(scene, scene.right, lattice, step);

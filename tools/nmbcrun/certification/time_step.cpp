@@ -180,12 +180,15 @@ bool has_passive(const Scene& scene, const Suits& suits) {
     }
     const nmbc::Lattice lattice = lattice_of(scene);
     const double cfl = largest_certified_cfl(other, lattice);
+    if (cfl == 0) {
+        return false;
+    }
     try {
         sent_back_by_passive_end(lattice, 2 * cfl / nmbc::maximum_frequency(lattice));
     } catch (const SceneError&) {  // no design for these steps
         return false;
     }
-    return cfl > 0;
+    return true;
 }
 
 }  // namespace
@@ -286,8 +289,8 @@ std::string choices_in_place(const Scene& scene, const Suits& suits) {
         choices.push_back("at this G: " + own);
     }
     if (has_passive(scene, suits)) {
-        choices.push_back(own.empty() ? R"(at this G: boundary.kind = "passive")"
-                                      : R"(boundary.kind = "passive")");
+        choices.push_back((own.empty() ? "at this G: " : "") +
+                          std::string(R"(boundary.kind = "passive" without order and stride)"));
     }
     const std::string G = best_G(scene.horizon);
     Scene other = scene;

@@ -107,10 +107,11 @@ class Returned {
                            part, most->first);
     }
 
-    /// Whether more than a tenth comes back.
-    bool is_much() const {
+    /// Whether more than a tenth comes back of what arrives, if that counts beside what was sent.
+    bool is_much(double sent) const {
         constexpr double much = 0.1;
-        return sum_of(back_) > much * arrived_;
+        constexpr double negligible = 1e-3;
+        return arrived_ > negligible * sent && sum_of(back_) > much * arrived_;
     }
 
     /// Empty where next to nothing is amplified.
@@ -233,6 +234,20 @@ std::vector<std::string> warnings_of(const Simulation& simulation,
     return warnings;
 }
 
+/// What nothing is predicted of.
+std::string what_is_unknown(const Scene& scene, const Boundary& end) {
+    return is_damped(scene) ? "of a damped lattice"
+                            : fmt::format("of an end that is {}", name_of(end.kind));
+}
+
+double energy_of(const std::vector<SourceSpectrum>& sources) {
+    double energy = 0;
+    for (const SourceSpectrum& source : sources) {
+        energy += source.spectrum.energy();
+    }
+    return energy;
+}
+
 }  // namespace
 
 Prospect prospect_of(const Simulation& simulation) {
@@ -255,8 +270,7 @@ Prospect prospect_of(const Simulation& simulation) {
         const Energies arriving = arriving_at(side, simulation, sources);
         const auto reflected_energy = sent_back(side, simulation, sources, arriving);
         if (!reflected_energy) {
-            unknown = is_damped(scene) ? "of a damped lattice"
-                                       : fmt::format("of an end that is {}", name_of(end.kind));
+            unknown = what_is_unknown(scene, end);
             continue;
         }
         if (!(end == scene.left) || end.kind == BoundaryKind::extended) {
@@ -279,7 +293,7 @@ Prospect prospect_of(const Simulation& simulation) {
         prospect.ends = unknown.empty()
                             ? returned.in_words()
                             : "nothing is predicted " + unknown + ": nmbcrun verify measures it";
-        prospect.sends_much_back = unknown.empty() && returned.is_much();
+        prospect.sends_much_back = unknown.empty() && returned.is_much(energy_of(sources));
     }
     return prospect;
 }

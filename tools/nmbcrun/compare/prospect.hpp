@@ -13,7 +13,7 @@ struct Prospect {
     /// How much of the energy that gets to the artificial ends comes back, in words; empty where
     /// both are physical.
     std::string ends;
-    /// Whether that is known to be more than a tenth.
+    /// Whether that is known to be more than a tenth, of no less than a thousandth of all energy.
     bool sends_much_back = false;
     /// Which end sends back more than comes, of what comes; empty where none does.
     std::string objection;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tools/nmbcrun/output/duration.hpp"
 
@@ -42,20 +43,23 @@ std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_
 }
 
 std::string warning_of_files(const Output& output, double free) {
-    constexpr double bytes_of_row = 2 * 200;  // a growing file and, at the end, its copy
+    constexpr double bytes_of_row = 200;
+    constexpr double bytes_of_probe = 20;
     constexpr double many = 2e9;
     constexpr double giga = 1e9;
-    const double of_rows = output.rows * bytes_of_row;
+    // a growing file and, at the end, its copy
+    const double of_rows = 2 * output.rows * (bytes_of_row + output.probes * bytes_of_probe);
     const double of_fields = output.snapshots * output.bytes_of_snapshot;
     if (of_rows + of_fields <= std::min(many, free)) {
         return "";
     }
+    const bool rows_are_most = of_rows > of_fields;
     return fmt::format(
-        "the run writes about {:.2g} GB, {:.3g} {}, and {:.2g} GB are free: a larger {} writes "
-        "less",
-        (of_rows + of_fields) / giga, of_rows > of_fields ? output.rows : output.snapshots,
-        of_rows > of_fields ? "rows of energies most of it" : "snapshots most of it", free / giga,
-        of_rows > of_fields ? "output.every" : "output.snapshots");
+        "the run writes about {:.2g} GB, {:.3g} {}{}: a larger {} writes less",
+        (of_rows + of_fields) / giga, rows_are_most ? output.rows : output.snapshots,
+        rows_are_most ? "rows of energies most of it" : "snapshots most of it",
+        std::isfinite(free) ? fmt::format(", and {:.2g} GB are free", free / giga) : "",
+        rows_are_most ? "output.every" : "output.snapshots");
 }
 
 }  // namespace nmbcrun

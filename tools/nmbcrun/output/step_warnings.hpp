@@ -19,11 +19,13 @@ std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_
 /// What a run still writes.
 struct Output {
     double rows = 0;               ///< of energies
+    double probes = 0;             ///< numbers beside each of them
     double snapshots = 0;          ///< fields of all nodes
     double bytes_of_snapshot = 0;  ///< as large as it gets while the run ends
 };
 
-/// In words: where that is more than 2 GB, or than is free [bytes]; empty where it is not.
+/// In words: where that is more than 2 GB, or than is free [bytes] (infinite: not known); empty
+/// where it is not.
 std::string warning_of_files(const Output& output, double free);
 
 }  // namespace nmbcrun

@@ -49,15 +49,16 @@ std::optional<Checkpoint> StoppableRun::claim(std::map<std::string, std::string>
 }
 
 void StoppableRun::warn(std::vector<std::string> warnings, std::size_t nodes,
-                        double bytes_of_snapshot) const {
+                        double bytes_of_snapshot, std::size_t probes) const {
     const auto left = double(plan_.steps - steps());
     const auto every = [&](std::size_t interval) {
         return interval == 0 ? 0.0 : left / double(interval);
     };
     std::error_code unknown;  // then as much as one likes is free
     const auto space = std::filesystem::space(options_.folder, unknown);
-    warnings.push_back(warning_of_files({every(every_), every(snapshots_), bytes_of_snapshot},
-                                        unknown ? HUGE_VAL : double(space.available)));
+    warnings.push_back(
+        warning_of_files({every(every_), double(probes), every(snapshots_), bytes_of_snapshot},
+                         unknown ? HUGE_VAL : double(space.available)));
     std::erase(warnings, "");
     for (const std::string& one :
          warnings_of_steps(plan_, unit_of_time_, plan_.steps - steps(), nodes)) {

@@ -40,8 +40,9 @@ class StoppableRun {
     void to_the_end();
 
     /// Prints these on stderr, a line each, and what its user may not expect of any run of so many
-    /// nodes with such snapshots.
-    void warn(std::vector<std::string> warnings, std::size_t nodes, double bytes_of_snapshot) const;
+    /// nodes with such snapshots, and so many numbers of probes.
+    void warn(std::vector<std::string> warnings, std::size_t nodes, double bytes_of_snapshot,
+              std::size_t probes) const;
 
   protected:
     /// About so many rows of energies are printed.

@@ -2,6 +2,7 @@
 /// How the energy that nodes get is shared among the waves of a lattice of the plane.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <cstddef>
@@ -50,6 +51,12 @@ struct Patch {
 
     std::size_t nx = 0;
     std::vector<StartOfNode> gives{};
+
+    bool moves() const {
+        return std::ranges::any_of(gives, [](const StartOfNode& node) {
+            return node.u[0] != 0 || node.u[1] != 0 || node.v[0] != 0 || node.v[1] != 0;
+        });
+    }
 };
 
 /// Energy that patches give the waves of half the zone, at `across` wave numbers along x and half

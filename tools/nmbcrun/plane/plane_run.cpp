@@ -175,7 +175,8 @@ void run_plane(const PlaneScene& scene, const RunOptions& options) {
     const SceneSides sides = sides_of(scene, options.quiet);
     PlaneRun run(scene, sides.all, options);
     const nmbc::Grid grid = run.simulation().plane().grid();
-    run.warn(warnings_of(run.simulation()), grid.nx * grid.ny, bytes_of_fields(run.simulation()));
+    run.warn(warnings_of(run.simulation()), grid.nx * grid.ny, bytes_of_fields(run.simulation()),
+             4 * scene.probes.size());
     if (!options.quiet) {
         const PlanePlan& plan = run.simulation().plan();
         const std::string ends = prospect_of(scene, sides.passive);

@@ -125,7 +125,10 @@ double not_carried_of_field(const PlaneSimulation& simulation) {
     PatchSpectrum spectrum(simulation.scene());
     for (std::ptrdiff_t y = -apart; y <= last(1); y += apart) {
         for (std::ptrdiff_t x = -apart; x <= last(0); x += apart) {
-            spectrum.add(tapered_patch(simulation, {x, y}), [](double) { return 1.0; });
+            const Patch patch = tapered_patch(simulation, {x, y});
+            if (patch.moves()) {
+                spectrum.add(patch, [](double) { return 1.0; });
+            }
         }
     }
     return spectrum.not_carried();
