@@ -45,6 +45,7 @@ start_and_stop() {
     done
     sleep "0.0$((RANDOM % 4))"
     kill "-$signal" "$run" 2>/dev/null || true
+    kill "-$signal" "$run" 2>/dev/null || true # as some that stop a program do: one of both counts
     code=0
     wait "$run" 2>/dev/null || code=$?
 }

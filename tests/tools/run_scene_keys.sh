@@ -47,6 +47,8 @@ setting 2 "must not be 0" drive.amplitude=0
 setting 2 "whole number from 1 to 100000000, not 0" domain.nodes=0
 setting 2 "from 1 to 100000000, written without a point and an exponent" domain.nodes=1e8
 setting 2 "domain.spacing must be a positive number of size 1e+300 at most, not 1e+308" domain.spacing=1e308
+sed '/^density /d' "$scene" >"$scratch/of_no_density.toml"
+refuses 2 "material.density is missing: both are given, or neither, which makes them 1" "$scratch/of_no_density.toml"
 for extreme in material.density=1e-320 material.youngs_modulus=1e-310; do
     setting 2 "makes the wave speed sqrt(youngs_modulus / density)" "$extreme"
 done

@@ -122,6 +122,7 @@ influence = ["${weights//,/\", \"}"]
 tables = ["snm.json"]
 [material]
 youngs_modulus = $2
+density = 1
 [domain]
 nodes = 100
 spacing = 0.01

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <ctime>
 #include <string_view>
 
 namespace nmbcrun {
@@ -11,6 +12,14 @@ namespace {
 
 volatile std::sig_atomic_t noted = 0;
 volatile std::sig_atomic_t code = 0;
+volatile std::sig_atomic_t noted_at = 0;  // [s]
+
+/// async-signal-safe, as handlers have to be
+std::sig_atomic_t seconds() {
+    timespec now{};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    return std::sig_atomic_t(now.tv_sec);
+}
 
 void handle_interrupts(void (*handler)(int)) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
@@ -37,8 +46,13 @@ void end_at_interrupts(int exit_code) {
 
 void note_interrupts() {
     handle_interrupts([](int received) {
-        noted = 1;
-        std::signal(received, SIG_DFL);
+        if (noted == 0) {
+            noted_at = seconds();
+            noted = 1;
+        } else if (seconds() - noted_at >= 2) {
+            std::signal(received, SIG_DFL);
+            std::raise(received);
+        }
     });
 }
 

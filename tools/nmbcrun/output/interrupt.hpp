@@ -9,7 +9,8 @@ namespace nmbcrun {
 /// (ulimit -f), ends nothing: writing to it fails.
 void end_at_interrupts(int exit_code);
 
-/// From now on they are noted; a second one ends the program.
+/// From now on they are noted; one that comes two seconds later or more ends the program. (Some
+/// that stop a program send two signals at once.)
 void note_interrupts();
 
 /// Whether one was noted.

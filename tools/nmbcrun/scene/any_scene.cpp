@@ -35,9 +35,14 @@ void read_title(SceneReader& reader, const std::string& path, AnyScene& scene) {
 }
 
 void read_material(SceneReader& reader, AnyScene& scene) {
-    scene.density = reader.number("material.density", positive).value_or(scene.density);
-    scene.youngs_modulus =
-        reader.number("material.youngs_modulus", positive).value_or(scene.youngs_modulus);
+    const auto density = reader.number("material.density", positive);
+    const auto youngs_modulus = reader.number("material.youngs_modulus", positive);
+    if (density.has_value() != youngs_modulus.has_value()) {  // in SI units 1 would be far off
+        reader.missing(density ? "material.youngs_modulus" : "material.density",
+                       "both are given, or neither, which makes them 1");
+    }
+    scene.density = density.value_or(scene.density);
+    scene.youngs_modulus = youngs_modulus.value_or(scene.youngs_modulus);
     const double c = std::sqrt(scene.youngs_modulus / scene.density);
     constexpr double fastest = 1e150;
     if (!(c >= 1 / fastest && c <= fastest)) {
