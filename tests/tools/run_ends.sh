@@ -59,7 +59,7 @@ expect_stdout_line "$proved"
 stable --set boundary.order=1 --set model.G=1 --set domain.nodes=30 --set drive.centre=15
 expect_stdout_line "stable    sampled: the eigenvalues of this chain"
 # A surface node has no proof, whatever is opposite.
-stable --set model.family=bond1d --set model.horizon=1 --set boundary.order=1 --set boundary.left.kind=snm
+stable --set model.family=chain1d --set model.horizon=1 --set boundary.right.order=1 --set boundary.left.kind=snm
 expect_stdout_line "stable    sampled (docs/reference/scene.md)"
 stable --set boundary.order=2 --set boundary.stride=2 --set model.G=1 --set model.damping=1/100
 expect_stdout_line "stable    sampled (docs/explanation/stability.md)"

@@ -280,7 +280,7 @@ refuses 2 'order 7, stride 1. To make it beside the scene: nmbcgen --family nopd
     "$scene" --set boundary.order=7
 refuses 2 '--set model.\xff is not a key of a scene' "$scene" --set $'model.\xff=1'
 sed 's/^density/densty/' "$scene" >"$scratch/misspelt.toml"
-refuses 2 "misspelt.toml:11: material.densty is not a key" "$scratch/misspelt.toml"
+refuses 2 "misspelt.toml: material.density is missing; is material.densty meant for it?" "$scratch/misspelt.toml"
 sed '/^horizon/d' "$scene" >"$scratch/missing.toml"
 refuses 2 "model.horizon is missing" "$scratch/missing.toml"
 {
