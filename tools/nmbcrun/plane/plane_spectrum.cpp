@@ -148,8 +148,8 @@ double not_carried_of_force(const PlaneScene& scene) {
     return spectrum.not_carried();
 }
 
-/// none: of the scene's lattice, with nothing in it.
-double not_carried_of_initial(const PlaneScene& scene, PatchSpectrum none) {
+/// spectrum: of the scene's lattice, with nothing in it.
+double not_carried_of_initial(const PlaneScene& scene, PatchSpectrum spectrum) {
     const PlaneInitial& initial = *scene.initial;
     if (initial.shape == PlaneShape::packet) {
         return not_carried_of_packet(scene);
@@ -160,12 +160,12 @@ double not_carried_of_initial(const PlaneScene& scene, PatchSpectrum none) {
         return 0;
     }
     const InitialShape shape(scene);
-    none.add(patch_about(initial.centre, reach, scene.spacing,
-                         [&](double x, double y) {
-                             return shape.at({x, y});
-                         }),
-             [](double) { return 1.0; });
-    return none.not_carried();
+    spectrum.add(patch_about(initial.centre, reach, scene.spacing,
+                             [&](double x, double y) {
+                                 return shape.at({x, y});
+                             }),
+                 [](double) { return 1.0; });
+    return spectrum.not_carried();
 }
 
 constexpr double most_not_carried = 0.1;
@@ -173,13 +173,13 @@ constexpr double most_not_carried = 0.1;
 /// "; KEY = VALUE would do", or that none would.
 std::string what_would_do(PlaneScene scene) {
     const bool is_packet = scene.initial->shape == PlaneShape::packet;
-    const PatchSpectrum none(scene);
+    const PatchSpectrum untouched(scene);
     double& value = is_packet ? scene.initial->wave_number : scene.initial->width;
     const char* const key = is_packet ? "initial.wave_number" : "initial.width";
     const double own = value;
     for (double factor = 1.25; factor < 1e3; factor *= 1.25) {
         value = two_digits(is_packet ? own / factor : own * factor, is_packet);
-        if (not_carried_of_initial(scene, none) <= most_not_carried) {
+        if (not_carried_of_initial(scene, untouched) <= most_not_carried) {
             return fmt::format("; {} = {:.2g} would do", key, value);
         }
     }
