@@ -14,8 +14,6 @@
 namespace nmbcrun {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Calls look(simulation) after every step and collects the samples.
 template <class Look>
 Samples run_sampled(Simulation& simulation, const Advance& advance, Look look) {
@@ -77,7 +75,7 @@ double relative_difference(const Samples& u, const Samples& v) {
         for (std::size_t node = 0; node < v[sample].size(); ++node) {
             const double one = std::abs(u[sample][node] - v[sample][node]);
             if (!std::isfinite(one)) {
-                return infinity;
+                return std::numeric_limits<double>::infinity();
             }
             difference = std::max(difference, one);
             largest = std::max(largest, std::abs(v[sample][node]));
@@ -102,7 +100,8 @@ Trial run_trial(const Scene& scene, const Samples& same_steps, const Samples& fi
             .objection = simulation.plan().objection,
             .boundary_error = relative_difference(samples, same_steps),
             .total_error = relative_difference(samples, fine_steps),
-            .energy_left = std::isfinite(left) ? left / std::max(peak, left) : infinity};
+            .energy_left = std::isfinite(left) ? left / std::max(peak, left)
+                                               : std::numeric_limits<double>::infinity()};
 }
 
 }  // namespace nmbcrun

@@ -40,7 +40,7 @@ void add_turned(Amplitudes& sums, const Values& values, std::complex<double> tur
 
 Waves::Waves(const PlaneScene& scene) : rate_(rate_of(scene)), model_(model_of(scene)) {}
 
-LatticeWave Waves::wave(const std::array<double, 2>& xi, bool is_P) const {
+PlaneLatticeWave Waves::wave(const std::array<double, 2>& xi, bool is_P) const {
     const nmbc::PlaneWave wave = nmbc::plane_wave(model_, xi, is_P);
     return {wave.direction, rate_ * std::sqrt(std::max(0.0, wave.omega_squared)),
             is_carried(model_, xi, is_P)};
@@ -83,7 +83,7 @@ void PatchSpectrum::add(const Patch& patch, const std::function<double(double om
                 add_turned(all, of_rows[row], turn(y, row));
             }
             for (const std::size_t polarisation : {0U, 1U}) {
-                const LatticeWave& wave = of_zone_[2 * (y * Patch::across + x) + polarisation];
+                const PlaneLatticeWave& wave = of_zone_[2 * (y * Patch::across + x) + polarisation];
                 const auto along = [&](std::size_t first) {
                     return std::norm(wave.direction[0] * all[first] +
                                      wave.direction[1] * all[first + 1]);

@@ -16,7 +16,7 @@
 namespace nmbcrun {
 
 /// A wave of a lattice. It is carried if its group goes forwards, nearly at the solid's speed.
-struct LatticeWave {
+struct PlaneLatticeWave {
     std::array<double, 2> direction{};  ///< of u, of length 1
     double omega = 0;                   ///< [1/time]
     bool is_carried = false;
@@ -28,9 +28,9 @@ class Waves {
     explicit Waves(const PlaneScene& scene);
 
     /// xi: wave vector times dX.
-    LatticeWave wave(const std::array<double, 2>& xi, bool is_P) const;
+    PlaneLatticeWave wave(const std::array<double, 2>& xi, bool is_P) const;
 
-    void add(const LatticeWave& wave, double energy) {
+    void add(const PlaneLatticeWave& wave, double energy) {
         all_ += energy;
         lost_ += wave.is_carried ? 0 : energy;
     }
@@ -79,7 +79,7 @@ class PatchSpectrum {
 
     Waves waves_;
     std::array<std::complex<double>, std::size_t(2 * Patch::across)> turns_{};
-    std::vector<LatticeWave> of_zone_{};  // polarisations fastest, then x
+    std::vector<PlaneLatticeWave> of_zone_{};  // polarisations fastest, then x
 };
 
 }  // namespace nmbcrun

@@ -106,7 +106,7 @@ double not_carried_of_packet(const PlaneScene& scene) {
             const auto folded = [](double xi) { return std::remainder(xi, 2 * pi); };
             const double r = farthest / steps * std::hypot(x, y);
             for (const bool is_P : {true, false}) {
-                const LatticeWave wave =
+                const PlaneLatticeWave wave =
                     waves.wave({folded(k[0] + x * step), folded(k[1] + y * step)}, is_P);
                 const double along = wave.direction[0] * own[0] + wave.direction[1] * own[1];
                 waves.add(wave, wave.omega * wave.omega * along * along * std::exp(-r * r / 2));

@@ -94,7 +94,7 @@ PlaneInitial read_initial(const KeyGroup& group, double spacing) {
     return initial;
 }
 
-PlaneForcing read_force(const KeyGroup& group) {
+PlaneForcing read_forcing(const KeyGroup& group) {
     const History history = history_of(group);
     PlaneForcing force{.history = {},
                        .component = read_component(group),
@@ -190,7 +190,7 @@ void read_plane_sources(SceneReader& reader, const std::string& path, PlaneScene
         scene.initial = read_initial({reader, "initial", path}, scene.spacing);
     }
     if (reader.has("force")) {
-        scene.force = read_force({reader, "force", path});
+        scene.force = read_forcing({reader, "force", path});
     }
     if (reader.has("drive")) {
         scene.drive = read_drive({reader, "drive", path});

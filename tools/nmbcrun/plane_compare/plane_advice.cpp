@@ -20,7 +20,7 @@
 namespace nmbcrun {
 namespace {
 
-struct Advice {
+struct SideAdvice {
     std::optional<PlaneStrip> strip{};
     std::vector<SidePoint> ranked{};  ///< those that meet the tolerance, cheapest first
     std::vector<SidePoint> others{};
@@ -30,8 +30,8 @@ struct Advice {
     const SidePoint& best() const { return *std::ranges::find_if(ranked, &is_proved); }
 };
 
-Advice advice_for(const PlaneScene& scene, double tolerance, bool quiet) {
-    Advice advice{.strip = strip_of(scene)};
+SideAdvice advice_for(const PlaneScene& scene, double tolerance, bool quiet) {
+    SideAdvice advice{.strip = strip_of(scene)};
     advice.has_artificial = std::ranges::any_of(
         scene.sides, [](const PlaneSideChoice& side) { return is_artificial(side.kind); });
     if (!advice.has_artificial) {
@@ -61,7 +61,7 @@ Advice advice_for(const PlaneScene& scene, double tolerance, bool quiet) {
 
 /// What to add to a command: one node along an axis, and the artificial sides, together where all
 /// four are.
-std::string settings_of(const PlaneScene& scene, const Advice& advice) {
+std::string settings_of(const PlaneScene& scene, const SideAdvice& advice) {
     std::vector<std::string> settings;
     if (advice.strip) {
         settings.push_back(advice.strip->settings);
@@ -105,11 +105,11 @@ std::string row(const SidePoint& point) {
                        point.error);
 }
 
-void print_table(const Advice& advice) {
+void print_table(const SideAdvice& advice) {
     fmt::print("meets it           run      error\n");
     for (const SidePoint& point : advice.ranked) {
         fmt::print("{}{}\n", row(point),
-                   Advice::is_proved(point) ? "" : "  not proved to be stable");
+                   SideAdvice::is_proved(point) ? "" : "  not proved to be stable");
     }
     fmt::print("left out\n");
     for (const SidePoint& point : advice.others) {
@@ -123,7 +123,7 @@ void print_table(const Advice& advice) {
 }  // namespace
 
 PlaneScene as_advised(const PlaneScene& scene, double tolerance, bool quiet) {
-    const Advice advice = advice_for(scene, tolerance, quiet);
+    const SideAdvice advice = advice_for(scene, tolerance, quiet);
     const std::string settings = settings_of(scene, advice);
     fmt::print("advice     {}\n", settings);
     PlaneScene advised = advice.strip ? advice.strip->scene : scene;
@@ -137,7 +137,7 @@ PlaneScene as_advised(const PlaneScene& scene, double tolerance, bool quiet) {
 
 void advise_plane(const PlaneScene& scene, double tolerance, bool quiet) {
     note_interrupts();
-    const Advice advice = advice_for(scene, tolerance, quiet);
+    const SideAdvice advice = advice_for(scene, tolerance, quiet);
     if (advice.strip && !quiet) {
         print_strip(*advice.strip, scene);
     }

@@ -41,10 +41,10 @@ void try_sides(SidePoint& point, Job job) {
     }
 }
 
-class Measurement {
+class SideMeasurement {
   public:
-    Measurement(PlaneScene scene, const std::vector<SideCandidate>& candidates,
-                std::size_t long_run, bool quiet)
+    SideMeasurement(PlaneScene scene, const std::vector<SideCandidate>& candidates,
+                    std::size_t long_run, bool quiet)
         : scene_(std::move(scene)), long_run_(long_run), quiet_(quiet) {
         for (const SideCandidate& what : candidates) {
             points_.push_back({.what = what});
@@ -115,7 +115,7 @@ class Measurement {
 };
 
 /// All take the longest step that is stable between any of them, unless the scene has its own.
-void Measurement::find_steps() {
+void SideMeasurement::find_steps() {
     on_points([&](std::size_t i) {
         const PlaneScene scene = with_sides(scene_, points_[i].what.side);
         sides_[i] = sides_of(scene, quiet_).all;
@@ -137,23 +137,23 @@ void Measurement::find_steps() {
     steps_ = scene_.end / step_;
 }
 
-double Measurement::nodes_with(const PlaneSideChoice& side) const {
+double SideMeasurement::nodes_with(const PlaneSideChoice& side) const {
     constexpr double of_layer = 1.2;  // costs more than plain nodes
     const double more = 2 * of_layer * double(side.layer);
     return (double(scene_.nodes[0]) + more) * (double(scene_.nodes[1]) + more);
 }
-double Measurement::tuning_work(const SidePoint& point) const {
+double SideMeasurement::tuning_work(const SidePoint& point) const {
     return has_layer(point.what.side.kind) ? double(tuning_runs) * trial_work(point) : 0;
 }
-double Measurement::trial_work(const SidePoint& point) const {
+double SideMeasurement::trial_work(const SidePoint& point) const {
     return steps_ * nodes_with(point.what.side);
 }
-double Measurement::long_work(const SidePoint& point) const {
+double SideMeasurement::long_work(const SidePoint& point) const {
     constexpr double box = 20;
     const double wide = box + 2 * double(point.what.side.layer);
     return may_grow(point.what.side.kind) ? double(long_run_) * wide * wide : 0;
 }
-double Measurement::total_work() const {
+double SideMeasurement::total_work() const {
     double total = 0;
     for (const SidePoint& point : points_) {
         total += tuning_work(point) + trial_work(point) + long_work(point);
@@ -161,7 +161,7 @@ double Measurement::total_work() const {
     return total;
 }
 
-void Measurement::run_reference(Work& work) {
+void SideMeasurement::run_reference(Work& work) {
     PlaneSimulation endless(in_steps({.kind = SideKind::extended}), quiet_);
     reference_ = samples_of(endless, work.of(0));
     if (!(reference_.largest > 0)) {
@@ -169,7 +169,7 @@ void Measurement::run_reference(Work& work) {
     }
 }
 
-void Measurement::tune(std::size_t i, Work& work) {
+void SideMeasurement::tune(std::size_t i, Work& work) {
     PlaneSideChoice& side = points_[i].what.side;
     if (!has_layer(side.kind)) {
         return;
@@ -187,7 +187,7 @@ void Measurement::tune(std::size_t i, Work& work) {
     sides_[i] = sides_of(in_steps(side), quiet_).all;
 }
 
-void Measurement::run(std::size_t i, Work& work) {
+void SideMeasurement::run(std::size_t i, Work& work) {
     SidePoint& point = points_[i];
     PlaneSimulation simulation = simulation_of(i);
     const SideTrial trial = run_trial(simulation, reference_, work.of(trial_work(point)));
@@ -198,7 +198,7 @@ void Measurement::run(std::size_t i, Work& work) {
 }
 
 /// One after the other: what runs beside it changes what is measured.
-void Measurement::measure_costs(Work& work) {
+void SideMeasurement::measure_costs(Work& work) {
     PlaneSimulation bare(in_steps({.kind = SideKind::fixed}), quiet_);
     for (std::size_t i = 0; i < points_.size(); ++i) {
         SidePoint& point = points_[i];
@@ -217,7 +217,7 @@ std::vector<SidePoint> measure_sides(const PlaneScene& scene,
                                      const std::vector<SideCandidate>& candidates,
                                      std::size_t long_run, bool quiet) {
     const InOneThread steps;
-    return Measurement(scene, candidates, long_run, quiet).run();
+    return SideMeasurement(scene, candidates, long_run, quiet).run();
 }
 
 }  // namespace nmbcrun
