@@ -19,8 +19,6 @@
 namespace nmbcgen {
 namespace {
 
-constexpr unsigned highest_count = 99;
-
 /// 0, 6/5, 1.2, pi/3, 2pi/3, 0.4pi
 MatchingPoint parse_point(const std::string& text) {
     const std::size_t letters = text.find("pi");

@@ -13,7 +13,7 @@ namespace {
 
 constexpr unsigned highest_band_horizon = 5;  // the polynomials get long
 
-void require(bool holds, const std::string& statement) {
+void require_identity(bool holds, const std::string& statement) {
     if (!holds) {
         throw std::logic_error("not proved: " + statement);
     }
@@ -23,11 +23,11 @@ void require(bool holds, const std::string& statement) {
 void require_degrees(const ClosedForms& taylor) {
     for (std::size_t j = 0; j < taylor.functions.size(); ++j) {
         const ClosedForm& function = taylor.functions[j];
-        require(function.size() <= j + 1,
-                fmt::format("a_{} is of degree {} in G at most", 2 * j + 1, j));
+        require_identity(function.size() <= j + 1,
+                         fmt::format("a_{} is of degree {} in G at most", 2 * j + 1, j));
         for (std::size_t g = 0; g < function.size(); ++g) {
             const std::size_t highest = 2 * j + taylor.pole * g;
-            require(
+            require_identity(
                 function[g].size() <= highest + 1,
                 fmt::format("G^{} in a_{} is of degree {} in n at most", g, 2 * j + 1, highest));
         }
@@ -48,7 +48,7 @@ Polynomial at_horizon(const ClosedForm& function, unsigned pole, unsigned horizo
 }
 
 std::string prove_closed_taylor(std::string_view family, const ClosedForms& taylor) {
-    require(taylor.functions.size() >= 2, "there are a_1 and a_3 at least");
+    require_identity(taylor.functions.size() >= 2, "there are a_1 and a_3 at least");
     require_degrees(taylor);
     const std::size_t order = taylor.functions.size() - 1;
     const unsigned horizons = (2 + taylor.pole) * unsigned(order) + 1;

@@ -12,7 +12,7 @@ namespace nmbcgen {
 /// matching points, leaves enough of them.
 using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<120>,
                                            boost::multiprecision::et_off>;
-using Complex = boost::multiprecision::number<
+using PreciseComplex = boost::multiprecision::number<
     boost::multiprecision::complex_adaptor<boost::multiprecision::cpp_bin_float<120>>,
     boost::multiprecision::et_off>;
 

@@ -16,8 +16,8 @@ namespace {
 
 template <class T>
 T number(const Rational& value) {
-    if constexpr (std::is_same_v<T, Complex>) {
-        return Complex(Real(value));
+    if constexpr (std::is_same_v<T, PreciseComplex>) {
+        return PreciseComplex(Real(value));
     } else {
         return T(value);
     }
@@ -119,24 +119,28 @@ Local<Real> expand(const Table& table, const IncidentWave& wave) {
 }
 
 // (1 - tau sigma dt/2 - omega^2 dt^2/4) s^2 + tau sigma s + omega^2 = 0, v = y.
-Local<Complex> expand_damped(const Table& table, const IncidentWave& wave) {
-    const Lattice<Complex> lattice(table, Complex(cos(wave.xi)), wave.multiplicity);
-    const Complex half = lattice.half_step;
-    const Jet<Complex> leading = sum(sum(lattice.one, lattice.tau_sigma, Complex(-half)),
-                                     lattice.omega_squared, Complex(-half * half));
-    const Jet<Complex> discriminant = sum(product(lattice.tau_sigma, lattice.tau_sigma),
-                                          product(leading, lattice.omega_squared), Complex(-4));
-    const Complex root = sqrt(discriminant[0]);
+Local<PreciseComplex> expand_damped(const Table& table, const IncidentWave& wave) {
+    const Lattice<PreciseComplex> lattice(table, PreciseComplex(cos(wave.xi)), wave.multiplicity);
+    const PreciseComplex half = lattice.half_step;
+    const Jet<PreciseComplex> leading =
+        sum(sum(lattice.one, lattice.tau_sigma, PreciseComplex(-half)), lattice.omega_squared,
+            PreciseComplex(-half * half));
+    const Jet<PreciseComplex> discriminant =
+        sum(product(lattice.tau_sigma, lattice.tau_sigma), product(leading, lattice.omega_squared),
+            PreciseComplex(-4));
+    const PreciseComplex root = sqrt(discriminant[0]);
     if (abs(root.imag()) < negligible) {
         throw NotMatched(
             fmt::format("damped as much as here, no wave travels at xi = {}", wave.xi.str(6)));
     }
-    const Complex first = (root.imag() > 0) == (wave.direction > 0) ? root : Complex(-root);
-    const Jet<Complex> s =
-        quotient(sum(square_root(discriminant, first), lattice.tau_sigma, Complex(-1)),
-                 sum(leading, leading, Complex(1)));
+    const PreciseComplex first =
+        (root.imag() > 0) == (wave.direction > 0) ? root : PreciseComplex(-root);
+    const Jet<PreciseComplex> s =
+        quotient(sum(square_root(discriminant, first), lattice.tau_sigma, PreciseComplex(-1)),
+                 sum(leading, leading, PreciseComplex(1)));
     const Real h = table.specification.stride;
-    const Jet<Complex> y = square_root(lattice.y_squared, Complex(0, tan(h * wave.xi / 2)));
+    const Jet<PreciseComplex> y =
+        square_root(lattice.y_squared, PreciseComplex(0, tan(h * wave.xi / 2)));
     return {quotient(s, y), y};
 }
 

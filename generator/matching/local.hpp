@@ -42,6 +42,6 @@ Local<Rational> expand_at_zero(const Table& table, std::size_t size);
 Local<Real> expand(const Table& table, const IncidentWave& wave);
 
 /// The same with damping; v = y. Throws NotMatched where damping stops the wave.
-Local<Complex> expand_damped(const Table& table, const IncidentWave& wave);
+Local<PreciseComplex> expand_damped(const Table& table, const IncidentWave& wave);
 
 }  // namespace nmbcgen

@@ -61,6 +61,18 @@ ex expanded_sum(const GiNaC::exvector& summands) {
     return GiNaC::dynallocate<GiNaC::add>(summands);
 }
 
+/// Adds the terms of left * right, both expanded: of each term of `left`, the shorter, with all of
+/// `right`. expand() of the whole would add them up term by term, which takes most of its time.
+void add_product(GiNaC::exvector& summands, const ex& left, const ex& right) {
+    if (!GiNaC::is_a<GiNaC::add>(left)) {
+        summands.push_back((left * right).expand());
+        return;
+    }
+    for (const ex& term : left) {
+        summands.push_back((term * right).expand());
+    }
+}
+
 Series sums(const std::vector<GiNaC::exvector>& lists) {
     Series result;
     for (const GiNaC::exvector& summands : lists) {
@@ -88,7 +100,7 @@ Series denominator_by_minors(const Series& g, unsigned m, unsigned l) {
                 Columns wider(columns.begin(), place);
                 wider.push_back(j);
                 wider.insert(wider.end(), place, columns.end());
-                summands[wider].push_back(((odd ? -g[k - j] : g[k - j]) * minor).expand());
+                add_product(summands[wider], odd ? -g[k - j] : g[k - j], minor);
             }
         }
         minors.clear();
@@ -156,7 +168,7 @@ MatchingPolynomials match(const std::vector<ex>& taylor, const ex& spacing, unsi
     for (unsigned k = 0; k <= l; ++k) {
         GiNaC::exvector q;
         for (unsigned j = 0; j <= std::min(k, m); ++j) {
-            q.push_back((p[j] * g[k - j]).expand());
+            add_product(q, g[k - j], p[j]);
         }
         add_factors(B, expanded_sum(q), power * k + 1, order - power * k - 1);
     }

@@ -110,12 +110,12 @@ Rows<Real> rows_at_points(const Table& table, const Shape& shape,
             append_rows(rows, expand(table, wave), shape, 1);
             continue;
         }
-        Rows<Complex> complex_rows;
+        Rows<PreciseComplex> complex_rows;
         append_rows(complex_rows, expand_damped(table, wave), shape, 1);
         for (const auto& row : complex_rows) {
             std::vector<Real> real;
             std::vector<Real> imaginary;
-            for (const Complex& entry : row) {
+            for (const PreciseComplex& entry : row) {
                 real.push_back(entry.real());
                 imaginary.push_back(entry.imag());
             }
@@ -137,10 +137,10 @@ Real size_of(const Polynomials<Real>& matching) {
 /// P and Q may share a zero at a matching point: g P - Q = 0 then says nothing of g there.
 void require_attained(const Polynomials<Real>& matching, const IncidentWave& wave,
                       unsigned stride) {
-    Complex C_there = 0;
+    PreciseComplex C_there = 0;
     for (std::size_t j = 0; j < matching.C.size(); ++j) {
         const Real phase = wave.xi * Real(j * std::size_t(stride));
-        C_there += Complex(matching.C[j]) * Complex(cos(phase), sin(phase));
+        C_there += PreciseComplex(matching.C[j]) * PreciseComplex(cos(phase), sin(phase));
     }
     if (abs(C_there) < sqrt(negligible) * size_of(matching)) {
         throw NotMatched(fmt::format(

@@ -25,6 +25,9 @@ struct MatchingPoint {
     friend bool operator==(const MatchingPoint&, const MatchingPoint&) = default;
 };
 
+/// The highest order, horizon or stride that is asked for or read.
+inline constexpr unsigned highest_count = 99;
+
 /// Which table: the request as a person makes it.
 struct Specification {
     std::string family = "nopd1d";

@@ -40,5 +40,5 @@ TEST_CASE("values and texts of polynomials in pi") {
     CHECK(to_text(number) == "-1/2 + 3*sqrt(2)*pi + pi^2");
     CHECK(to_text({Quadratic(Rational(1, 3), Rational(-1), 5)}) == "1/3 - sqrt(5)");
     CHECK(to_text({Quadratic(0), Quadratic(0)}) == "0");
-    CHECK(to_text({}) == "0");
+    CHECK(to_text(PiPolynomial{}) == "0");
 }

@@ -17,7 +17,7 @@ using namespace nmbcgen;
 
 namespace {
 
-std::vector<Rational> constant(unsigned n) {
+std::vector<Rational> constant_influence(unsigned n) {
     return std::vector<Rational>(n, Rational(1));
 }
 
@@ -59,18 +59,18 @@ std::vector<std::vector<Rational>> whole(const SummationByParts& parts, std::siz
 }  // namespace
 
 TEST_CASE("operators, worked out by hand") {
-    const SummationByParts two = summation_by_parts(constant(2));
+    const SummationByParts two = summation_by_parts(constant_influence(2));
     CHECK(text_of(two.volumes) == "7/10 4/5");
     CHECK(text_of(two.rows[0]) == "-1/2 3/10 1/5 0");
     CHECK(text_of(two.rows[1]) == "-3/10 0 1/10 1/5");
-    CHECK(text_of(summation_by_parts(constant(1)).volumes) == "1/2");
+    CHECK(text_of(summation_by_parts(constant_influence(1)).volumes) == "1/2");
     CHECK(text_of(summation_by_parts(inverse(2)).volumes) == "2/3 5/6");
-    CHECK(text_of(summation_by_parts(constant(3)).volumes) == "11/12 2/3 11/12");
+    CHECK(text_of(summation_by_parts(constant_influence(3)).volumes) == "11/12 2/3 11/12");
 }
 
 TEST_CASE("sums by parts, exactly, and takes shifts to 0 and x to 1") {
     for (unsigned n = 1; n <= 8; ++n) {
-        for (const auto& weights : {constant(n), inverse(n)}) {
+        for (const auto& weights : {constant_influence(n), inverse(n)}) {
             const SummationByParts parts = summation_by_parts(weights);
             const std::size_t nodes = std::size_t{4} * n;
             const auto Q = whole(parts, nodes);
@@ -120,7 +120,7 @@ TEST_CASE("a node is left no volume by weights that dance") {
 
 TEST_CASE("the runtime finds the operators that are derived here") {
     for (unsigned n = 1; n <= 6; ++n) {
-        for (const auto& weights : {constant(n), inverse(n)}) {
+        for (const auto& weights : {constant_influence(n), inverse(n)}) {
             const SummationByParts parts = summation_by_parts(weights);
             nmbc::Lattice lattice;  // by its strain alone
             lattice.symbol.resize(2 * n + 1);

@@ -34,8 +34,8 @@ struct Row {
 };
 
 /// The rows of one curve, and with_limit those of its limit after them.
-std::vector<Row> rows(unsigned horizon, const Rational& G, unsigned samples,
-                      bool with_limit = false) {
+std::vector<Row> rows_of(unsigned horizon, const Rational& G, unsigned samples,
+                         bool with_limit = false) {
     nmbcgen::Curves curves;
     curves.horizons = {horizon};
     curves.samples = samples;
@@ -118,7 +118,7 @@ TEST_CASE("every number is the double nearest to (41), or to the corrected (42)"
     constexpr unsigned samples = 36;
     for (const unsigned n : {1U, 2U, 3U, 7U}) {
         for (const Rational& G : {Rational(0), Rational(1, 1000), Rational(1, 2), Rational(5)}) {
-            const std::vector<Row> all = rows(n, G, samples, true);
+            const std::vector<Row> all = rows_of(n, G, samples, true);
             REQUIRE(all.size() == 2 * samples);
             for (unsigned i = 1; i <= samples; ++i) {
                 const Float xi = xi_of(i, samples);
@@ -142,7 +142,7 @@ TEST_CASE("every number is the double nearest to (41), or to the corrected (42)"
 TEST_CASE("long waves, where (41) and (42) cancel, are as accurate") {
     // delta xi from 3e-4: of F, of order d^8/20, the terms of order d^2 leave 23 digits less.
     constexpr unsigned samples = 10'000;
-    const std::vector<Row> all = rows(1, 1, samples, true);
+    const std::vector<Row> all = rows_of(1, 1, samples, true);
     REQUIRE(all.size() == 2 * samples);
     for (unsigned i = 1; i <= samples; i = i < 20 ? i + 1 : 2 * i) {
         const Float xi = xi_of(i, samples);
@@ -155,7 +155,7 @@ TEST_CASE("long waves, where (41) and (42) cancel, are as accurate") {
 
 TEST_CASE("n = 1, G = 1/2 is the atom chain, omega = 2 sin(xi/2)") {
     constexpr unsigned samples = 50;
-    const std::vector<Row> all = rows(1, Rational(1, 2), samples);
+    const std::vector<Row> all = rows_of(1, Rational(1, 2), samples);
     REQUIRE(all.size() == samples);
     for (unsigned i = 1; i <= samples; ++i) {
         const Float half = xi_of(i, samples) / 2;
@@ -170,13 +170,13 @@ TEST_CASE("where omega vanishes at xi = pi, the group velocity is that below it,
     // omega = 2 |S|/A_n with S'(pi) = sum (-1)^m m^2 = (-1)^n n(n+1)/2.
     for (const unsigned n : {1U, 2U, 3U, 8U, 99U}) {
         CAPTURE(n);
-        const Row last = rows(n, 0, 1).back();
+        const Row last = rows_of(n, 0, 1).back();
         CHECK(nearest(last.xi, boost::math::constants::pi<Float>()));
         CHECK(last.omega == 0);
         CHECK(last.phase_velocity == 0);
         CHECK(nearest(last.group_velocity, Float(-3) / (2 * n + 1)));
         // At any other G it is 0, however small.
-        const Row stabilised = rows(n, Rational(1, 1'000'000), 1).back();
+        const Row stabilised = rows_of(n, Rational(1, 1'000'000), 1).back();
         CHECK(stabilised.omega > 0);
         CHECK(stabilised.group_velocity == 0);
     }
@@ -186,7 +186,7 @@ TEST_CASE("backward bands: none at n = 1 from G = 1/4 on, beyond xi = 1.823 at n
     constexpr unsigned samples = 1000;
     const auto backward = [&](unsigned n, const Rational& G) {
         std::vector<double> xi;
-        for (const Row& row : rows(n, G, samples)) {
+        for (const Row& row : rows_of(n, G, samples)) {
             if (row.group_velocity < 0) {
                 xi.push_back(row.xi);
             }
@@ -204,7 +204,7 @@ TEST_CASE("backward bands: none at n = 1 from G = 1/4 on, beyond xi = 1.823 at n
     // The next sample from 1.823 on, itself rounded to three places.
     CHECK(at_two.front() > 1.8225);
     CHECK(at_two.front() < 1.8235 + 3.15 / samples);
-    CHECK(rows(2, 1, samples).back().group_velocity == 0);
+    CHECK(rows_of(2, 1, samples).back().group_velocity == 0);
 }
 
 TEST_CASE("zero-energy modes are extrema at every G above 0, so n >= 2 has backward waves") {
@@ -216,7 +216,7 @@ TEST_CASE("zero-energy modes are extrema at every G above 0, so n >= 2 has backw
     for (const auto& [n, xi] : modes) {
         const auto below = std::size_t(xi / std::numbers::pi * samples) - 1;
         for (const Rational& G : {Rational(0), Rational(1, 10), Rational(1), Rational(20)}) {
-            const std::vector<Row> all = rows(n, G, samples);
+            const std::vector<Row> all = rows_of(n, G, samples);
             CHECK((all[below].xi < xi && xi < all[below + 1].xi));
             CHECK(all[below].group_velocity * all[below + 1].group_velocity < 0);
             // At G = 0 it jumps from -v to v, v of order 1; elsewhere it passes 0.
@@ -230,11 +230,12 @@ TEST_CASE("long waves are slower than c below G = 4 n^3/((n+1)(2n+1)) and faster
     // omega^2 = xi^2 + xi^4 (G M4/(2n^4) - M4/(3 M2)) + .., M_k = sum m^k.
     for (const unsigned n : {1U, 2U, 3U, 5U}) {
         const Rational threshold(4 * n * n * n, (n + 1) * (2 * n + 1));
-        CHECK(rows(n, threshold * Rational(99, 100), 1000).front().phase_velocity < 1);
-        CHECK(rows(n, threshold * Rational(101, 100), 1000).front().phase_velocity > 1);
+        CHECK(rows_of(n, threshold * Rational(99, 100), 1000).front().phase_velocity < 1);
+        CHECK(rows_of(n, threshold * Rational(101, 100), 1000).front().phase_velocity > 1);
         // The limit: xi^2 + n^2 xi^4 (G/(2n) - 1)/5, that is from G = 2n on.
-        CHECK(rows(n, Rational(2 * n) * Rational(99, 100), 1000, true)[1000].phase_velocity < 1);
-        CHECK(rows(n, Rational(2 * n) * Rational(101, 100), 1000, true)[1000].phase_velocity > 1);
+        CHECK(rows_of(n, Rational(2 * n) * Rational(99, 100), 1000, true)[1000].phase_velocity < 1);
+        CHECK(rows_of(n, Rational(2 * n) * Rational(101, 100), 1000, true)[1000].phase_velocity >
+              1);
     }
 }
 

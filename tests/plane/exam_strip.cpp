@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t layers = 20;
 constexpr std::size_t wave_numbers = 40;
-constexpr double roundings = 1e-11;
+constexpr double strip_roundings = 1e-11;
 
 double growth(const PlaneLattice& lattice, const SideCondition& condition) {
     return paper_time_unit * largest_growth_in_strip(lattice, condition, layers, wave_numbers);
@@ -42,7 +42,7 @@ TEST_CASE("(81) grows for all families but the smallest, and there up to G of ab
             // Half a unit of the last digit that was given, and a fifth more for other samples.
             const double digits = expected[i] < .05 && radius_squared == 1 ? .0006 : .006;
             CHECK(std::abs(found - expected[i]) < digits);
-            CHECK((found < roundings) == (expected[i] == 0));
+            CHECK((found < strip_roundings) == (expected[i] == 0));
         }
     }
 }
@@ -50,7 +50,7 @@ TEST_CASE("(81) grows for all families but the smallest, and there up to G of ab
 TEST_CASE("the threshold of the smallest family lies between G = .2 and .22") {
     const auto grows = [](double G) {
         const PlaneLattice lattice = lattice_of_paper(1, G);
-        return growth(lattice, published_condition(lattice)) > roundings;
+        return growth(lattice, published_condition(lattice)) > strip_roundings;
     };
     CHECK(grows(.2));
     CHECK_FALSE(grows(.22));
@@ -61,7 +61,7 @@ TEST_CASE("waves that meet the side head-on do not grow") {
         for (const double G : {0.0, 0.5, 2.0}) {
             const PlaneLattice lattice = lattice_of_paper(radius_squared, G);
             CHECK(growth_in_strip(lateral_chain(lattice, 0), published_condition(lattice), layers) <
-                  roundings);
+                  strip_roundings);
         }
     }
 }
@@ -70,7 +70,7 @@ TEST_CASE("damping cures it") {
     const std::map<unsigned, double> enough{{1, .01}, {2, .03}, {4, .03}, {5, .1}, {8, .2}};
     for (const auto& [radius_squared, tau] : enough) {
         const PlaneLattice lattice = damped_lattice(radius_squared, 0, tau);
-        CHECK(growth(lattice, published_condition(lattice)) < roundings);
+        CHECK(growth(lattice, published_condition(lattice)) < strip_roundings);
     }
     // At delta = 3 and G = 0, .1 leaves a little; .15 is enough.
     const auto at_three = [](double tau) {
@@ -78,14 +78,14 @@ TEST_CASE("damping cures it") {
         return growth(lattice, published_condition(lattice));
     };
     CHECK(at_three(.1) == doctest::Approx(7.6e-4).epsilon(0.01));
-    CHECK(at_three(.15) < roundings);
+    CHECK(at_three(.15) < strip_roundings);
 }
 
 TEST_CASE("two-speed Higdon") {
     constexpr double shift = 0.02 / paper_time_unit;
     const auto grows = [](unsigned radius_squared, double G, double tau) {
         const PlaneLattice lattice = damped_lattice(radius_squared, G, tau);
-        return growth(lattice, higdon_condition(lattice, shift)) > roundings;
+        return growth(lattice, higdon_condition(lattice, shift)) > strip_roundings;
     };
     CHECK_FALSE(grows(1, 1, 0));
     CHECK(grows(1, 0, 0));

@@ -12,6 +12,7 @@
 #include "tools/nmbcrun/compare/prediction.hpp"
 #include "tools/nmbcrun/compare/source_spectrum.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/sources/short_waves.hpp"
 #include "tools/nmbcrun/sources/two_digits.hpp"
 
 namespace nmbcrun {
@@ -174,8 +175,6 @@ Length length_of(Scene& scene, const std::string& source) {
                                              : &force.duration,
             is_sine, &force.time};
 }
-
-constexpr double most_not_carried = 0.1;
 
 /// "; KEY = VALUE would do" or that none would: zero-energy modes answer to a single node at any
 /// pace. What would do is carried by the lattice, and absorbed by the ends.

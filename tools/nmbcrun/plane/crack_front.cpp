@@ -15,14 +15,14 @@ double distance(const std::array<double, 2>& one, const std::array<double, 2>& o
 }
 
 using Line = std::array<double, 4>;
-using Place = std::array<double, 2>;
+using PlanePoint = std::array<double, 2>;
 
-std::array<Place, 2> ends_of(const Line& line) {
-    return {Place{line[0], line[1]}, Place{line[2], line[3]}};
+std::array<PlanePoint, 2> ends_of(const Line& line) {
+    return {PlanePoint{line[0], line[1]}, PlanePoint{line[2], line[3]}};
 }
 
 /// Along the line from its first point and across it [length].
-Place in_frame_of(const Line& line, const Place& X) {
+PlanePoint in_frame_of(const Line& line, const PlanePoint& X) {
     const double dx = line[2] - line[0];
     const double dy = line[3] - line[1];
     const double length = std::hypot(dx, dy);
@@ -32,7 +32,7 @@ Place in_frame_of(const Line& line, const Place& X) {
 
 /// Whether the point is beside the line, not beyond its ends by more than `beyond`, and within
 /// `near` of it.
-bool is_beside(const Line& line, const Place& X, double near, double beyond = 0) {
+bool is_beside(const Line& line, const PlanePoint& X, double near, double beyond = 0) {
     const auto [along, across] = in_frame_of(line, X);
     return along >= -beyond && along <= distance(ends_of(line)[0], ends_of(line)[1]) + beyond &&
            std::abs(across) <= near;
@@ -48,8 +48,9 @@ bool do_cross(const Line& one, const Line& other) {
 
 bool do_touch(const Line& one, const Line& other, double near) {
     const auto has_end_beside = [near](const Line& line, const Line& beside) {
-        return std::ranges::any_of(
-            ends_of(line), [&](const Place& end) { return is_beside(beside, end, near, near); });
+        return std::ranges::any_of(ends_of(line), [&](const PlanePoint& end) {
+            return is_beside(beside, end, near, near);
+        });
     };
     return do_cross(one, other) || has_end_beside(one, other) || has_end_beside(other, one);
 }
@@ -99,7 +100,7 @@ void CrackFront::join_lines() {
 
 void CrackFront::find_ends() {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
-        for (const Place& end : ends_of(lines_[i])) {
+        for (const PlanePoint& end : ends_of(lines_[i])) {
             const auto is_inside = [&](std::size_t axis) {
                 return end[axis] > spacing_ / 2 &&
                        end[axis] < (double(nodes_[axis]) + 0.5) * spacing_;
@@ -153,7 +154,7 @@ bool CrackFront::is_beside_group(std::size_t group, const std::array<double, 2>&
 /// periodic side.
 std::vector<CrackedNode> CrackFront::connected_to(std::size_t number,
                                                   const std::vector<bool>& cracked) const {
-    const Place& end = ends_[number];
+    const PlanePoint& end = ends_[number];
     const std::size_t own_group = group_[line_of_end_[number]];
     using Place = std::array<long, 2>;
     std::vector<bool> is_known(cracked.size(), false);
@@ -170,7 +171,7 @@ std::vector<CrackedNode> CrackFront::connected_to(std::size_t number,
             node[axis] = std::size_t(inside);
         }
         const std::size_t index = node[1] * nodes_[0] + node[0];
-        const Place X{double(place[0] + 1) * spacing_, double(place[1] + 1) * spacing_};
+        const PlanePoint X{double(place[0] + 1) * spacing_, double(place[1] + 1) * spacing_};
         if (cracked[index] && !is_known[index] && !is_beside_group(own_group, X)) {
             is_known[index] = true;
             nodes.push_back({place, X, distance(end, X)});

@@ -12,6 +12,7 @@
 
 #include "tools/nmbcrun/plane/patch_spectrum.hpp"
 #include "tools/nmbcrun/plane/plane_initial.hpp"
+#include "tools/nmbcrun/sources/short_waves.hpp"
 #include "tools/nmbcrun/sources/two_digits.hpp"
 
 namespace nmbcrun {
@@ -167,8 +168,6 @@ double not_carried_of_initial(const PlaneScene& scene, PatchSpectrum spectrum) {
                  [](double) { return 1.0; });
     return spectrum.not_carried();
 }
-
-constexpr double most_not_carried = 0.1;
 
 /// "; KEY = VALUE would do", or that none would.
 std::string what_would_do(PlaneScene scene) {

@@ -94,7 +94,7 @@ PlaneInitial read_initial(const KeyGroup& group, double spacing) {
     return initial;
 }
 
-PlaneForcing read_forcing(const KeyGroup& group) {
+PlaneForcing read_plane_force(const KeyGroup& group) {
     const History history = history_of(group);
     PlaneForcing force{.history = {},
                        .component = read_component(group),
@@ -104,7 +104,7 @@ PlaneForcing read_forcing(const KeyGroup& group) {
     return force;
 }
 
-PlaneDrive read_drive(const KeyGroup& group) {
+PlaneDrive read_plane_drive(const KeyGroup& group) {
     return {.amplitude = group.not_zero("amplitude"),
             .duration = group.number("duration", positive),
             .component = read_component(group),
@@ -190,10 +190,10 @@ void read_plane_sources(SceneReader& reader, const std::string& path, PlaneScene
         scene.initial = read_initial({reader, "initial", path}, scene.spacing);
     }
     if (reader.has("force")) {
-        scene.force = read_forcing({reader, "force", path});
+        scene.force = read_plane_force({reader, "force", path});
     }
     if (reader.has("drive")) {
-        scene.drive = read_drive({reader, "drive", path});
+        scene.drive = read_plane_drive({reader, "drive", path});
     }
     for (const std::string& name : reader.tables_in("load")) {
         scene.loads.push_back(read_load({reader, "load." + name, path}, "load." + name, scene));

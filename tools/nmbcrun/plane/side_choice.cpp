@@ -9,7 +9,7 @@ namespace nmbcrun {
 namespace {
 
 /// "P at 30 and S at 60 degrees"
-std::string text_of(const std::vector<ObliqueWave>& waves) {
+std::string text_of_waves(const std::vector<ObliqueWave>& waves) {
     std::string text;
     for (const ObliqueWave& wave : waves) {
         text += fmt::format("{}{} at {:g}", text.empty() ? "" : " and ", wave.is_P ? 'P' : 'S',
@@ -60,7 +60,7 @@ std::string heading_of(const PlaneSideChoice& side) {
                        ? std::string("NMBC1 as printed, (81)")
                        : fmt::format("NMBC{} by component, stride {}", side.order, side.stride);
         case SideKind::higdon:
-            return "higdon for " + text_of(side.absorb);
+            return "higdon for " + text_of_waves(side.absorb);
         case SideKind::sbp:
             return "summation by parts";
         case SideKind::kernel:

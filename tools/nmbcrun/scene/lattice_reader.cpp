@@ -16,7 +16,7 @@
 namespace nmbcrun {
 namespace {
 
-constexpr std::size_t longest_symbol = 2 * highest_count + 1;  // that of nopd1d, of reach 2n
+constexpr std::size_t longest_symbol = 2 * nmbcgen::highest_count + 1;  // nopd1d's, of reach 2n
 
 std::vector<nmbcgen::Rational> weights_of(const JsonValue& json, unsigned horizon) {
     std::vector<nmbcgen::Rational> weights;
@@ -41,7 +41,7 @@ std::vector<nmbcgen::Rational> weights_of(const JsonValue& json, unsigned horizo
 nmbcgen::Specification specification_of(const JsonValue& json) {
     nmbcgen::Specification what{
         .family = json.at("family").text(),
-        .horizon = unsigned(json.at("horizon").whole_number(1, highest_count)),
+        .horizon = unsigned(json.at("horizon").whole_number(1, nmbcgen::highest_count)),
         .stabilisation = {},
         .damping = parameter_of(json.at("tau"))};
     if (json.has("weights")) {

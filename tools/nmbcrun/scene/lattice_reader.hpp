@@ -8,8 +8,6 @@
 
 namespace nmbcrun {
 
-constexpr int highest_count = 99;  // of order, horizon and stride, as nmbcgen has it
-
 struct OwnLattice {
     nmbcgen::Specification what;  ///< family, horizon, influence and damping
     const nmbc::LatticeTable* table = nullptr;

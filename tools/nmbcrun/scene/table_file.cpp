@@ -19,7 +19,7 @@
 namespace nmbcrun {
 namespace {
 
-std::string text_of(const std::filesystem::path& path) {
+std::string contents_of(const std::filesystem::path& path) {
     std::ifstream stream = open_regular_file(path, TableFile::most_bytes);
     std::string text(TableFile::most_bytes + 1, '\0');
     stream.read(text.data(), std::streamsize(text.size()));
@@ -54,7 +54,8 @@ nlohmann::json parsed(const std::string& text, const std::string& name) {
 
 }  // namespace
 
-TableFile::TableFile(const std::filesystem::path& path) : TableFile(text_of(path), path.string()) {}
+TableFile::TableFile(const std::filesystem::path& path)
+    : TableFile(contents_of(path), path.string()) {}
 
 TableFile::TableFile(std::string text, std::string name)
     : name_(std::move(name)), text_(std::move(text)) {

@@ -35,8 +35,8 @@ class TableReader {
 
 TableReader::TableReader(const JsonValue& json, OwnLattice lattice, TableStorage& storage)
     : json_(json), lattice_(*lattice.table), what_(std::move(lattice.what)), storage_(storage) {
-    what_.order = unsigned(json.at("order").whole_number(1, highest_count));
-    what_.stride = unsigned(json.at("stride").whole_number(1, highest_count));
+    what_.order = unsigned(json.at("order").whole_number(1, nmbcgen::highest_count));
+    what_.stride = unsigned(json.at("stride").whole_number(1, nmbcgen::highest_count));
     what_.time_step = parameter_of(json.at("time_step"));
     if (!json.at("G").is_null()) {
         what_.stabilisation = parameter_of(json.at("G"));

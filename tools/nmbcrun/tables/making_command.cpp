@@ -23,8 +23,6 @@ nmbcgen::Rational exact_G(double G) {
     }
 }
 
-constexpr unsigned highest_count = 99;  // that nmbcgen takes
-
 std::vector<nmbcgen::Rational> weights_of(const Scene& scene) {
     std::vector<nmbcgen::Rational> weights;
     for (const std::string& weight : scene.weights) {
@@ -61,7 +59,7 @@ std::string why_no_lattice(const Scene& scene) {
     if (scene.G != 0 && !nmbcgen::is_stabilised(scene.family)) {
         return why_no_G(scene.family, scene.G);
     }
-    if (unsigned(scene.horizon) > highest_count) {
+    if (unsigned(scene.horizon) > nmbcgen::highest_count) {
         return "";  // not looked at, which takes long
     }
     try {
@@ -84,7 +82,7 @@ std::string how_to_make(const Scene& scene, const Boundary& boundary) {
         .damping = nmbcgen::parse_rational(scene.tau),
         .time_step = nmbcgen::parse_rational(matching ? boundary.matched_step : "0"),
         .weights = weights_of(scene)};
-    if (std::max({what.horizon, what.order, what.stride}) > highest_count ||
+    if (std::max({what.horizon, what.order, what.stride}) > nmbcgen::highest_count ||
         !why_no_lattice(scene).empty()) {
         return "";
     }
