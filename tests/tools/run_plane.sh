@@ -434,7 +434,9 @@ setting 2 "boundary.order must be 1 beside model.damping" model.damping=1/10 bou
 setting 2 "model.damping must be 0 beside perfectly matched layers" model.damping=0.1 boundary.kind=pml boundary.layer=10 boundary.allow_unstable=true
 setting 2 "model.nu must be an exact number, such as 0.25" 'model.nu="1/0"'
 setting 2 "must be a sum of two squares" model.radius2=3
-setting 2 "model.radius2 must be a whole number from 1 to 100" model.radius2=0
+for bad in 0 101; do
+    setting 2 "model.radius2 must be a whole number from 1 to 100" model.radius2=$bad
+done
 setting 2 "model.G must be a number not below 0, not -1" model.G=-1
 # At radius 1 from (72): 2 pi/15 and 16 pi/45; others are those of docs/how-to/choose-G.md.
 sed '/^G /d' "$scene" >stiff.toml
