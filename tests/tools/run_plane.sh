@@ -536,6 +536,8 @@ expect "each row of the picture's data" awk -F, '
     { at[$1] = $0; error[$1] = $6; run[$1] = $10 }
     END { exit !(NR == 21 && header == "boundary,kind,layer,profile,target,error,energy_left,step_cost,run_cost,long_run,on_front" && error["extended"] == 0 && error["pml 20"] < error["pml 5"] && error["pml 20"] < error["sponge 20"] &&
           run["passive"] == "proved" && run["NMBC2"] == "grows" && error["fixed"] > error["passive"]) }' results/plane_pulse_chart.csv
+expect "fixed and free sides are on no front" awk -F, \
+    '($2 == "fixed" || $2 == "free") && $11 == 1 { exit 1 }' results/plane_pulse_chart.csv
 expect "a picture" test -s results/plane_pulse_chart.svg
 rm -r results
 try chart "$scene" "${small[@]}" --set boundary.kind=fixed
