@@ -33,7 +33,7 @@ std::string influence_names();
 std::string parse_family(const std::string& text);
 std::string parse_chain_family(const std::string& text);  ///< no plane family
 std::string parse_plane_family(const std::string& text);
-unsigned parse_radius_squared(const std::string& text);  ///< 1 to 99
+unsigned parse_radius_squared(const std::string& text);  ///< 1 to largest_radius_squared
 bool parse_plane_state(const std::string& text);         ///< "strain", or "stress": false
 Polarisation parse_polarisation(const std::string& text);
 /// -180 to 180 degrees: a list, or FROM..TO/STEP.

@@ -23,7 +23,7 @@ struct ProjectedFamily {
 std::string name_of(const ProjectedFamily& projected);
 
 /// Larger families take minutes.
-inline constexpr unsigned largest_radius_squared = 99;
+inline constexpr unsigned largest_radius_squared = 100;
 
 /// What has this name; none where it is not such a name, or of a radius above the largest.
 std::optional<ProjectedFamily> projected_family(std::string_view name);

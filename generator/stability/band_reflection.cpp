@@ -75,7 +75,7 @@ double loss_per_wavelength(const HalfSpace& half_space, double wavelength) {
     const double xi = 2 * std::numbers::pi / wavelength;
     // The energy falls at the rate tau sigma, and travels at the group velocity.
     const double rate = symbol_at(half_space.damping, xi);
-    return 1 - std::exp(-rate * wavelength / group_velocity(half_space, xi));
+    return 1 - std::exp(-rate * wavelength / std::abs(group_velocity(half_space, xi)));
 }
 
 }  // namespace nmbcgen

@@ -97,6 +97,12 @@ TEST_CASE("what comes back is foretold, and what is amplified") {
           "nothing of the energy that reaches them comes back");
 }
 
+TEST_CASE("a matching end that sends back next to nothing is not said to send back nothing") {
+    const Scene scene = with_pulse(scene_of(1, 0.5, 2000, 3000), Shape::gaussian, 120);
+    CHECK(prospect_of(Simulation(scene)).ends ==
+          "less than 1e-12 of the energy that reaches them comes back");
+}
+
 TEST_CASE("what an extended end sends back is what gets to its far end and has the time") {
     // Long waves travel 180 spacings, 100 of them to each end: 80 are left.
     Scene scene = with_pulse(scene_of(2, 32.0 / 15, 200, 180), Shape::gaussian, 8);

@@ -39,6 +39,8 @@ expect "a fixed end sends all back" awk -F, '$1 == "fixed" && ($11 < 0.9 || $11 
 expect "what has no certificate says so" awk -F, \
     '($2 == "higdon" || $2 == "truncated") && $5 != 0 { exit 1 }' $csv
 expect "a front of runs" awk -F, '$15 == 1 { front++ } END { exit !(front >= 2) }' $csv
+expect "of what absorbs" awk -F, '($2 == "fixed" || $2 == "free") && ($14 == 1 || $15 == 1) { exit 1 }' $csv
+expect_stdout_line "the cost of a pml is that of nmbcrun's own, which is programmed plainly"
 # At cfl 0.4 it is the narrowest that lets nothing back: a node less does.
 expect "an extended end no wider than the run needs" awk -F, \
     '$1 == "extended" && $3 == 0.4 && ($11 > 1e-12 || $16 < 1) { exit 1 }' $csv

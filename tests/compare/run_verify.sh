@@ -10,7 +10,7 @@ try verify "$scene" "${good[@]}" --tolerance 2e-6
 expect_exit 0
 expect_no_stderr
 expect "the error, found to be 1.127e-06" grep -q \
-    '^error        1.127e-06 of max |u|, at node 1, t = 33.64; within the tolerance 2e-06$' "$scratch/stdout"
+    '^error        1.127e-06 in amplitude, of max |u|, at node 1, t = 33.64; within the tolerance 2e-06$' "$scratch/stdout"
 expect "packets are reflected as predicted" awk '
     /^ +xi dX/ { table = 1; next }
     /^-:/ { table = 0 }

@@ -161,6 +161,7 @@ refuses --nu "--nu is required" -- $plane --radius2 1 --polarisation P
 refuses --polarisation "is required: a table is of the P or the S waves" -- $plane --radius2 1 --nu 0
 refuses --radius2 "no node of the square lattice is at a distance of 3 squared" "below is 2" -- \
     $plane --radius2 3 --nu 1/4 --polarisation P
+refuses --radius2 "'101' is not a whole number from 1 to 100" -- $plane --radius2 101 --nu 1/4 --polarisation P
 refuses --radius2 "'0'" -- $plane --radius2 0 --nu 1/4 --polarisation P
 refuses --radius2 --horizon excludes -- $plane --radius2 1 --horizon 1 --nu 1/4 --polarisation P
 refuses --nu "Poisson's ratio 1: plane stress needs -1 < nu < 1" -- \

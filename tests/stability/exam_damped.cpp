@@ -296,4 +296,13 @@ TEST_CASE("what a wave loses over a wavelength is what the damped symbol says") 
     CHECK(loss_per_wavelength(half_space({2, 2, 2, 0, Rational(0)}), 20) == 0);
 }
 
+TEST_CASE("a wave that goes backwards loses as one that goes forwards") {
+    const HalfSpace h = half_space({2, 2, 2, 0, Rational(1, 10)});
+    const double wavelength = 4;
+    REQUIRE(omega_squared_slope(h, 2 * std::numbers::pi / wavelength) < 0);
+    const double loss = loss_per_wavelength(h, wavelength);
+    CHECK(loss > 0);
+    CHECK(loss < 1);
+}
+
 }  // namespace

@@ -434,7 +434,9 @@ setting 2 "boundary.order must be 1 beside model.damping" model.damping=1/10 bou
 setting 2 "model.damping must be 0 beside perfectly matched layers" model.damping=0.1 boundary.kind=pml boundary.layer=10 boundary.allow_unstable=true
 setting 2 "model.nu must be an exact number, such as 0.25" 'model.nu="1/0"'
 setting 2 "must be a sum of two squares" model.radius2=3
-setting 2 "model.radius2 must be a whole number from 1 to 100" model.radius2=0
+for bad in 0 101; do
+    setting 2 "model.radius2 must be a whole number from 1 to 100" model.radius2=$bad
+done
 setting 2 "model.G must be a number not below 0, not -1" model.G=-1
 # At radius 1 from (72): 2 pi/15 and 16 pi/45; others are those of docs/how-to/choose-G.md.
 sed '/^G /d' "$scene" >stiff.toml
@@ -534,6 +536,8 @@ expect "each row of the picture's data" awk -F, '
     { at[$1] = $0; error[$1] = $6; run[$1] = $10 }
     END { exit !(NR == 21 && header == "boundary,kind,layer,profile,target,error,energy_left,step_cost,run_cost,long_run,on_front" && error["extended"] == 0 && error["pml 20"] < error["pml 5"] && error["pml 20"] < error["sponge 20"] &&
           run["passive"] == "proved" && run["NMBC2"] == "grows" && error["fixed"] > error["passive"]) }' results/plane_pulse_chart.csv
+expect "fixed and free sides are on no front" awk -F, \
+    '($2 == "fixed" || $2 == "free") && $11 == 1 { exit 1 }' results/plane_pulse_chart.csv
 expect "a picture" test -s results/plane_pulse_chart.svg
 rm -r results
 try chart "$scene" "${small[@]}" --set boundary.kind=fixed

@@ -292,8 +292,18 @@ sed '1i "model.G" = 3' "$scene" >"$scratch/quoted.toml"
 refuses 2 "is one quoted name" "$scratch/quoted.toml"
 sed 's/^step.*/&\ncfl = 0.5/' "$scene" >"$scratch/both.toml"
 refuses 2 "has both step and cfl" "$scratch/both.toml"
-printf 'a = = 1\n' >"$scratch/garbled.toml"
-refuses 2 "garbled.toml:1:" "$scratch/garbled.toml"
+# Strings without quotes, but nothing else that is no TOML.
+for string in nmbc fixed true-ish ./x.csv "a b"; do
+    printf '[boundary]\nkind = %s # ends\n' "$string" >"$scratch/bare.toml"
+    refuses 2 "; a string needs quotes: \"$string\"" "$scratch/bare.toml"
+done
+printf '[model]\nowner = { "a" = spline, b = 1 }\n' >"$scratch/bare.toml"
+refuses 2 '; a string needs quotes: "spline"' "$scratch/bare.toml"
+for garbled in 'a = = 1' 'a = "b' 'a = 1,5' 'a =' '[a' 'a b = 3' 'a = "b" c'; do
+    echo "$garbled" >"$scratch/garbled.toml"
+    refuses 2 "garbled.toml:1:" "$scratch/garbled.toml"
+    expect "no word of quotes" lacks "needs quotes" "$scratch/stderr"
+done
 : >"$scratch/empty.toml"
 refuses 2 "empty.toml: has no keys; docs/reference/scene.md lists those of a scene" "$scratch/empty.toml"
 

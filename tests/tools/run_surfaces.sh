@@ -26,7 +26,7 @@ for given in traction displacement; do
     try run "$pull" --quiet --set boundary.left.given=$given
     expect_exit 0
     expect "energy in at the left, out at the right" awk \
-        '/^went out/ { exit !($3 < -.99 && $3 > -1.001 && $(NF - 4) > .99 && $(NF - 4) < 1.001) }' "$scratch/stdout"
+        '/^went out/ { exit !($3 < -.99 && $3 > -1.001 && $11 > .99 && $11 < 1.001) }' "$scratch/stdout"
 done
 # As a csv: what is linear between rows.
 printf 'time,value\n0,0\n100,-1e-3\n200,0\n' >ramp.csv
@@ -81,7 +81,7 @@ for given in traction displacement; do
     try run "$pull" --quiet --set boundary.left.kind=sbp --set boundary.left.given=$given
     expect_exit 0
     expect "energy in at the left, out at the right" awk \
-        '/^went out/ { exit !($3 < -.99 && $3 > -1.001 && $(NF - 4) > .99 && $(NF - 4) < 1.001) }' "$scratch/stdout"
+        '/^went out/ { exit !($3 < -.99 && $3 > -1.001 && $11 > .99 && $11 < 1.001) }' "$scratch/stdout"
 done
 # Between two, nothing goes out, and what the outermost nodes have is the body's.
 sed '/^\[boundary.left.value\]/,/^$/d; s/^kind = .*/kind = "sbp"/' "$pull" >body.toml
@@ -97,7 +97,7 @@ expect_exit 0
 expect_stdout_line "boundary  summation by parts under a traction of 0"
 expect "what an sbp end allows" grep -q 'what a "sbp" end allows' "$scratch/stdout"
 expect "the energy stays" awk '/^energy left/ { exit !($3 > .98 && $3 < 1.001) }' "$scratch/stdout"
-expect "nothing went out" awk '/^went out/ { exit !($3 * $3 < 1e-24 && $(NF - 4) ^ 2 < 1e-24) }' "$scratch/stdout"
+expect "nothing went out" awk '/^went out/ { exit !($3 * $3 < 1e-24 && $8 * $8 < 1e-24) }' "$scratch/stdout"
 # A body between two is verified beside mirrors through the same nodes.
 try verify body.toml --tolerance 1e-2 --set time.cfl=0.5
 expect_exit 0

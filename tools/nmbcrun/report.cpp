@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "tools/nmbcrun/certification/evidence.hpp"
 #include "tools/nmbcrun/output/share_gone.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
@@ -46,9 +48,13 @@ void print_balance(const Sample& last, const Highlights& highlights, bool damped
     const auto& [time, e, balance] = last;
     const double peak = highlights.peak;
     fmt::print("energy left  {:.3e} of the peak\n", e.total() / peak);
-    fmt::print("went out     {} at the left end, {} at the right one{}\n",
-               share_gone(balance.left / peak), share_gone(balance.right / peak),
-               damped ? fmt::format(", {:.3e} by damping", e.damped / peak) : "");
+    // What is there was put in, by the sources or through an end, and so was what has gone.
+    const double put_in =
+        balance.energy + std::max(0.0, balance.left) + std::max(0.0, balance.right) + e.damped;
+    const auto [whole, name_of_whole] = whole_of(put_in, peak);
+    fmt::print("went out     {} at the left end, {} at the right one{}, of {}\n",
+               share_gone(balance.left / whole), share_gone(balance.right / whole),
+               damped ? fmt::format(", {:.3e} by damping", e.damped / whole) : "", name_of_whole);
     fmt::print("ledger drift {:.1e} of the peak\n", highlights.drift / peak);
 }
 

@@ -6,11 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "generator/names/printable.hpp"
-#include "tools/nmbcrun/certification/time_step.hpp"
+#include "tools/nmbcrun/certification/stand_ins.hpp"
 #include "tools/nmbcrun/compare/prospect.hpp"
 #include "tools/nmbcrun/output/chain_files.hpp"
 #include "tools/nmbcrun/output/energies_file.hpp"
@@ -91,17 +92,20 @@ Run::Run(const Scene& scene, const RunOptions& options)
       heading_(heading_of(simulation_)),
       ledger_(simulation_.make_ledger()) {
     if (!prospect_.objection.empty() && !scene.allow_amplifying && !scene.allow_unstable) {
-        throw Unstable(
-            fmt::format("{}. {}{}. To run it all the same: boundary.allow_amplifying = true",
-                        prospect_.objection,
-                        prospect_.warnings.empty()
-                            ? "Another model.G, order or stride may absorb it: nmbcrun advise"
-                            : fmt::format("{}", fmt::join(prospect_.warnings, ". ")),
-                        choices_in_place(scene, [](Scene other) {
-                            other.step.reset();  // theirs may be shorter
-                            other.cfl.reset();
-                            return absorbs(other);
-                        })));
+        std::vector<std::string> sentences{prospect_.objection};
+        if (prospect_.warnings.empty()) {
+            sentences.emplace_back(
+                "Another model.G, order or stride may absorb it: nmbcrun advise");
+        }
+        std::ranges::copy(prospect_.warnings, std::back_inserter(sentences));
+        sentences.push_back(choices_in_place(scene, [](Scene other) {
+            other.step.reset();  // theirs may be shorter
+            other.cfl.reset();
+            return absorbs(other);
+        }));
+        std::erase(sentences, "");
+        sentences.emplace_back("To run it all the same: boundary.allow_amplifying = true");
+        throw Unstable(fmt::format("{}", fmt::join(sentences, ". ")));
     }
     const Plan& plan = simulation_.plan();
     const auto from =

@@ -143,8 +143,8 @@ bool verify(const Scene& scene, double tolerance, bool quiet) {
     const std::string judged =
         fmt::format("; {} the tolerance {:g}", holds ? "within" : "above", tolerance);
     if (!is_its_own_mirror) {
-        fmt::print("error        {:.3e} of max |u|, at node {}, t = {:.4g}{}\n", error,
-                   outcome.deviation.node(), outcome.deviation.time(), judged);
+        fmt::print("error        {:.3e} in amplitude, of max |u|, at node {}, t = {:.4g}{}\n",
+                   error, outcome.deviation.node(), outcome.deviation.time(), judged);
     }
     if (series) {
         fmt::print("series (7)   {:.3e} of the start, at t = {:.4g}: SNM 2023, the continuum{}\n",

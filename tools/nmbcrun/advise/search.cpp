@@ -240,13 +240,8 @@ void Search::add_table(const nmbc::MatchingTable& table) {
 }
 
 void Search::add_passive() {
-    if (!has_constant_influence(scene_) || is_damped(scene_)) {
-        leave_out("passive", "is designed for nopd1d of constant influence, undamped");
-        return;
-    }
-    if (scene_.horizon > DesignedEnd::largest_horizon) {
-        leave_out("passive",
-                  fmt::format("is designed for n up to {}", DesignedEnd::largest_horizon));
+    if (const std::string why_not = why_not_designed(scene_); !why_not.empty()) {
+        leave_out("passive", why_not);
         return;
     }
     const double longest = std::max(DesignedEnd::largest_cfl, given_cfl().value_or(0));

@@ -69,10 +69,8 @@ bool has_known_waves(BoundaryKind kind) {
 /// Growth [c/dX] by the largest eigenvalue of one step, in chains so short that the half spaces do
 /// not tell all; 0 in longer ones, or where nothing grows.
 double short_chain_growth(const Scene& scene, const Ends& ends, double time_step) {
-    const bool matching =
-        scene.left.kind == BoundaryKind::nmbc || scene.right.kind == BoundaryKind::nmbc;
-    if (!is_short(scene) || !matching || is_damped(scene)) {
-        return 0;  // of a damped lattice round trips tell all
+    if (!has_eigenvalues(scene)) {
+        return 0;
     }
     const double radius =
         nmbcgen::spectral_radius(ends.left, ends.right, moving_nodes(scene), time_step);
@@ -209,6 +207,7 @@ bool is_short(const Scene& scene) {
 }
 
 bool has_eigenvalues(const Scene& scene) {
+    // Of a damped lattice round trips tell all.
     return is_short(scene) && !is_damped(scene) && has_known_waves(scene.left.kind) &&
            has_known_waves(scene.right.kind);
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <nmbc/lattice.hpp>
 #include <string>
 
@@ -41,18 +40,6 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
 
 /// The largest cfl at which the scene's ends are certified, as automatic_step() seeks it; 0: none.
 double largest_certified_cfl(const Scene& scene, const nmbc::Lattice& lattice);
-
-/// What else is asked of a scene with other ends; empty: nothing.
-using Suits = std::function<bool(const Scene& scene)>;
-
-/// ". Certified at this G: ..": what may stand in the place of the scene's nmbc, of what suits: the
-/// orders and strides that are certified, and passive ends; where no order is, those at best_G(),
-/// too, unless that is best for another lattice. Empty where nothing may.
-std::string choices_in_place(const Scene& scene, const Suits& suits = {});
-
-/// A sentence: the largest cfl that the scene's ends are certified for or, where there is none,
-/// what is certified in the place of its nmbc.
-std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice);
 
 /// Throws Unstable where the interior, or a mode beside a true end, is not stable in such steps
 /// [time], whatever is allowed.

@@ -12,10 +12,10 @@ template <class Cost, class Error>
 void mark_front(std::vector<Point*> points, Cost cost, Error error, bool Point::*mark) {
     std::erase_if(points, [](const Point* point) { return !point->holds(); });
     for (Point* point : points) {
-        point->*mark = std::ranges::none_of(points, [&](const Point* other) {
-            return cost(*other) <= cost(*point) && error(*other) <= error(*point) &&
-                   (cost(*other) < cost(*point) || error(*other) < error(*point));
-        });
+        point->*mark = point->absorbs() && std::ranges::none_of(points, [&](const Point* other) {
+                           return cost(*other) <= cost(*point) && error(*other) <= error(*point) &&
+                                  (cost(*other) < cost(*point) || error(*other) < error(*point));
+                       });
     }
 }
 
@@ -62,6 +62,9 @@ void mark_fronts(std::vector<Point>& points, const std::vector<double>& cfls) {
     }
 }
 
+const char* const note_on_pml =
+    "the cost of a pml is that of nmbcrun's own, which is programmed plainly\n";
+
 const char* const points_header =
     "boundary,kind,cfl,steps,certified,long_run,rate,step_cost,construction,total_cost,"
     "boundary_error,total_error,energy_left,on_step_front,on_front,layer_share,profile,target";
@@ -104,6 +107,11 @@ void print(const std::vector<Point>& points, double cfl, std::size_t long_run) {
                    100 * (point->step_cost() - 1), trial.boundary_error, trial.energy_left,
                    trial.certified() ? "yes" : "no", name_of(point->long_run.outcome),
                    choice(point->what.boundary));
+    }
+    if (std::ranges::any_of(shown, [](const Point* point) {
+            return point->what.boundary.kind == BoundaryKind::pml;
+        })) {
+        fmt::print("{}", note_on_pml);
     }
     print_failures(points);
 }

@@ -28,13 +28,22 @@ struct Point {
     double total_cost() const { return cost.of_run(trial.steps); }
     /// Over a step of the bare interior, the ends' construction shared out among the steps.
     double step_cost() const { return total_cost() / double(trial.steps); }
+    /// Not so fixed and free ends, which send back everything: a chart has them to compare with.
+    bool absorbs() const {
+        return what.boundary.kind != BoundaryKind::fixed &&
+               what.boundary.kind != BoundaryKind::free;
+    }
     bool holds() const {
         return long_run.outcome == LongRun::steady && std::isfinite(trial.total_error);
     }
 };
 
-/// Marks the points that no other one that holds beats in both respects.
+/// Marks the points that absorb, or close a surface, and that no other one that holds beats in both
+/// respects.
 void mark_fronts(std::vector<Point>& points, const std::vector<double>& cfls);
+
+/// A line below a table that has a perfectly matched layer.
+extern const char* const note_on_pml;
 
 /// The columns of a chart's CSV.
 extern const char* const points_header;

@@ -96,8 +96,11 @@ class Returned {
             return "nothing gets there before time.end";
         }
         const double back = sum_of(back_) / arrived_;
-        if (back < 1e-12) {
+        if (back == 0) {
             return "nothing of the energy that reaches them comes back";
+        }
+        if (back < 1e-12) {
+            return "less than 1e-12 of the energy that reaches them comes back";
         }
         const auto most = std::ranges::max_element(back_, {}, &Energies::value_type::second);
         constexpr double nearly = 0.95;

@@ -141,10 +141,7 @@ void PlaneRun::print() {
     const PlaneBalance balance = simulation_.balance();
     fmt::print("energy left  {:.3e} of the peak\n", rows.back()[4] / peak);
     if (std::isfinite(balance.drift)) {
-        // The peak is not all: some leaves while a source acts, or is taken back by it.
-        constexpr double enough = 0.1;
-        const bool is_of_supply = simulation_.supplied() > enough * peak;
-        const double whole = is_of_supply ? simulation_.supplied() : peak;
+        const auto [whole, name_of_whole] = whole_of(simulation_.supplied(), peak);
         std::vector<std::string> parts;
         for (std::size_t i = 0; i < balance.left.size(); ++i) {
             // Beyond an extended side the lattice goes on: what has come through is still in it.
@@ -159,8 +156,7 @@ void PlaneRun::print() {
         if (balance.fracture != 0) {
             parts.push_back(fmt::format("{:.3e} by fracture", balance.fracture / whole));
         }
-        fmt::print("went out     {}, of {}\n", fmt::join(parts, ", "),
-                   is_of_supply ? "all that was put in" : "the peak");
+        fmt::print("went out     {}, of {}\n", fmt::join(parts, ", "), name_of_whole);
         fmt::print("ledger drift {:.1e} of the peak\n", highlights().drift / peak);
     }
     if (simulation_.scene().fracture) {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
+#include "generator/names/projected_family.hpp"
 #include "tools/nmbcrun/plane/plane_lattice.hpp"
 #include "tools/nmbcrun/plane/read_plane_sides.hpp"
 #include "tools/nmbcrun/plane/read_plane_sources.hpp"
@@ -127,8 +128,8 @@ void read_model(SceneReader& reader, PlaneScene& scene) {
         reader.fail("model.horizon",
                     "is of a chain; a plane has model.radius2, its square in dX^2");
     }
-    scene.radius_squared =
-        unsigned(reader.required("model.radius2", reader.whole_number("model.radius2", 1, 100)));
+    scene.radius_squared = unsigned(reader.required(
+        "model.radius2", reader.whole_number("model.radius2", 1, nmbcgen::largest_radius_squared)));
     if (family == "bond2d") {
         return read_bonds(reader, scene);
     }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "tools/nmbcrun/plane/patch_spectrum.hpp"
@@ -21,6 +22,20 @@ namespace {
 using std::numbers::pi;
 
 constexpr double widest = 30;  // [dX], fits in a patch: what reaches farther has long waves
+
+/// The spectrum of a lattice with nothing in it. Its waves take long to look at: it is made when it
+/// is first asked for.
+class EmptySpectrum {
+  public:
+    /// Of the scene only the lattice counts.
+    explicit EmptySpectrum(const PlaneScene& scene) : scene_(scene) {}
+
+    const PatchSpectrum& get() { return spectrum_ ? *spectrum_ : spectrum_.emplace(scene_); }
+
+  private:
+    const PlaneScene& scene_;
+    std::optional<PatchSpectrum> spectrum_{};
+};
 
 /// |F(omega)|^2 of the history, but for a factor; 0 where it is not known.
 double spectral_energy(const ForceHistory& history, double omega) {
@@ -118,12 +133,12 @@ double not_carried_of_packet(const PlaneScene& scene) {
 }
 
 /// Of a field that was read from a file, in squares that overlap by half.
-double not_carried_of_field(const PlaneSimulation& simulation) {
+double not_carried_of_field(const PlaneSimulation& simulation, EmptySpectrum& empty) {
     constexpr std::ptrdiff_t apart = Patch::across / 2;
     const auto last = [&](std::size_t axis) {
         return std::ptrdiff_t(simulation.scene().nodes[axis]) - 1;
     };
-    PatchSpectrum spectrum(simulation.scene());
+    PatchSpectrum spectrum = empty.get();
     for (std::ptrdiff_t y = -apart; y <= last(1); y += apart) {
         for (std::ptrdiff_t x = -apart; x <= last(0); x += apart) {
             const Patch patch = tapered_patch(simulation, {x, y});
@@ -135,22 +150,21 @@ double not_carried_of_field(const PlaneSimulation& simulation) {
     return spectrum.not_carried();
 }
 
-double not_carried_of_force(const PlaneScene& scene) {
+double not_carried_of_force(const PlaneScene& scene, EmptySpectrum& empty) {
     const PlaneForcing& force = *scene.force;
     if (force.half_width > widest * scene.spacing) {
         return 0;
     }
     StartOfNode alike;
     alike.v[force.component] = 1;
-    PatchSpectrum spectrum(scene);
+    PatchSpectrum spectrum = empty.get();
     spectrum.add(patch_about(force.centre, force.half_width, scene.spacing,
                              [&](double, double) { return alike; }),
                  [&](double omega) { return spectral_energy(force.history, omega); });
     return spectrum.not_carried();
 }
 
-/// spectrum: of the scene's lattice, with nothing in it.
-double not_carried_of_initial(const PlaneScene& scene, PatchSpectrum spectrum) {
+double not_carried_of_initial(const PlaneScene& scene, EmptySpectrum& empty) {
     const PlaneInitial& initial = *scene.initial;
     if (initial.shape == PlaneShape::packet) {
         return not_carried_of_packet(scene);
@@ -161,6 +175,7 @@ double not_carried_of_initial(const PlaneScene& scene, PatchSpectrum spectrum) {
         return 0;
     }
     const InitialShape shape(scene);
+    PatchSpectrum spectrum = empty.get();
     spectrum.add(patch_about(initial.centre, reach, scene.spacing,
                              [&](double x, double y) {
                                  return shape.at({x, y});
@@ -170,15 +185,14 @@ double not_carried_of_initial(const PlaneScene& scene, PatchSpectrum spectrum) {
 }
 
 /// "; KEY = VALUE would do", or that none would.
-std::string what_would_do(PlaneScene scene) {
+std::string what_would_do(PlaneScene scene, EmptySpectrum& empty) {
     const bool is_packet = scene.initial->shape == PlaneShape::packet;
-    const PatchSpectrum untouched(scene);
     double& value = is_packet ? scene.initial->wave_number : scene.initial->width;
     const char* const key = is_packet ? "initial.wave_number" : "initial.width";
     const double own = value;
     for (double factor = 1.25; factor < 1e3; factor *= 1.25) {
         value = two_digits(is_packet ? own / factor : own * factor, is_packet);
-        if (not_carried_of_initial(scene, untouched) <= most_not_carried) {
+        if (not_carried_of_initial(scene, empty) <= most_not_carried) {
             return fmt::format("; {} = {:.2g} would do", key, value);
         }
     }
@@ -196,19 +210,20 @@ std::string in_short_waves(double share, const char* source) {
 
 std::vector<std::string> warnings_of_short_waves(const PlaneSimulation& simulation) {
     const PlaneScene& scene = simulation.scene();
+    EmptySpectrum empty(scene);
     std::vector<std::string> warnings;
     const bool is_read = scene.initial && scene.initial->shape == PlaneShape::file;
     if (scene.initial && !(is_read && simulation.plane().steps() > 0)) {
-        const double share = is_read ? not_carried_of_field(simulation)
-                                     : not_carried_of_initial(scene, PatchSpectrum(scene));
+        const double share = is_read ? not_carried_of_field(simulation, empty)
+                                     : not_carried_of_initial(scene, empty);
         if (share > most_not_carried) {
             warnings.push_back(in_short_waves(share, "initial") +
                                (is_read ? "; a smoother field or a finer lattice has less"
-                                        : what_would_do(scene)));
+                                        : what_would_do(scene, empty)));
         }
     }
     if (scene.force) {
-        const double share = not_carried_of_force(scene);
+        const double share = not_carried_of_force(scene, empty);
         if (share > most_not_carried) {
             warnings.push_back(in_short_waves(share, "force") +
                                ", and their energy may stay: a longer force.duration, a larger "

@@ -97,7 +97,8 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool quiet) {
     const double error = found.error / found.largest;
     const bool holds = error <= tolerance;
     fmt::print(
-        "error        {:.3e} of max |u|, at node ({}, {}), t = {:.4g}; {} the tolerance {:g}\n",
+        "error        {:.3e} in amplitude, of max |u|, at node ({}, {}), t = {:.4g}; {} the "
+        "tolerance {:g}\n",
         error, found.where[0], found.where[1], found.when, holds ? "within" : "above", tolerance);
     if (peak > 0) {
         const bool is_driven = simulation.is_driven(simulation.plane().time());

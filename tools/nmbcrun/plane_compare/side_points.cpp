@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "tools/nmbcrun/chart/points.hpp"
+
 namespace nmbcrun {
 namespace {
 
@@ -19,7 +21,8 @@ std::string choice(const PlaneSideChoice& side) {
 
 void mark_front(std::vector<SidePoint>& points) {
     for (SidePoint& point : points) {
-        point.on_front = point.holds() && std::ranges::none_of(points, [&](const SidePoint& other) {
+        point.on_front = is_artificial(point.what.side.kind) && point.holds() &&
+                         std::ranges::none_of(points, [&](const SidePoint& other) {
                              return other.holds() && other.run_cost <= point.run_cost &&
                                     other.error <= point.error &&
                                     (other.run_cost < point.run_cost || other.error < point.error);
@@ -57,6 +60,10 @@ void print(const std::vector<SidePoint>& points) {
                    point->on_front ? "*" : " ", point->what.name, 100 * (point->step_cost - 1),
                    100 * (point->run_cost - 1), point->error, point->energy_left, point->long_run(),
                    choice(point->what.side));
+    }
+    if (std::ranges::any_of(
+            shown, [](const SidePoint* point) { return point->what.side.kind == SideKind::pml; })) {
+        fmt::print("{}", note_on_pml);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include <set>
 
 #include "tools/nmbcrun/scene/toml_text.hpp"
+#include "tools/nmbcrun/scene/trimmed.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -76,6 +78,26 @@ void add_given(const toml::table& table, const std::string& prefix,
     }
 }
 
+/// A word in or before the column of a fault that seems to be a string without its quotes, such as
+/// nmbc in `kind = nmbc`; empty where there is none.
+std::string_view unquoted(std::string_view text, const toml::source_position& fault) {
+    for (auto line = fault.line; line > 1; --line) {
+        const std::size_t end = text.find('\n');
+        text = end == std::string_view::npos ? "" : text.substr(end + 1);
+    }
+    text = text.substr(0, text.find('\n'));
+    const std::size_t before = text.find_last_of("=,[{", fault.column - 1);
+    if (before == std::string_view::npos || text.find('=') > before) {
+        return {};
+    }
+    text.remove_prefix(before + 1);
+    const std::string_view word = trimmed(text.substr(0, text.find_first_of(",]}#")));
+    const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+    const bool may_be_a_number =
+        word.find_first_of("+-0123456789") == 0 || word.find_first_of("\"'") == 0;
+    return !may_be_a_number && std::ranges::any_of(word, is_letter) ? word : std::string_view();
+}
+
 }  // namespace
 
 std::string read_text(const std::string& path) {
@@ -102,8 +124,11 @@ SceneReader::SceneReader(const std::string& text, const std::string& path,
     try {
         document_ = toml::parse(text, path);
     } catch (const toml::parse_error& error) {
-        throw SceneError(fmt::format("{}:{}: {}", path, error.source().begin.line,
-                                     std::string_view(error.description())));
+        const toml::source_position& fault = error.source().begin;
+        const std::string_view word = unquoted(text, fault);
+        throw SceneError(
+            fmt::format("{}:{}: {}{}", path, fault.line, std::string_view(error.description()),
+                        word.empty() ? "" : fmt::format("; a string needs quotes: \"{}\"", word)));
     }
     for (const auto& [key, value] : overrides) {
         apply_override(key, value);

@@ -31,6 +31,10 @@ struct Designed {
 };
 using Design = std::shared_ptr<const Designed>;
 
+std::string beyond_designs(long n) {
+    return fmt::format("designed for n up to {}, not {}", DesignedEnd::largest_horizon, n);
+}
+
 Design designed(const nmbc::Lattice& lattice, double time_step) {
     static std::mutex mutex;
     struct Known {
@@ -42,8 +46,7 @@ Design designed(const nmbc::Lattice& lattice, double time_step) {
     const auto n = unsigned(lattice.reach() / 2);
     static_assert(DesignedEnd::largest_horizon == nmbcgen::largest_designed_horizon);
     if (n > nmbcgen::largest_designed_horizon) {
-        throw SceneError(fmt::format("passive ends are designed for n up to {}, not {}",
-                                     nmbcgen::largest_designed_horizon, n));
+        throw SceneError("passive ends are " + beyond_designs(n));
     }
     const std::lock_guard lock(mutex);
     const auto [entry, is_new] = known.try_emplace({n, G, time_step});
@@ -88,6 +91,13 @@ std::optional<nmbcgen::ArrivingWave> told_apart(const nmbcgen::LateralChain& cha
 }
 
 }  // namespace
+
+std::string why_not_designed(const Scene& scene) {
+    if (!has_constant_influence(scene) || is_damped(scene)) {
+        return "designed for nopd1d of constant influence, undamped";
+    }
+    return scene.horizon > DesignedEnd::largest_horizon ? beyond_designs(scene.horizon) : "";
+}
 
 std::unique_ptr<nmbc::BoundaryCondition<double>> DesignedEnd::make(
     const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,

@@ -9,8 +9,11 @@
 #include <memory>
 #include <nmbc/boundary_condition.hpp>
 #include <nmbc/lattice.hpp>
+#include <string>
 #include <type_traits>
 #include <vector>
+
+#include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {
 
@@ -27,6 +30,11 @@ struct DesignedEnd {
         const nmbc::Lattice& lattice, const nmbc::ChainParameters& parameters,
         std::type_identity<double> precision);
 };
+
+/// What passive ends are made for where the scene's lattice is something else, such as "designed
+/// for
+/// .."; empty where there may be a design in some steps.
+std::string why_not_designed(const Scene& scene);
 
 /// What an end makes of the waves of one frequency that come to it: on the node j nodes inwards of
 /// the innermost one of its own, from a wave k^-j, k one of those that travel, a sum over all

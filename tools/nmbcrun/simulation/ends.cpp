@@ -12,7 +12,7 @@
 #include <type_traits>
 
 #include "tools/nmbcrun/certification/half_space.hpp"
-#include "tools/nmbcrun/certification/time_step.hpp"
+#include "tools/nmbcrun/certification/stand_ins.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/sides/exact.hpp"
@@ -100,9 +100,10 @@ void require_no_pole(const Scene& scene, const Boundary& boundary) {
     }
     const nmbc::MatchingTable& table = table_of(scene, boundary);
     if (has_pole_next_to(table, scene.G)) {
-        throw nmbc::CoefficientError(
-            fmt::format("{} does not exist here: {} has a pole of a coefficient at G = {}{}",
-                        heading_of(boundary), table.name, scene.G, choices_in_place(scene)));
+        const std::string choices = choices_in_place(scene);
+        throw nmbc::CoefficientError(fmt::format(
+            "{} does not exist here: {} has a pole of a coefficient at G = {}{}{}",
+            heading_of(boundary), table.name, scene.G, choices.empty() ? "" : ". ", choices));
     }
 }
 

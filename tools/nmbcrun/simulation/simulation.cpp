@@ -8,6 +8,7 @@
 #include <nmbc/lattice.hpp>
 
 #include "tools/nmbcrun/certification/certificate.hpp"
+#include "tools/nmbcrun/certification/stand_ins.hpp"
 #include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
