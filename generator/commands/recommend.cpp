@@ -115,9 +115,7 @@ std::string recommendation(const Question& question, const Progress& progress) {
         "  command    {}\n{}"
         "  certified  stable with both ends alike, in chains of {} interior nodes and more, in {}; "
         "{}{}\n"
-        "  opposite   chosen for like ends; with a fixed or free end opposite, nmbcrun advise "
-        "SCENE "
-        "chooses\n"
+        "  opposite   its like; with a fixed or free end opposite, nmbcrun advise SCENE chooses\n"
         "  reflected  {:.1e} of the energy in steps of cfl {:.2f}, dt = {:.4g} dX/c\n"
         "  loss       {:.1e} of the energy\n\n{}",
         best.what.order, best.what.stride, to_string(best.what.damping),

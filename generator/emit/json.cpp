@@ -98,6 +98,9 @@ Json table_object(const Table& table, Json lattice) {
     const bool fixed = what.stabilisation.has_value();
     const bool damped = what.damping > 0;
     const Certificate certificate = table.certificate.value_or(Certificate{});
+    const auto if_sought = [&table](Json found) {
+        return table.certificate ? std::move(found) : Json(nullptr);
+    };
     Json object = {
         {"schema", json_schema},
         {"lattice", std::move(lattice)},
@@ -110,12 +113,12 @@ Json table_object(const Table& table, Json lattice) {
         {"b", exact_array(table.b, fixed)},
         {"source", table.source},
         {"proved", table.proved},
-        {"windows", windows_object(certificate, damped)},
-        {"least_nodes", certificate.least_nodes},
-        {"poles", poles_array(certificate)},
-        {"max_cfl", steps_array(certificate.max_cfl)},
-        {"max_cfl_contractive", steps_array(certificate.max_cfl_contractive)},
-        {"evidence", table.certificate ? evidence_object(certificate, damped) : Json(nullptr)},
+        {"windows", if_sought(windows_object(certificate, damped))},
+        {"least_nodes", if_sought(certificate.least_nodes)},
+        {"poles", if_sought(poles_array(certificate))},
+        {"max_cfl", if_sought(steps_array(certificate.max_cfl))},
+        {"max_cfl_contractive", if_sought(steps_array(certificate.max_cfl_contractive))},
+        {"evidence", if_sought(evidence_object(certificate, damped))},
         {"certificate", table.certificate ? Json(certificate_statement(table)) : Json(nullptr)}};
     add_points(object, table);
     return object;

@@ -15,7 +15,7 @@ expect_exit 0
 expect_no_stderr
 expect_stdout_line "NMBC1, stride 2, tau = 0, steps of cfl 0.97, at horizon 2, G = 1"
 expect_stdout_line "  settings   --set model.horizon=2 --set model.G=1 --set boundary.kind=nmbc --set boundary.order=1 --set boundary.stride=2 --set time.cfl=0.97"
-expect_stdout_line "  opposite   chosen for like ends; with a fixed or free end opposite, nmbcrun advise SCENE chooses"
+expect_stdout_line "  opposite   its like; with a fixed or free end opposite, nmbcrun advise SCENE chooses"
 expect "no table to make" test "$(grep -cE '^  (table|ready) ' "$scratch/stdout")" -eq 0
 row "1 1 0 - 0\.82 0\.82 8\.7e-07 0\.0e\+00 smaller time step"
 row "2 2 0 - 0\.75 0\.20 6\.2e-07 0\.0e\+00 smaller time step"

@@ -114,7 +114,7 @@ try run "$scene" --set model.horizon=1 --set model.G=0.5 --set boundary.order=2 
     --set boundary.allow_unstable=true
 expect_exit 4
 expect_stderr "warning: there is no certificate for explicit ghosts"
-expect_stderr "times its peak before its sources ended"  # found long before anything overflows
+expect_stderr "times the peak that it had while its sources acted"  # found long before anything overflows
 
 # From an initial field the peak counts from the start: what grows later is found.
 try run "$2/tools/scenes/broadband.toml" --set boundary.order=2 --set boundary.stride=1 \

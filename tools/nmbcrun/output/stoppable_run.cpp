@@ -90,7 +90,7 @@ bool StoppableRun::has_grown(double energy, bool is_driven) {
 std::string StoppableRun::growth(double energy, bool has_sources) const {
     return fmt::format(
         "the energy has grown to {:.3g} times {}", energy / highlights_.driven_peak,
-        has_sources ? "its peak before its sources ended" : "what it was at the start");
+        has_sources ? "the peak that it had while its sources acted" : "what it was at the start");
 }
 
 /// The next step at which anything is written or looked at.

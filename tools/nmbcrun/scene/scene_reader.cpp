@@ -258,7 +258,8 @@ void SceneReader::fail_unknown(const std::string& key,
     const bool near = 2 * distance(*nearest) <= own;
     fail(key,
          "is not a key of a scene" + (near ? "; the nearest one is " + *nearest
-                                           : std::string("; docs/reference/scene.md lists them")));
+                                           : std::string("; docs/reference/scene.md lists "
+                                                         "them, plane-scene.md those of planes")));
 }
 
 void SceneReader::refuse_other_tables(const std::vector<std::string>& tables) const {

@@ -59,11 +59,11 @@ std::span<const nmbc::RationalFunction> TableReader::functions(const char* key, 
 
 std::span<const nmbc::Window> TableReader::windows(const char* key) {
     auto& list = storage_.windows.emplace_back();
-    const JsonValue json = json_.at("windows").at(key);
-    if (json.is_null()) {  // not sought
+    const JsonValue all = json_.at("windows");
+    if (all.is_null() || all.at(key).is_null()) {  // not sought
         return list;
     }
-    for (const JsonValue& window : json.elements()) {
+    for (const JsonValue& window : all.at(key).elements()) {
         const std::vector<JsonValue> edges = window.elements();
         if (edges.size() != 2) {
             window.must_be("a list of 2");
@@ -77,7 +77,11 @@ std::span<const nmbc::Window> TableReader::windows(const char* key) {
 
 std::span<const nmbc::StableStep> TableReader::steps(const char* key) {
     auto& list = storage_.steps.emplace_back();
-    for (const JsonValue& piece : json_.at(key).elements()) {
+    const JsonValue all = json_.at(key);
+    if (all.is_null()) {  // not sought
+        return list;
+    }
+    for (const JsonValue& piece : all.elements()) {
         const double low = piece.at("low").number(0, highest);
         const double high =
             piece.at("high").is_null() ? nmbc::unbounded : piece.at("high").number(low, highest);
@@ -88,29 +92,31 @@ std::span<const nmbc::StableStep> TableReader::steps(const char* key) {
 }
 
 OwnTable TableReader::read() {
+    const JsonValue least_nodes = json_.at("least_nodes");
     const std::string matched =
         json_.has("match") ? ", matched at " + json_.at("match").text() : "";
     const auto& G = what_.stabilisation;
-    OwnTable own{
-        .table = {.name = storage_.keep(table_name(what_) + matched),
-                  .lattice = &lattice_,
-                  .order = int(what_.order),
-                  .stride = int(what_.stride),
-                  .fixed_G = storage_.keep(G ? nmbcgen::to_string(*G) : ""),
-                  .time_step = storage_.keep(nmbcgen::to_string(what_.time_step)),
-                  .source = storage_.keep(json_.at("source").text()),
-                  .proved = storage_.keep(json_.at("proved").text()),
-                  .taylor = functions("taylor", 2 * what_.order + 1),
-                  .c = functions("c", what_.order + 1),
-                  .b = functions("b", what_.order + 1),
-                  .reflection = windows("reflection"),
-                  .modal = windows("modal"),
-                  .contractive = windows("contractive"),
-                  .max_cfl = steps("max_cfl"),
-                  .max_cfl_contractive = steps("max_cfl_contractive"),
-                  .least_nodes =
-                      json_.at("least_nodes").whole_number(0, std::numeric_limits<int>::max())},
-        .is_certified = !json_.at("certificate").is_null()};
+    OwnTable own{.table = {.name = storage_.keep(table_name(what_) + matched),
+                           .lattice = &lattice_,
+                           .order = int(what_.order),
+                           .stride = int(what_.stride),
+                           .fixed_G = storage_.keep(G ? nmbcgen::to_string(*G) : ""),
+                           .time_step = storage_.keep(nmbcgen::to_string(what_.time_step)),
+                           .source = storage_.keep(json_.at("source").text()),
+                           .proved = storage_.keep(json_.at("proved").text()),
+                           .taylor = functions("taylor", 2 * what_.order + 1),
+                           .c = functions("c", what_.order + 1),
+                           .b = functions("b", what_.order + 1),
+                           .reflection = windows("reflection"),
+                           .modal = windows("modal"),
+                           .contractive = windows("contractive"),
+                           .max_cfl = steps("max_cfl"),
+                           .max_cfl_contractive = steps("max_cfl_contractive"),
+                           .least_nodes =
+                               least_nodes.is_null()
+                                   ? 0
+                                   : least_nodes.whole_number(0, std::numeric_limits<int>::max())},
+                 .is_certified = !json_.at("certificate").is_null()};
     const nmbc::MatchingTable& table = own.table;
     if (table.c[0] != nmbc::RationalFunction{"1", "1"}) {
         json_.at("c").must_be("a list that begins with 1");
