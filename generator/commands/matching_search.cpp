@@ -123,27 +123,47 @@ class Search {
         return known->second.reflected;
     }
 
+    /// Each point down and up; pairs of them, too, where the edge of what is certified is in the
+    /// way of single ones.
+    static std::vector<GridPoints> moves(std::size_t count, bool in_pairs) {
+        std::vector<GridPoints> all;
+        for (std::size_t i = 0; i < count; ++i) {
+            for (const int change : {-1, 1}) {
+                GridPoints move(count, 0);
+                move[i] = change;
+                all.push_back(move);
+                for (std::size_t j = i + 1; in_pairs && j < count; ++j) {
+                    for (const int other : {-1, 1}) {
+                        move[j] = other;
+                        all.push_back(move);
+                    }
+                    move[j] = 0;
+                }
+            }
+        }
+        return all;
+    }
+
     void descend(GridPoints here, bool certified_only) {
         constexpr double worth_it = 0.999;
         double value = objective(here, certified_only);
         auto step = std::max<std::int64_t>(1, std::llround((band_.high - band_.low) * units_ / 4));
         while (step > 0) {
             bool moved = false;
-            for (std::size_t i = 0; i < here.size(); ++i) {
-                for (const std::int64_t change : {-step, step}) {
-                    GridPoints there = here;
-                    there[i] += change;
-                    if (!on_grid(there[i])) {
-                        continue;
-                    }
-                    std::ranges::sort(there);
-                    const double next = objective(there, certified_only);
-                    if (next < worth_it * value || (std::isinf(value) && std::isfinite(next))) {
-                        here = there;
-                        value = next;
-                        moved = true;
-                        break;
-                    }
+            for (const GridPoints& move : moves(here.size(), certified_only)) {
+                GridPoints there = here;
+                for (std::size_t i = 0; i < here.size(); ++i) {
+                    there[i] += step * move[i];
+                }
+                if (!std::ranges::all_of(there, [this](std::int64_t xi) { return on_grid(xi); })) {
+                    continue;
+                }
+                std::ranges::sort(there);
+                const double next = objective(there, certified_only);
+                if (next < worth_it * value || (std::isinf(value) && std::isfinite(next))) {
+                    here = there;
+                    value = next;
+                    moved = true;
                 }
             }
             step = moved ? step : step / 2;
