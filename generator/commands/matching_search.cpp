@@ -123,21 +123,22 @@ class Search {
         return known->second.reflected;
     }
 
-    /// Each point down and up; pairs of them, too, where the edge of what is certified is in the
-    /// way of single ones.
-    static std::vector<GridPoints> moves(std::size_t count, bool in_pairs) {
+    /// Each point by a step down and up; certified ones also with another point, by as much or
+    /// less: along the edge of what is certified, however it runs.
+    static std::vector<GridPoints> moves(std::size_t count, std::int64_t step, bool certified) {
         std::vector<GridPoints> all;
         for (std::size_t i = 0; i < count; ++i) {
-            for (const int change : {-1, 1}) {
+            for (const std::int64_t change : {-step, step}) {
                 GridPoints move(count, 0);
                 move[i] = change;
                 all.push_back(move);
-                for (std::size_t j = i + 1; in_pairs && j < count; ++j) {
-                    for (const int other : {-1, 1}) {
-                        move[j] = other;
-                        all.push_back(move);
+                for (std::size_t j = 0; certified && j < count; ++j) {
+                    for (std::int64_t other = step; i != j && other > 0; other /= 2) {
+                        for (const std::int64_t with : {-other, other}) {
+                            all.push_back(move);
+                            all.back()[j] = with;
+                        }
                     }
-                    move[j] = 0;
                 }
             }
         }
@@ -150,10 +151,10 @@ class Search {
         auto step = std::max<std::int64_t>(1, std::llround((band_.high - band_.low) * units_ / 4));
         while (step > 0) {
             bool moved = false;
-            for (const GridPoints& move : moves(here.size(), certified_only)) {
+            for (const GridPoints& move : moves(here.size(), step, certified_only)) {
                 GridPoints there = here;
                 for (std::size_t i = 0; i < here.size(); ++i) {
-                    there[i] += step * move[i];
+                    there[i] += move[i];
                 }
                 if (!std::ranges::all_of(there, [this](std::int64_t xi) { return on_grid(xi); })) {
                     continue;
