@@ -71,6 +71,11 @@ expect_exit 0
 expect_stdout_line "NMBC2, stride 1, matched at 0:1,629/1000:1,781/250:1, at horizon 2, G = 1/2"
 row "1 0:1,629/1000:1,781/250:1 3\.1e-03 1\.2e-02 0\.57 the best"
 
+# Along the edge of what is certified, where no point alone can move.
+try optimise --order 2 --horizon 5 --G 4 --band 0.1..0.4 --stride 5
+expect_exit 0
+row "5 0:1,17/125:1,83/250:1 8\.8e-05 1\.0e-03 0\.46 the best"
+
 # A standard condition does not exist there, others do.
 try optimise --order 2 --horizon 1 --G 0 --band 0.05..3.1 --stride 1
 expect_exit 0
