@@ -18,7 +18,7 @@
 
 namespace nmbcgen {
 
-/// Of an order, a horizon or a stride: 1 to 99, far beyond what finishes in a day with G open.
+/// Of an order, a horizon or a stride: 1 to 100, far beyond what finishes in a day with G open.
 unsigned parse_count(const std::string& text);
 
 unsigned parse_samples(const std::string& text);  ///< 1 to a million

@@ -94,7 +94,7 @@ std::string name_of(const Medium& medium, const Rational& length) {
 }
 
 std::string row_text(double xi, const Scattering& pairs, const Scattering& rows) {
-    return fmt::format("{:<8}{:<14.6g}{:<14.6g}{:<14.6g}{:.6g}\n", xi, pairs.reflected,
+    return fmt::format("{:<8.4g}{:<14.6g}{:<14.6g}{:<14.6g}{:.6g}\n", xi, pairs.reflected,
                        pairs.transmitted, rows.reflected, rows.transmitted);
 }
 

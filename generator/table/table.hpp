@@ -26,7 +26,7 @@ struct MatchingPoint {
 };
 
 /// The highest order, horizon or stride that is asked for or read.
-inline constexpr unsigned highest_count = 99;
+inline constexpr unsigned highest_count = 100;
 
 /// Which table: the request as a person makes it.
 struct Specification {

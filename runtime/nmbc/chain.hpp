@@ -132,6 +132,14 @@ class BasicChain {
         start_ends();  // their ghosts' velocities follow those of -dt/2
     }
 
+    /// Starts the ends anew where displacement() or velocity() were written to since the last step,
+    /// as the next step does: their ghosts are right from now on.
+    void restart_ends() {
+        if (std::exchange(is_written_to_, false)) {
+            start_ends();
+        }
+    }
+
     /// Steps, each of them: v to t + dt/2, ghosts by their end, u to t + dt. Before the ends,
     /// `prescribe` may set velocities of interior nodes: it is called with u at t, v at t + dt/2
     /// and t + dt. After them, `observe` sees the same two fields whole, and t + dt. Many steps at
@@ -269,9 +277,7 @@ class BasicChain {
 
     /// v of the layers and the interior to t + dt/2, by the lattice's own forces.
     void kick() {
-        if (std::exchange(is_written_to_, false)) {
-            start_ends();
-        }
+        restart_ends();
         if (is_damped()) {
             find_damping(*damping_);
             count_damped();

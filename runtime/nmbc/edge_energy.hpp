@@ -36,6 +36,25 @@ struct EdgeEnergies {
 
 namespace detail {
 
+/// Whether each square of the energy has its mirror image among them, as those of nopd1d do. A bond
+/// that is counted at one of its ends alone has none.
+inline bool has_mirrored_squares(const Lattice& lattice) {
+    const auto mirrored = [](std::vector<double> stencil, double sign) {
+        std::reverse(stencil.begin(), stencil.end());
+        for (double& entry : stencil) {
+            entry *= sign;
+        }
+        return stencil;
+    };
+    return std::all_of(lattice.energy.begin(), lattice.energy.end(), [&](const auto& one) {
+        return std::any_of(lattice.energy.begin(), lattice.energy.end(), [&](const auto& other) {
+            return other.part == one.part && other.weight == one.weight &&
+                   (other.stencil == mirrored(one.stencil, 1) ||
+                    other.stencil == mirrored(one.stencil, -1));
+        });
+    });
+}
+
 /// A lattice of correspondence, such as nopd1d: one strain a node and, for each of its bonds, the
 /// square of what the strain leaves of it.
 struct Correspondence {

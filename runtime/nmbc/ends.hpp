@@ -8,6 +8,7 @@
 #include <memory>
 #include <nmbc/boundary.hpp>
 #include <nmbc/boundary_condition.hpp>
+#include <nmbc/edge_energy.hpp>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -72,25 +73,6 @@ class FixedCondition final : public BoundaryCondition<Real> {
     std::size_t ghosts_;
     std::size_t layer_;
 };
-
-/// Whether each square of the energy has its mirror image among them, as those of nopd1d do. A bond
-/// that is counted at one of its ends alone has none.
-inline bool has_mirrored_squares(const Lattice& lattice) {
-    const auto mirrored = [](std::vector<double> stencil, double sign) {
-        std::reverse(stencil.begin(), stencil.end());
-        for (double& entry : stencil) {
-            entry *= sign;
-        }
-        return stencil;
-    };
-    return std::all_of(lattice.energy.begin(), lattice.energy.end(), [&](const auto& one) {
-        return std::any_of(lattice.energy.begin(), lattice.energy.end(), [&](const auto& other) {
-            return other.part == one.part && other.weight == one.weight &&
-                   (other.stencil == mirrored(one.stencil, 1) ||
-                    other.stencil == mirrored(one.stencil, -1));
-        });
-    });
-}
 
 template <class Real>
 class FreeCondition final : public BoundaryCondition<Real> {

@@ -15,6 +15,7 @@
 #include <nmbc/edge_condition.hpp>
 #include <nmbc/edge_energy.hpp>
 #include <nmbc/lattice.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -38,7 +39,8 @@ enum class Closure {
     kernel,  ///< convex kernels (kernel_edge): the same, with the influence of a cubic spline
     cut,     ///< families end where the nodes do (cut_edge): of bonds, too
     /// A mirror through the outermost node: ghost f has 2 u_s - u_f, or u_f + 2 f dX e, nodes
-    /// counted from 0. Of energies this node counts whole, where one half is the body's.
+    /// counted from 0. Where nothing is given, half of this node's energy counts, the body's; else
+    /// all of it.
     node_mirror,
 };
 
@@ -145,25 +147,54 @@ inline GhostRows surface_node_rows(const Lattice& lattice, OnSurface given) {
     return ghosts;
 }
 
+/// What the nodes beside a mirror have of the whole chain's energy, which is twice theirs while
+/// nothing is given. None where squares have no mirror images, or where the damping would have to
+/// count the node that lies on the mirror by half.
+inline std::optional<EdgeEnergy> mirror_energy(const Lattice& lattice, OnSurface given,
+                                               bool through_node) {
+    if (!has_mirrored_squares(lattice) || (through_node && !lattice.damping.empty())) {
+        return std::nullopt;
+    }
+    EdgeEnergy energy;
+    if (!through_node) {
+        return energy;
+    }
+    energy.mass = {0.5};
+    for (const auto& [part, weight, stencil] : lattice.energy) {
+        const std::size_t half = stencil.size() / 2;
+        std::vector<double> folded(stencil.begin() + std::ptrdiff_t(half), stencil.end());
+        for (std::size_t k = 1; k <= half; ++k) {
+            folded[k] += given == OnSurface::traction ? stencil[half - k] : -stencil[half - k];
+        }
+        energy.squares.push_back({0, part, weight / 2, std::move(folded)});
+    }
+    return energy;
+}
+
 template <class Real>
 class SurfaceCondition final : public BoundaryCondition<Real> {
   public:
-    /// unit [length]: of a value of 1.
+    /// unit [length]: of a value of 1. energy: as BoundaryCondition::own_energy() has it.
     SurfaceCondition(const GhostRows& ghosts, double unit, double time_step,
-                     std::function<double(double)> value)
+                     std::function<double(double)> value, std::optional<EdgeEnergy> energy = {})
         : ghosts_(ghosts.count),
           columns_(ghosts.columns),
           holds_node_(ghosts.holds_node),
           rows_(ghosts.rows.begin(), ghosts.rows.end()),
           given_(ghosts.given),
           time_step_(time_step),
-          value_(std::move(value)) {
+          value_(std::move(value)),
+          energy_(std::move(energy)) {
         for (double& factor : given_) {
             factor *= unit;
         }
     }
 
     std::size_t least_interior_nodes() const override { return columns_; }
+
+    const EdgeEnergy* own_energy(End /*end*/) const override {
+        return energy_ ? &*energy_ : nullptr;
+    }
 
     void start(NodeLine<Real> u, NodeLine<Real> v, std::size_t step) override {
         const double time = static_cast<double>(step) * time_step_;
@@ -212,6 +243,7 @@ class SurfaceCondition final : public BoundaryCondition<Real> {
     std::vector<double> given_;
     double time_step_;
     std::function<double(double)> value_;
+    std::optional<EdgeEnergy> energy_;
 };
 
 /// With like ends.
@@ -284,9 +316,10 @@ std::unique_ptr<BoundaryCondition<Real>> SurfaceEnd::make(
     const Lattice& lattice, const ChainParameters& p,
     std::type_identity<Real> /*precision*/) const {
     if (detail::is_mirror(closure)) {
+        const bool through_node = closure == Closure::node_mirror;
         return std::make_unique<detail::SurfaceCondition<Real>>(
-            detail::mirror_rows(lattice, given, closure == Closure::node_mirror), unit_of(p),
-            p.time_step, value);
+            detail::mirror_rows(lattice, given, through_node), unit_of(p), p.time_step, value,
+            value ? std::nullopt : detail::mirror_energy(lattice, given, through_node));
     }
     if (closure == Closure::surface_node && !lattice.damping.empty()) {
         throw std::invalid_argument("a surface node needs a lattice without damping");

@@ -151,11 +151,11 @@ TEST_CASE("what is wrong is said, with its place and what is allowed") {
     };
     refuses([](Json& t) { t["schema"] = 3; }, "mine.json: schema must be 4, not 3");
     refuses([](Json& t) { t["order"] = 0; },
-            "mine.json: order must be a whole number from 1 to 99, not 0");
+            "mine.json: order must be a whole number from 1 to 100, not 0");
     refuses([](Json& t) { t["order"] = 18446744073709551615U; },
-            "mine.json: order must be a whole number from 1 to 99, not 18446744073709551615");
+            "mine.json: order must be a whole number from 1 to 100, not 18446744073709551615");
     refuses([](Json& t) { t["lattice"]["horizon"] = 1e300; },
-            "mine.json: lattice.horizon must be a whole number from 1 to 99, not 1e+300");
+            "mine.json: lattice.horizon must be a whole number from 1 to 100, not 1e+300");
     const std::string exact = " must be an exact number \"p/q\" in lowest terms, not below 0, not ";
     refuses([](Json& t) { t["lattice"]["tau"] = "2/200"; },
             "mine.json: lattice.tau" + exact + "\"2/200\"");

@@ -27,13 +27,13 @@ refuses() {
 
 for option in --order --horizon --stride; do
     # 4294967297 is 1 in 32 bits, 18446744073709551617 in 64.
-    for bad in 0 -1 +1 010 01 100 1000 9999999999 4294967297 18446744073709551617 1.5 1e1 0x1 three \
+    for bad in 0 -1 +1 010 01 101 1000 9999999999 4294967297 18446744073709551617 1.5 1e1 0x1 three \
         "" " 1" "1 " 1,2; do
         others=()
         for other in --order --horizon; do
             [ "$other" = "$option" ] || others+=("$other" 1)
         done
-        refuses "$option" "'$bad'" "whole number from 1 to 99" -- "${others[@]}" "$option" "$bad"
+        refuses "$option" "'$bad'" "whole number from 1 to 100" -- "${others[@]}" "$option" "$bad"
         [ -z "$bad" ] ||
             refuses "$option" "'$bad'" "whole number" -- "${others[@]}" "$option=$bad"
     done
@@ -64,8 +64,8 @@ refuses --match "makes the order 1000" -- --horizon 1 --G 1/2 --match "0:3$(prin
 for bad in "0" "0:3,1"; do
     refuses --match "has no number of rows; give XI:ROWS" -- --horizon 1 --G 1/2 --match "$bad"
 done
-for bad in "0:3,1:0" "0:3,1:-1" "0:3,1:1:1" "0:3,1:" "0:3,1:200" "0:3,1:one"; do
-    refuses --match "whole number from 1 to 199" -- --horizon 1 --G 1/2 --match "$bad"
+for bad in "0:3,1:0" "0:3,1:-1" "0:3,1:1:1" "0:3,1:" "0:3,1:202" "0:3,1:one"; do
+    refuses --match "whole number from 1 to 201" -- --horizon 1 --G 1/2 --match "$bad"
 done
 # The double nearest to 3.1415926535897932385 is that of pi, which is less.
 for bad in "0:3,4:1" "0:3,pi:1" "0:3,0pi:1" "0:3,355/113:1" "0:3,3.1415926535897932385:1"; do
@@ -75,7 +75,7 @@ refuses --match "'0:2'" "odd number of rows" -- --horizon 1 --G 1/2 --match 0:2
 refuses --match "'0:3,0:5'" "given once" -- --horizon 1 --G 1/2 --match 0:3,0:5
 refuses --match "needs 0:1 at least" -- --horizon 1 --G 1/2 --match 1:2
 refuses --match "makes the order 0" -- --horizon 1 --G 1/2 --match 0:1
-refuses --match "makes the order 100" -- --horizon 1 --G 1/2 --match 0:199,1:1
+refuses --match "makes the order 101" -- --horizon 1 --G 1/2 --match 0:201,1:1
 refuses --match "value 1:2 twice" -- --horizon 1 --G 1/2 --match 0:1,1:2,1:2
 refuses --match "given twice: pi/3" -- --horizon 1 --G 1/2 --match 0:1,pi/3:1,2pi/6:2
 refuses --match "given twice: 1" -- --horizon 1 --G 1/2 --match 0:1,1.0:1,1:2

@@ -9,6 +9,7 @@
 #include <nmbc/certificate.hpp>
 #include <nmbc/surface.hpp>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "tools/nmbcrun/certification/certificate.hpp"
@@ -45,9 +46,14 @@ bool may_shorten_steps(BoundaryKind kind) {
 /// Of the fastest mode beside a true end, or of the interior: omega_max over its frequency.
 double surface_cfl(const Scene& scene, const Boundary& boundary, const nmbc::Lattice& lattice) {
     constexpr double rounding = 1e-9;  // of the largest eigenvalue
-    return (1 - rounding) * nmbc::maximum_frequency(lattice) /
-           std::sqrt(nmbc::largest_eigenvalue(lattice, closure_of(boundary.kind), boundary.given,
-                                              scene.nodes));
+    try {
+        return (1 - rounding) * nmbc::maximum_frequency(lattice) /
+               std::sqrt(nmbc::largest_eigenvalue(lattice, closure_of(boundary.kind),
+                                                  boundary.given, scene.nodes));
+    } catch (const std::invalid_argument& error) {
+        throw SceneError(fmt::format(R"(boundary.kind = "{}": {}; "mirror" ends any lattice)",
+                                     name_of(boundary.kind), error.what()));
+    }
 }
 
 std::string why_uncertified(const Scene& scene, const Boundary& boundary) {

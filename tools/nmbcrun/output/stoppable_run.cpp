@@ -84,7 +84,11 @@ bool StoppableRun::has_grown(double energy, bool is_driven) {
         driven_peak = std::max(driven_peak, energy);
         return false;
     }
-    return driven_peak > 0 && energy > 10 * driven_peak;
+    return has_grown_since_driven(energy);
+}
+
+bool StoppableRun::has_grown_since_driven(double energy) const {
+    return highlights_.driven_peak > 0 && energy > 10 * highlights_.driven_peak;
 }
 
 std::string StoppableRun::growth(double energy, bool has_sources) const {

@@ -78,6 +78,8 @@ class StoppableRun {
     /// are long before the fields. What a source gave since the last look is in this energy alone,
     /// so that this one counts as driven.
     bool has_grown(double energy, bool is_driven);
+    /// Whether this energy is ten times the largest that was entered as driven.
+    bool has_grown_since_driven(double energy) const;
     /// "the energy has grown to .. times .."; has_sources: beside an initial field.
     std::string growth(double energy, bool has_sources) const;
 

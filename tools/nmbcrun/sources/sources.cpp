@@ -115,6 +115,7 @@ void Sources::start(nmbc::Chain& chain) {
         for (std::size_t entry = chain.ghosts(); entry + chain.ghosts() < v.size(); ++entry) {
             velocity[entry] = v[entry] + waves.before[entry];
         }
+        chain.restart_ends();  // their ghosts follow
     }
 }
 
