@@ -322,10 +322,29 @@ for sides in "boundary.left.kind=higdon" "boundary.kind=pml boundary.layer=10"; 
     try run "$scene" --resume --out stopped "${kept[@]}" --set model.G=0.5
     expect_exit 2
     expect_stderr "there model.G is 1, here 0.5"
+    # Nothing that it has kept is lost, or replaced by nothing, where its files are gone or the disk is full.
+    first=stopped/plane_pulse_snapshots.part/000000000.h5
+    mv $first first.h5
+    try run "$scene" "${kept[@]}" --resume --out stopped
+    expect_exit 5
+    expect_stderr "$first is missing: the run cannot go on from its checkpoint"
+    head -c 1000 first.h5 >$first
+    try run "$scene" "${kept[@]}" --resume --out stopped
+    expect_exit 5
+    expect_stderr "$first is too short"
+    mv first.h5 $first
+    code=0
+    (
+        ulimit -f 20
+        exec "$program" run "$scene" "${kept[@]}" --set output.checkpoint=1e9 --resume --out stopped
+    ) >"$scratch/stdout" 2>"$scratch/stderr" || code=$?
+    expect_exit 5
+    expect_stderr "File too large. --resume goes on from stopped/plane_pulse.checkpoint"
+    expect "its snapshots stay" test -s $first
     "$program" run "$scene" "${kept[@]}" --resume --out stopped >"$scratch/stdout" 2>&1 &
     running=$!
     sleep 0.3
-    kill -INT $running 2>/dev/null || true
+    kill -TERM $running 2>/dev/null || true  # SIGINT is ignored in the background of a script
     wait $running || true
     if [ -e stopped/plane_pulse.checkpoint ]; then
         try run "$scene" "${kept[@]}" --resume --out stopped

@@ -137,6 +137,7 @@ std::string pvd_text(const std::vector<Snapshot>& snapshots) {
     return text + "</Collection>\n</VTKFile>\n";
 }
 
+/// The extents of each dataset are the file's own, which ParaView's Xdmf3 readers require.
 std::string xdmf_text(const PlaneSimulation& simulation, const std::vector<Snapshot>& snapshots) {
     const PlaneScene& scene = simulation.scene();
     const auto [nx, ny] = simulation.body().nodes;
@@ -148,14 +149,15 @@ std::string xdmf_text(const PlaneSimulation& simulation, const std::vector<Snaps
             "<Grid Name=\"nodes\">\n<Time Value=\"{0:.10g}\"/>\n"
             "<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"1 {2} {1}\"/>\n"
             "<Geometry GeometryType=\"ORIGIN_DXDYDZ\">\n"
-            "<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\">0 {4} {3}</DataItem>\n"
-            "<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\">{5} {5} "
-            "{5}</DataItem>\n</Geometry>\n",
+            "<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\" Format=\"XML\">"
+            "0 {4} {3}</DataItem>\n"
+            "<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\" Format=\"XML\">"
+            "{5} {5} {5}</DataItem>\n</Geometry>\n",
             time, nx, ny, origin_of(simulation, 0), origin_of(simulation, 1), scene.spacing);
         for (const auto& [name, components] : quantities_of(scene)) {
             text += fmt::format(
                 "<Attribute Name=\"{0}\" AttributeType=\"{1}\" Center=\"Node\">\n"
-                "<DataItem Dimensions=\"1 {3} {2}{4}\" NumberType=\"Float\" Precision=\"8\" "
+                "<DataItem Dimensions=\"{3} {2}{4}\" NumberType=\"Float\" Precision=\"8\" "
                 "Format=\"HDF\">{5}:/{0}</DataItem>\n</Attribute>\n",
                 name, components > 1 ? "Vector" : "Scalar", nx, ny, components > 1 ? " 3" : "",
                 file.generic_string());

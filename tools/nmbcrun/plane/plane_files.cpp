@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view plane_energies_header =
     "time,kinetic,strain,stabilisation,total,ledger,work,left_side,right_side,bottom_side,top_side,"
-    "fracture,drift";
+    "damped,fracture,drift";
 
 std::string probes_header(const PlaneScene& scene) {
     std::string header = "time";
@@ -55,7 +55,8 @@ PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, const std::filesystem:
                          fmt::format("{}\n", fmt::join(crack_columns(*front_), ",")));
     }
     RunFiles::begin();
-    snapshots_.begin(simulation.plane().steps(), simulation.plan().time_step);
+    snapshots_.begin(simulation.plane().steps(), simulation.plan().time_step,
+                     bytes_of_fields(simulation));
 }
 
 void PlaneFiles::keep(bool kept) {
@@ -85,10 +86,10 @@ void PlaneFiles::record(const PlaneSimulation& simulation, const nmbc::PlaneEner
                         const PlaneBalance& balance) {
     const nmbc::Plane& plane = simulation.plane();
     energies_journal().append(fmt::format(
-        "{:.10g},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+        "{:.10g},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
         plane.time() - simulation.plan().time_step / 2, e.kinetic, e.strain, e.stabilisation,
         e.total(), balance.energy, balance.work, balance.left[0], balance.left[1], balance.left[2],
-        balance.left[3], balance.fracture, balance.drift));
+        balance.left[3], balance.damped, balance.fracture, balance.drift));
     if (cracked_ != nullptr) {
         std::string row = fmt::format("{:.10g},{:.0f}", plane.time(), plane.broken());
         for (const CrackGrowth& of_end : growth(simulation)) {

@@ -67,16 +67,27 @@ PlaneSnapshots::~PlaneSnapshots() {
     }
 }
 
-void PlaneSnapshots::begin(std::size_t step, double time_step) {
+void PlaneSnapshots::begin(std::size_t step, double time_step, double bytes) {
     if (step == 0) {
         remove_snapshots(growing());
         return;
     }
-    if (!std::filesystem::exists(growing()) && std::filesystem::exists(path("_snapshots"))) {
-        std::filesystem::rename(path("_snapshots"), growing());  // of a run that was stopped
-    }
+    is_kept_ = true;
+    const bool was_stopped = !std::filesystem::exists(growing());
+    const std::filesystem::path folder = was_stopped ? path("_snapshots") : growing();
     for (std::size_t at = 0; every_ > 0 && at <= step; at += every_) {
         snapshots_.push_back({double(at) * time_step, file_of(at)});
+        const std::filesystem::path file = folder / snapshots_.back().file.filename();
+        std::error_code missing;
+        const auto size = std::filesystem::file_size(file, missing);
+        if (missing || double(size) < bytes) {
+            throw FileError(fmt::format(
+                "{} is {}: the run cannot go on from its checkpoint; without --resume it begins anew",
+                file.string(), missing ? "missing" : "too short"));
+        }
+    }
+    if (was_stopped && std::filesystem::exists(path("_snapshots"))) {
+        std::filesystem::rename(path("_snapshots"), growing());
     }
 }
 

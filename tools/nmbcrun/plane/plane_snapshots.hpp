@@ -28,9 +28,10 @@ class PlaneSnapshots {
     PlaneSnapshots(PlaneSnapshots&&) = delete;
     PlaneSnapshots& operator=(PlaneSnapshots&&) = delete;
 
-    /// With those that a run has left up to this step; at step 0 anew, and those of a run that was
-    /// killed are removed.
-    void begin(std::size_t step, double time_step);
+    /// With those that a run has left up to this step, which stay whatever becomes of this one; at
+    /// step 0 anew, and those of a run that was killed are removed. bytes: that a snapshot has at
+    /// least. Throws FileError where one is missing or shorter.
+    void begin(std::size_t step, double time_step, double bytes);
 
     void take(const PlaneSimulation& simulation);
     void keep(bool kept) { is_kept_ = kept; }
