@@ -81,9 +81,10 @@ void PlaneSnapshots::begin(std::size_t step, double time_step, double bytes) {
         std::error_code missing;
         const auto size = std::filesystem::file_size(file, missing);
         if (missing || double(size) < bytes) {
-            throw FileError(fmt::format(
-                "{} is {}: the run cannot go on from its checkpoint; without --resume it begins anew",
-                file.string(), missing ? "missing" : "too short"));
+            throw nmbcgen::FileError(
+                fmt::format("{} is {}: the run cannot go on from its checkpoint; without --resume "
+                            "it begins anew",
+                            file.string(), missing ? "missing" : "too short"));
         }
     }
     if (was_stopped && std::filesystem::exists(path("_snapshots"))) {
