@@ -60,19 +60,19 @@ struct PlaneDrive {
     std::array<double, 2> half_width{};
 };
 
-/// What acts on the nodes of a rectangle from t = 0 on.
+/// What acts on the nodes of a side or a rectangle from t = 0 on.
 struct PlaneLoad {
     std::string name{};        ///< as a scene has it, "load.top"
     bool is_velocity = false;  ///< it is given; otherwise a body force
     std::size_t component = 0;
-    double amplitude = 0;  ///< [length/time] or [force/volume]
+    double amplitude = 0;               ///< [length/time] or [force/volume]
+    std::optional<std::size_t> side{};  ///< on the body's outermost nodes there; none:
     std::array<double, 2> centre{};
     std::array<double, 2> half_width{};
-    bool is_traction = false;              ///< or a pressure: of a side
-    std::optional<std::size_t> surface{};  ///< a closed side, on whose nodes it acts instead
-    double rise = 0;                       ///< grows linearly up to this time
-    double until = 0;                      ///< and ends at this one
-    std::filesystem::path file{};          ///< or follows this one, columns time, force
+    bool is_traction = false;      ///< or a pressure: of a side
+    double rise = 0;               ///< grows linearly up to this time
+    double until = 0;              ///< and ends at this one
+    std::filesystem::path file{};  ///< or follows this one, columns time, force
 };
 
 /// Bonds that are cut from the start, and when others break.

@@ -259,16 +259,6 @@ nmbc::PlaneEnergies PlaneSimulation::energies() const {
                            extension_[2] + scene_.nodes[1]);
 }
 
-PlaneSimulation::Body PlaneSimulation::body() const {
-    Body body{.nodes = scene_.nodes};
-    for (std::size_t side = 0; side < scene_.sides.size(); ++side) {
-        const std::size_t added = is_closed(scene_.sides[side].kind) ? plane_.layers()[side] : 0;
-        body.nodes[side / 2] += added;
-        body.before[side / 2] += side % 2 == 0 ? added : 0;
-    }
-    return body;
-}
-
 double PlaneSimulation::times_supplied() const {
     return plane_.energies().staggered / (at_start_ + std::max(0.0, sources_.work()));
 }

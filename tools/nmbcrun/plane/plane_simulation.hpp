@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/nmbcrun/plane/plane_body.hpp"
 #include "tools/nmbcrun/plane/plane_scene.hpp"
 #include "tools/nmbcrun/plane/plane_sources.hpp"
 #include "tools/nmbcrun/scene/step_plan.hpp"
@@ -73,12 +74,7 @@ class PlaneSimulation {
         return plane_.entry(x + extension_[0], y + extension_[2]);
     }
 
-    /// The nodes of the body: those of the scene and those that closed sides add.
-    struct Body {
-        std::array<std::size_t, 2> before{};  ///< added at the low sides
-        std::array<std::size_t, 2> nodes{};   ///< along each axis
-    };
-    Body body() const;
+    PlaneBody body() const { return body_of(scene_, plane_.layers()); }
     /// The field's entry of such a node, counted from the body's lower left one.
     std::size_t entry_of_body(std::size_t x, std::size_t y) const {
         return entry(x - body().before[0], y - body().before[1]);

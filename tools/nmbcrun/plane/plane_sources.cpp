@@ -11,51 +11,51 @@
 #include <variant>
 
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/plane/plane_body.hpp"
 #include "tools/nmbcrun/sources/nodes_within.hpp"
 #include "tools/nmbcrun/sources/two_digits.hpp"
 
 namespace nmbcrun {
 namespace {
 
-/// The nodes of the layer of a side, corners included.
-std::vector<std::size_t> entries_of_layer(const nmbc::Plane& plane, std::size_t side) {
-    const nmbc::Grid grid = plane.grid();
-    const std::size_t ghosts = plane.ghosts();
-    const bool is_high = side % 2 == 1;
-    const std::size_t across = side / 2 == 0 ? grid.nx : grid.ny;
-    const std::size_t along = side / 2 == 0 ? grid.ny : grid.nx;
-    const std::size_t line = is_high ? across - 1 - ghosts : ghosts;
+/// The field's entries of the body's outermost nodes at a side.
+std::vector<std::size_t> entries_at_side(const PlaneScene& scene, const nmbc::Plane& plane,
+                                         const std::array<std::size_t, 2>& extension,
+                                         std::size_t side) {
+    const PlaneBody body = body_of(scene, plane.layers());
+    const std::size_t axis = side / 2;
+    std::array<std::size_t, 2> node{};
+    node[axis] = side % 2 == 0 ? 0 : body.nodes[axis] - 1;
     std::vector<std::size_t> entries;
-    for (std::size_t i = ghosts; i + ghosts < along; ++i) {
-        entries.push_back(side / 2 == 0 ? i * grid.nx + line : line * grid.nx + i);
+    for (std::size_t& i = node[1 - axis]; i < body.nodes[1 - axis]; ++i) {
+        entries.push_back(plane.entry(node[0] + extension[0] - body.before[0],
+                                      node[1] + extension[1] - body.before[1]));
     }
     return entries;
 }
 
-/// Of these nodes: what a traction on the surface does to each, over what it does to a node of a
+/// Of these: what a traction does to each, over what it does to a node of a
 /// whole cell.
-std::vector<double> shares_of_layer(const nmbc::Plane& plane, std::size_t side,
-                                    const std::vector<std::size_t>& entries) {
+std::vector<double> shares_of_traction(const PlaneScene& scene, const nmbc::Plane& plane,
+                                       std::size_t side, const std::vector<std::size_t>& entries) {
     const nmbc::PlaneParameters& p = plane.parameters();
     const double whole = p.density * p.spacing * p.spacing;
-    const auto is_summed = [&](std::size_t number) {
-        const nmbc::PlaneSide& one = plane.sides().at(nmbc::plane_sides[number]);
-        return std::holds_alternative<nmbc::ClosedSide>(one) ||
-               (std::holds_alternative<nmbc::PassiveSide>(one) &&
-                nmbc::detail::own_layers(one) == 1);
+    std::vector<double> surface{0.5, 1.0};  // of radius 1, whose closed sides have no closure
+    for (const nmbc::Side place : nmbc::plane_sides) {
+        if (const auto* const closed = std::get_if<nmbc::ClosedSide>(&plane.sides().at(place))) {
+            surface = closed->closure->surface;
+        }
+    }
+    const auto length = [&](std::size_t beside, std::size_t nodes_off) {
+        return is_closed(scene.sides[beside].kind)
+                   ? surface[std::min(nodes_off, surface.size() - 1)]
+                   : 1.0;
     };
-    const auto* const closed =
-        std::get_if<nmbc::ClosedSide>(&plane.sides().at(nmbc::plane_sides[side]));
-    const std::vector<double> surface =
-        closed != nullptr ? closed->closure->surface : std::vector{0.5, 1.0};
     const std::size_t along = side / 2 == 0 ? 2 : 0;  // the sides that it begins and ends at
     std::vector<double> shares;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        const std::size_t last = surface.size() - 1;
-        const double low = surface[is_summed(along) ? std::min(i, last) : last];
-        const double high =
-            surface[is_summed(along + 1) ? std::min(entries.size() - 1 - i, last) : last];
-        shares.push_back(low * high * whole / plane.mass(0, entries[i]));
+        shares.push_back(length(along, i) * length(along + 1, entries.size() - 1 - i) * whole /
+                         plane.mass(0, entries[i]));
     }
     return shares;
 }
@@ -214,11 +214,10 @@ PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
             source = source_of(force, force.warnings(load.name, time_step));
         }
         source.gives = load.is_velocity ? Source::Gives::velocity : Source::Gives::force;
-        const Entries entries = load.surface
-                                    ? entries_of_layer(plane, *load.surface)
-                                    : region.within(load.name, load.centre, load.half_width);
-        if (load.surface && load.is_traction) {
-            source.shares = shares_of_layer(plane, *load.surface, entries);
+        const Entries entries = load.side ? entries_at_side(scene, plane, extension, *load.side)
+                                          : region.within(load.name, load.centre, load.half_width);
+        if (load.is_traction) {
+            source.shares = shares_of_traction(scene, plane, *load.side, entries);
         }
         add(std::move(source), load.component, entries, load.name, plane);
     }

@@ -112,17 +112,6 @@ PlaneDrive read_plane_drive(const KeyGroup& group) {
             .half_width = read_point(group, "half_width", not_negative)};
 }
 
-/// The outermost row of nodes at a side.
-void take_side(PlaneLoad& load, std::size_t side, const PlaneScene& scene) {
-    const std::size_t axis = side / 2;
-    for (const std::size_t each : {0U, 1U}) {
-        load.centre[each] = (double(scene.nodes[each]) + 1) / 2 * scene.spacing;
-        load.half_width[each] = double(scene.nodes[each]) / 2 * scene.spacing;
-    }
-    load.centre[axis] = (side % 2 == 0 ? 1 : double(scene.nodes[axis])) * scene.spacing;
-    load.half_width[axis] = 0;
-}
-
 PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneScene& scene) {
     enum class Kind { traction, pressure, force, velocity };
     SceneReader& reader = group.reader();
@@ -156,10 +145,7 @@ PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneS
     }
     if (side) {
         group.refuse({"centre", "half_width"}, "the nodes of a side");
-        take_side(load, *side, scene);
-        if (is_closed(scene.sides[*side].kind)) {
-            load.surface = side;
-        }
+        load.side = side;
         if (kind == Kind::pressure) {
             load.component = *side / 2;
             load.amplitude *= *side % 2 == 0 ? 1 : -1;
