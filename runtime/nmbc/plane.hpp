@@ -217,24 +217,27 @@ class BasicPlane {
     PlaneEnergies energies() const {
         return energies_of({axis_of(0).with_own_energy(), axis_of(1).with_own_energy()});
     }
-    /// Of the interior nodes with first_x <= x < last_x, likewise y: half of each of their bonds,
+    /// Of the nodes with first_x <= x < last_x, likewise y, which are counted from the interior's
+    /// first one: those of layers are below 0 and beyond its last one. Half of each of their bonds,
     /// and all of one to a held ghost. Throws std::invalid_argument where there are none, or
     /// others.
-    PlaneEnergies energies(std::size_t first_x, std::size_t last_x, std::size_t first_y,
-                           std::size_t last_y) const {
-        if (first_x >= last_x || last_x > parameters_.nx || first_y >= last_y ||
-            last_y > parameters_.ny) {
-            throw std::invalid_argument("energies: the nodes must be a range within the interior");
-        }
-        const auto range = [](std::size_t first, std::size_t last, std::size_t layers) {
-            return detail::PlaneAxis::Range{static_cast<std::ptrdiff_t>(first + layers),
-                                            static_cast<std::ptrdiff_t>(last + layers)};
+    PlaneEnergies energies(std::ptrdiff_t first_x, std::ptrdiff_t last_x, std::ptrdiff_t first_y,
+                           std::ptrdiff_t last_y) const {
+        const auto range = [](std::ptrdiff_t first, std::ptrdiff_t last, std::size_t layers,
+                              std::size_t nodes) {
+            const auto before = static_cast<std::ptrdiff_t>(layers);
+            if (first >= last || first < -before ||
+                last + before > static_cast<std::ptrdiff_t>(nodes)) {
+                throw std::invalid_argument("energies: the nodes must be a range within the body");
+            }
+            return detail::PlaneAxis::Range{first + before, last + before};
         };
         return energies_of(
-            {range(first_x, last_x, layers_[0]), range(first_y, last_y, layers_[2])});
+            {range(first_x, last_x, layers_[0], nx_), range(first_y, last_y, layers_[2], ny_)});
     }
     PlaneEnergies interior_energies() const {
-        return energies(0, parameters_.nx, 0, parameters_.ny);
+        return energies(0, static_cast<std::ptrdiff_t>(parameters_.nx), 0,
+                        static_cast<std::ptrdiff_t>(parameters_.ny));
     }
 
   private:

@@ -70,6 +70,18 @@ TEST_CASE("the work of a load on a closed side is what the ledger says") {
     }
 }
 
+TEST_CASE("between closed sides all that a load puts in is in the body") {
+    for (const auto& [model, closed] :
+         {std::pair{model_of_radius(1), "sbp"}, {model_of_radius(4), "sbp"}, {spline, "kernel"}}) {
+        CAPTURE(model);
+        PlaneSimulation simulation(loaded(model, "traction", closed, closed, closed, closed));
+        simulation.advance(100);
+        const double left = simulation.energies().staggered;
+        CHECK(left > 0);
+        CHECK(left == doctest::Approx(simulation.balance().work).epsilon(1e-12));
+    }
+}
+
 /// Given to the whole plane along y [per thickness].
 double momentum(const PlaneSimulation& simulation) {
     const nmbc::Plane& plane = simulation.plane();

@@ -187,6 +187,28 @@ TEST_CASE("closed, free and passive sides in one box: what is left and what has 
     }
 }
 
+TEST_CASE("the energies of a range of nodes are those of closed layers, too") {
+    const nmbc::PlaneModel model = nmbc::nopd2d(4, nu, 0.5);
+    const nmbc::PlaneSide side = closed(4);
+    const nmbc::PlaneSides sides{side, absorbing(3, 0.2), nmbc::FreeSide{}, side};
+    nmbc::Plane plane(model, sides, parameters_of(model, sides));
+    plane.displacement(0)[plane.entry(1, 6)] = 1;
+    plane.start();
+    plane.advance(20);
+    const auto before = std::ptrdiff_t(plane.layers()[0]);
+    const auto right = 9 + std::ptrdiff_t(plane.layers()[1]);
+    const auto top = 7 + std::ptrdiff_t(plane.layers()[3]);
+    CHECK(plane.energies(-before, right, 0, top).staggered ==
+          doctest::Approx(plane.energies().staggered).epsilon(1e-13));
+    CHECK(plane.energies(-before, 9, 0, top).staggered +
+              plane.energies(9, right, 0, top).staggered ==
+          doctest::Approx(plane.energies().staggered).epsilon(1e-13));
+    CHECK(plane.interior_energies().staggered < 0.9 * plane.energies().staggered);
+    CHECK_THROWS_AS(plane.energies(-before - 1, 9, 0, 7), std::invalid_argument);
+    CHECK_THROWS_AS(plane.energies(0, 9, 0, top + 1), std::invalid_argument);
+    CHECK_THROWS_AS(plane.energies(0, 9, -1, 7), std::invalid_argument);
+}
+
 TEST_CASE("between halves at the sides the energy is kept") {
     const nmbc::PlaneModel model = nmbc::nopd2d(1, nu, 0.5);
     const auto sides = nmbc::PlaneSides::all(half());

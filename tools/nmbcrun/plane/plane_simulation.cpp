@@ -255,8 +255,12 @@ void PlaneSimulation::advance(std::size_t steps) {
 }
 
 nmbc::PlaneEnergies PlaneSimulation::energies() const {
-    return plane_.energies(extension_[0], extension_[0] + scene_.nodes[0], extension_[2],
-                           extension_[2] + scene_.nodes[1]);
+    const auto [before, nodes] = body();
+    const auto first = [&](std::size_t axis) {
+        return std::ptrdiff_t(extension_[2 * axis]) - std::ptrdiff_t(before[axis]);
+    };
+    return plane_.energies(first(0), first(0) + std::ptrdiff_t(nodes[0]), first(1),
+                           first(1) + std::ptrdiff_t(nodes[1]));
 }
 
 double PlaneSimulation::times_supplied() const {

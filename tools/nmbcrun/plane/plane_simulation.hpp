@@ -25,12 +25,12 @@ struct PlanePlan : StepPlan {
 /// What has gone where since the start. Not a number where it is not measured: what goes out
 /// through sides that may feed energy in, and the drift beside such.
 struct PlaneBalance {
-    double energy = 0;             ///< staggered, of the whole body
+    double energy = 0;             ///< staggered, of the whole plane
     double work = 0;               ///< done by the sources
     std::array<double, 4> left{};  ///< gone out through each side, in the order of plane_sides
     double fracture = 0;           ///< what the bonds had that have broken
     double damped = 0;             ///< what the damping has taken
-    /// energy of the whole body - (at the start + work - left - fracture - damped): roundings
+    /// energy of the whole plane - (at the start + work - left - fracture - damped): roundings
     double drift = 0;
 };
 
@@ -52,13 +52,13 @@ class PlaneSimulation {
     bool is_done() const { return plane_.steps() >= plan_.steps; }
     void advance(std::size_t steps);
 
-    /// Of the scene's nodes, at t - dt/2.
+    /// Of the nodes of body(), at t - dt/2.
     nmbc::PlaneEnergies energies() const;
-    /// The energy of the whole body over that of its start and its sources.
+    /// The energy of the whole plane over that of its start and its sources.
     double times_supplied() const;
-    /// The energy of the whole body at the start, and the work of its sources since.
+    /// The energy of the whole plane at the start, and the work of its sources since.
     double supplied() const { return at_start_ + sources_.work(); }
-    /// At the same time, of the whole body.
+    /// At the same time, of the whole plane.
     PlaneBalance balance() const;
 
     /// As lists of numbers; and to go on from those of a simulation of the same scene, bit for bit.
@@ -104,7 +104,7 @@ class PlaneSimulation {
     nmbc::Plane plane_;
     std::optional<nmbc::PlanePml> pml_;  // of the scene's layers of that kind
     PlaneSources sources_;
-    double at_start_ = 0;  // energy of the whole body
+    double at_start_ = 0;  // energy of the whole plane
 };
 
 }  // namespace nmbcrun
