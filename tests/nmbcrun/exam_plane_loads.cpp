@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "tests/nmbcrun/plane_starts.hpp"
+#include "tools/nmbcrun/errors.hpp"
 
 namespace nmbcrun::test {
 namespace {
@@ -29,9 +31,13 @@ const std::string spline = model_of_radius(8, ", influence = 'spline'");
 /// Loaded on the right, with these sides there, below, above and on the left.
 PlaneScene loaded(const std::string& model, const char* load, const char* right, const char* bottom,
                   const char* top, const char* left) {
-    Overrides overrides{{"load.pull.kind", load},         {"load.pull.component", "y"},
-                        {"load.pull.amplitude", "7"},     {"boundary.right.kind", right},
-                        {"boundary.bottom.kind", bottom}, {"boundary.top.kind", top},
+    Overrides overrides{{"load.pull.kind", load},
+                        {"load.pull.component", "y"},
+                        {"load.pull.amplitude", "7"},
+                        {"load.pull.rise", std::string(load) == "displacement" ? "5" : "0"},
+                        {"boundary.right.kind", right},
+                        {"boundary.bottom.kind", bottom},
+                        {"boundary.top.kind", top},
                         {"boundary.left.kind", left}};
     for (const auto& [key, kind] : {std::pair{"boundary.bottom.layer", std::string(bottom)},
                                     {"boundary.top.layer", std::string(top)}}) {
@@ -49,7 +55,7 @@ TEST_CASE("the work of a load on a closed side is what the ledger says") {
                                                 {model_of_radius(4), "sbp", "sponge"},
                                                 {spline, "sbp", "sponge"},
                                                 {spline, "kernel", "sponge"}}) {
-        for (const char* const load : {"traction", "force", "velocity"}) {
+        for (const char* const load : {"traction", "force", "velocity", "displacement"}) {
             CAPTURE(model);
             CAPTURE(closed);
             CAPTURE(beside);
@@ -68,6 +74,51 @@ TEST_CASE("the work of a load on a closed side is what the ledger says") {
             CHECK(drift < 1e-11 * peak);
         }
     }
+}
+
+TEST_CASE("a side follows the displacement that it is given, until it is let go") {
+    PlaneScene scene = loaded(model_of_radius(4), "displacement", "sbp", "sbp", "sponge", "free");
+    scene.loads.front().until = 10;
+    PlaneSimulation simulation(scene);
+    const std::array<std::size_t, 2> nodes = simulation.body().nodes;
+    double off = 0;  // largest departure from what is given
+    const auto look = [&] {
+        const double time = simulation.plane().time();
+        for (std::size_t y = 0; y < nodes[1]; ++y) {
+            const std::size_t entry = simulation.entry_of_body(nodes[0] - 1, y);
+            off = std::max(off, std::abs(simulation.plane().displacement(1)[entry] -
+                                         7 * std::min(1.0, time / 5)));
+        }
+    };
+    while (simulation.plane().time() + simulation.plan().time_step <= 10) {
+        simulation.advance(1);
+        look();
+    }
+    CHECK(simulation.plane().time() > 9);
+    CHECK(off < 1e-13);
+    CHECK(simulation.is_driven(9.9));
+    CHECK(!simulation.is_driven(10.1));
+    simulation.advance(20);
+    look();
+    CHECK(off > 0.1);
+}
+
+TEST_CASE("a displacement that sets in at once is refused, one of 0 holds") {
+    const auto refusal = [](const Overrides& more) {
+        Overrides overrides{{"load.pull.kind", "displacement"}, {"load.pull.component", "x"}};
+        overrides.insert(overrides.end(), more.begin(), more.end());
+        try {
+            plane_scene_of(model_of_radius(1) + of_load, overrides);
+        } catch (const SceneError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    CHECK(refusal({{"load.pull.amplitude", "1"}}).find("load.pull.rise above 0, or a file") !=
+          std::string::npos);
+    CHECK(refusal({{"load.pull.amplitude", "1"}, {"load.pull.rise", "1"}}) == "");
+    CHECK(refusal({{"load.pull.amplitude", "1"}, {"load.pull.file", "any.csv"}}) == "");
+    CHECK(refusal({{"load.pull.amplitude", "0"}}) == "");
 }
 
 TEST_CASE("between closed sides all that a load puts in is in the body") {

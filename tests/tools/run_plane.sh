@@ -113,6 +113,13 @@ expect_no_stderr
 expect "an even strain" awk -F, 'END { x = -0.3e-3 * 9.5; y = 11e-3; exit !(($2 / x - 1) ^ 2 < 1e-5 && ($3 / y - 1) ^ 2 < 1e-5) }' \
     results/pulled_probes.csv
 expect "the ledger closes" awk '/^ledger drift/ { exit !($3 < 1e-12) }' "$scratch/stdout"
+# Likewise where 13 dX are made longer by as much.
+try run pulled.toml --quiet --set load.top.kind=displacement --set load.top.amplitude=13e-3
+expect_exit 0
+expect_no_stderr
+expect "an even strain" awk -F, 'END { x = -0.3e-3 * 9.5; y = 11e-3; exit !(($2 / x - 1) ^ 2 < 1e-5 && ($3 / y - 1) ^ 2 < 1e-5) }' \
+    results/pulled_probes.csv
+expect "the ledger closes" awk '/^ledger drift/ { exit !($3 < 1e-12) }' "$scratch/stdout"
 # At larger radii it lies on the outermost of c + n lines, c = max(n, 2) + 1; the larger body swings longer.
 for radius in 2:3 4:4 9:6; do
     try run pulled.toml --quiet --set model.radius2="${radius%:*}"

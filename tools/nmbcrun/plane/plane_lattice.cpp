@@ -49,7 +49,7 @@ std::optional<double> longest_step_of_loads(const PlaneScene& scene) {
     const auto stretch = critical_stretch(scene);
     std::optional<double> longest;
     for (const PlaneLoad& load : scene.loads) {
-        if (stretch && !load.is_velocity && load.rise == 0 && load.file.empty()) {
+        if (stretch && load.given == Given::force && load.rise == 0 && load.file.empty()) {
             const double acceleration = std::abs(load.amplitude) / scene.density;
             const double step = std::sqrt(*stretch * scene.spacing / acceleration);
             longest = std::min(longest.value_or(step), step);

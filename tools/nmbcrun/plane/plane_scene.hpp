@@ -60,12 +60,15 @@ struct PlaneDrive {
     std::array<double, 2> half_width{};
 };
 
+/// What a source gives the nodes that it acts on.
+enum class Given { force, velocity, displacement };
+
 /// What acts on the nodes of a side or a rectangle from t = 0 on.
 struct PlaneLoad {
-    std::string name{};        ///< as a scene has it, "load.top"
-    bool is_velocity = false;  ///< it is given; otherwise a body force
+    std::string name{};  ///< as a scene has it, "load.top"
+    Given given = Given::force;
     std::size_t component = 0;
-    double amplitude = 0;               ///< [length/time] or [force/volume]
+    double amplitude = 0;               ///< [force/volume], [length/time] or [length]
     std::optional<std::size_t> side{};  ///< on the body's outermost nodes there; none:
     std::array<double, 2> centre{};
     std::array<double, 2> half_width{};

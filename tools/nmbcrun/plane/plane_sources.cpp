@@ -155,7 +155,7 @@ PlaneSources::Source PlaneSources::source_of(const PlaneLoad& load) {
 }
 
 PlaneSources::Source PlaneSources::source_of(const PlaneDrive& drive) {
-    return {.gives = Source::Gives::displacement,
+    return {.given = Given::displacement,
             .at =
                 [drive](double time) {
                     return drive.amplitude / 2 *
@@ -183,7 +183,7 @@ void PlaneSources::add(Source source, std::size_t component, const Entries& entr
                 {.component = component, .entry = entry, .mass = plane.mass(component, entry)});
         }
         source.nodes.push_back(found->second);
-        if (source.gives != Source::Gives::force) {
+        if (source.given != Given::force) {
             std::string& course = moved_[found->second].course;
             if (!course.empty()) {
                 throw SceneError(fmt::format("{} and {} both say how one and the same node moves",
@@ -213,7 +213,7 @@ PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
                 {.history = History::file, .amplitude = load.amplitude, .file = load.file});
             source = source_of(force, force.warnings(load.name, time_step));
         }
-        source.gives = load.is_velocity ? Source::Gives::velocity : Source::Gives::force;
+        source.given = load.given;
         const Entries entries = load.side ? entries_at_side(scene, plane, extension, *load.side)
                                           : region.within(load.name, load.centre, load.half_width);
         if (load.is_traction) {
@@ -246,7 +246,7 @@ void PlaneSources::operator()(nmbc::Plane& plane, double time) {
         node.kicked = velocity(node);
     }
     for (const Source& source : sources_) {
-        if (source.gives == Source::Gives::force) {
+        if (source.given == Given::force) {
             const double push = time_step_ * source.at(time - time_step_) / density_;
             for (std::size_t i = 0; i < source.nodes.size(); ++i) {
                 velocity(moved_[source.nodes[i]]) +=
@@ -257,13 +257,13 @@ void PlaneSources::operator()(nmbc::Plane& plane, double time) {
     // What follows a course does so whatever force acts on it.
     for (const Source& source : sources_) {
         const double middle = time - time_step_ / 2;
-        if (source.gives == Source::Gives::velocity && middle <= source.last) {
+        if (source.given == Given::velocity && middle <= source.last) {
             const double speed = source.at(middle);
             for (const std::size_t place : source.nodes) {
                 velocity(moved_[place]) = speed;
             }
         }
-        if (source.gives == Source::Gives::displacement && time <= source.last) {
+        if (source.given == Given::displacement && time <= source.last) {
             const double course = source.at(time);
             for (const std::size_t place : source.nodes) {
                 const Moved& node = moved_[place];

@@ -52,8 +52,7 @@ class PlaneSources {
     };
     /// What acts on some of them.
     struct Source {
-        enum class Gives { force, velocity, displacement };
-        Gives gives = Gives::force;          ///< [force/volume]
+        Given given = Given::force;
         std::function<double(double)> at{};  ///< in time
         double last = 0;                     ///< it acts up to this time
         std::vector<std::size_t> nodes{};    ///< places in moved_

@@ -113,18 +113,22 @@ PlaneDrive read_plane_drive(const KeyGroup& group) {
 }
 
 PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneScene& scene) {
-    enum class Kind { traction, pressure, force, velocity };
+    enum class Kind { traction, pressure, force, velocity, displacement };
     SceneReader& reader = group.reader();
     const Kind kind = group.choice<Kind>("kind", {{"traction", Kind::traction},
                                                   {"pressure", Kind::pressure},
                                                   {"force", Kind::force},
-                                                  {"velocity", Kind::velocity}});
+                                                  {"velocity", Kind::velocity},
+                                                  {"displacement", Kind::displacement}});
     const auto side = read_choice<std::size_t>(
         reader, group.key("side"), {{"left", 0}, {"right", 1}, {"bottom", 2}, {"top", 3}});
     PlaneLoad load{.name = name};
-    load.is_velocity = kind == Kind::velocity;
-    load.amplitude = load.is_velocity ? group.number("amplitude", any_number)  // 0 holds it
-                                      : group.not_zero("amplitude");
+    load.given = kind == Kind::velocity       ? Given::velocity
+                 : kind == Kind::displacement ? Given::displacement
+                                              : Given::force;
+    load.amplitude = load.given == Given::force
+                         ? group.not_zero("amplitude")
+                         : group.number("amplitude", any_number);  // 0 holds it
     if (kind == Kind::pressure) {
         group.refuse({"component"}, "a pressure, which acts inwards");
     } else {
@@ -137,7 +141,7 @@ PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneS
                 group.key("side"),
                 fmt::format("has no surface: the body does not end there, or is held (side "
                             "{}). A traction or pressure needs boundary.{}.kind = \"free\", "
-                            "\"sbp\" or \"kernel\"; loads of the kinds force and velocity do not",
+                            "\"sbp\" or \"kernel\"; loads of other kinds do not",
                             heading_of(beside), plane_side_names[*side]));
         }
         load.amplitude /= scene.spacing;  // of a whole cell
@@ -162,6 +166,13 @@ PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneS
         load.file = group.file();
     }
     load.rise = group.number_or("rise", not_negative, 0);
+    if (load.given == Given::displacement && load.file.empty() && load.amplitude != 0 &&
+        load.rise == 0) {
+        reader.fail(group.key("kind"),
+                    fmt::format("needs {} above 0, or a file: to be displaced at once nodes would "
+                                "be infinitely fast",
+                                group.key("rise")));
+    }
     load.until = group.number_or("until", positive, std::numeric_limits<double>::infinity());
     if (load.until < load.rise) {
         reader.fail(group.key("until"), "is before rise, so that the load never has its amplitude");
