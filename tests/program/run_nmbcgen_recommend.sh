@@ -99,7 +99,7 @@ refused() {
 }
 refused "--horizon (or --radius2) is required" --G 1
 refused "recommend requires --G" --horizon 1
-refused "is not a whole number from 1 to 99" --horizon 0 --G 1
+refused "is not a whole number from 1 to 100" --horizon 0 --G 1
 for tolerance in 0 1 -1 nan inf 1e-4x ""; do
     refused "is not a number between 0 and 1" --horizon 1 --G 1 --tolerance "$tolerance"
 done

@@ -163,7 +163,7 @@ file 2 "scenes/cut.json is no JSON: parse error at line" cut.json
 sed 's/"schema": 4/"schema": 3/' "$table" >scenes/schema.json
 file 2 "scenes/schema.json: schema must be 4, not 3" schema.json
 sed 's/"horizon": 2/"horizon": "2"/' "$table" >scenes/type.json
-file 2 'scenes/type.json: lattice.horizon must be a whole number from 1 to 99, not "2"' type.json
+file 2 'scenes/type.json: lattice.horizon must be a whole number from 1 to 100, not "2"' type.json
 : >scenes/empty.json
 file 2 "scenes/empty.json is no JSON" empty.json
 head -c 15000000 /dev/zero | tr '\0' '[' >scenes/brackets.json

@@ -31,8 +31,8 @@ struct DesignedEnd {
         std::type_identity<double> precision);
 };
 
-/// "designed for ..", where the scene's lattice is something else; empty where there may be a design
-/// in some steps.
+/// "designed for ..", where the scene's lattice is something else; empty where there may be a
+/// design in some steps.
 std::string why_not_designed(const Scene& scene);
 
 /// What an end makes of the waves of one frequency that come to it: on the node j nodes inwards of
