@@ -55,7 +55,7 @@ for list in "" "," "1," ",1" "1,,2"; do
 done
 refuses "--horizon: '2,1,2' has the value 2 twice" --G 1 --horizon 2,1,2
 refuses "--G: '1/2,1,0.5' has the value 0.5 twice" --horizon 1 --G 1/2,1,0.5
-for bad in 0 -1 100 1.5 x " 2" "1;2" 1e1; do
+for bad in 0 -1 101 1.5 x " 2" "1;2" 1e1; do
     refuses "--horizon: '$bad' is not a whole number from 1 to 100" --G 1 --horizon "1,$bad"
 done
 for bad in -1 nan inf 1e308 x " 2" "1;2" 1/0; do

@@ -113,7 +113,7 @@ refused "--band is required" --order 1 --horizon 1 --G 1
 for order in 0 9 99999999999 -1 1.5 nan ""; do
     refused "is not a whole number from 1 to 8" --horizon 1 --G 1 --band 0.3..0.8 --order "$order"
 done
-for stride in 0 100 -1 1,2 ""; do
+for stride in 0 101 -1 1,2 ""; do
     refused "is not a whole number from 1 to 100" "${all[@]}" --stride "$stride"
 done
 for band in 0.1 0.1..0.1 0.3..0.1 0..1 1..4 ..1 1.. nan..1 0.1..inf 1e308..1 0.1.2 ""; do
