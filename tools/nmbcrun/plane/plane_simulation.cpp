@@ -255,12 +255,12 @@ void PlaneSimulation::advance(std::size_t steps) {
 }
 
 nmbc::PlaneEnergies PlaneSimulation::energies() const {
-    const auto [before, nodes] = body();
+    const PlaneBody whole = body();
     const auto first = [&](std::size_t axis) {
-        return std::ptrdiff_t(extension_[2 * axis]) - std::ptrdiff_t(before[axis]);
+        return std::ptrdiff_t(extension_[2 * axis]) - std::ptrdiff_t(whole.before[axis]);
     };
-    return plane_.energies(first(0), first(0) + std::ptrdiff_t(nodes[0]), first(1),
-                           first(1) + std::ptrdiff_t(nodes[1]));
+    return plane_.energies(first(0), first(0) + std::ptrdiff_t(whole.nodes[0]), first(1),
+                           first(1) + std::ptrdiff_t(whole.nodes[1]));
 }
 
 double PlaneSimulation::times_supplied() const {
