@@ -163,9 +163,11 @@ void Run::judge(const Sample& sample) {
     }
     highlights().drift = std::max(highlights().drift, std::abs(sample.balance.drift));
     const double between = double(look_every) * simulation_.plan().time_step;
-    // Near cfl 1 the total swings, however stable; what leapfrog keeps is never above it.
+    // However stable, the total swings up to what leapfrog keeps over 1 - cfl^2.
+    const double cfl = simulation_.plan().cfl;
     if (has_grown(total, simulation_.is_driven(std::max(0.0, time() - between))) &&
-        has_grown_since_driven(sample.energies.staggered)) {
+        (has_grown_since_driven(std::abs(sample.energies.staggered)) ||
+         has_grown_since_driven((1 - cfl * cfl) * total))) {
         const Scene& scene = simulation_.scene();
         const bool has_sources =
             scene.force || scene.drive || scene.incoming || scene.left.value || scene.right.value;
