@@ -12,9 +12,9 @@
 ///   - those of as many above it,
 ///   - the best ones of one point less, with another next to xi = 0, or next to pi,
 /// and once more, to certified ones only, from the best certified ones met on the way; there a
-/// point also takes another with it, by a half, a quarter, .. of its step, as the best are often on
-/// the edge of what is certified. Certified, in this search, is stable in continuous time and in
-/// the steps asked for, or in steps of cfl 0.05.
+/// point also takes another with it, by its step, a half of it, a quarter, .., as the best are
+/// often on the edge of what is certified. Certified, in this search, is stable in continuous time
+/// and in the steps asked for, or in steps of cfl 0.05.
 #pragma once
 
 #include <vector>

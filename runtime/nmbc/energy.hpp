@@ -21,9 +21,10 @@ struct Energies {
     double strain = 0;         ///< dX sum E eps^2 / 2, eps the nodal strain (16)
     double stabilisation = 0;  ///< dX sum (E G / n^4) |z|^2 / 2 over the bonds, z of (34)
     /// Kinetic energy plus the potential one with u^k and u^{k+1} in its two places. Leapfrog
-    /// keeps it exactly in a chain without ends, or between two free ones of a lattice whose
-    /// squares have mirror images, as nopd1d has (beside a fixed end, the strain of the ghost nodes
-    /// is missing); `total` is above it by O(dt^2), and swings.
+    /// keeps it exactly in a chain without ends, or between two free ones, or mirrors on which
+    /// nothing is given, of a lattice whose squares have mirror images, as nopd1d has (beside a
+    /// fixed end, the strain of the ghost nodes is missing); `total` is above it by O(dt^2), and
+    /// swings.
     double staggered = 0;
     /// Taken out at these nodes by the damping force since the start, with the scheme's own
     /// velocities: between free ends, `staggered` falls by exactly as much as `damped` rises. Other

@@ -228,7 +228,8 @@ class BasicPlane {
             const auto before = static_cast<std::ptrdiff_t>(layers);
             if (first >= last || first < -before ||
                 last + before > static_cast<std::ptrdiff_t>(nodes)) {
-                throw std::invalid_argument("energies: the nodes must be a range within the body");
+                throw std::invalid_argument(
+                    "energies: the nodes must be a range within the plane and its layers");
             }
             return detail::PlaneAxis::Range{first + before, last + before};
         };

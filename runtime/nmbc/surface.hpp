@@ -39,8 +39,8 @@ enum class Closure {
     kernel,  ///< convex kernels (kernel_edge): the same, with the influence of a cubic spline
     cut,     ///< families end where the nodes do (cut_edge): of bonds, too
     /// A mirror through the outermost node: ghost f has 2 u_s - u_f, or u_f + 2 f dX e, nodes
-    /// counted from 0. Where nothing is given, half of this node's energy counts, the body's; else
-    /// all of it.
+    /// counted from 0. Half of this node's energy counts, the body's, where nothing is given in an
+    /// undamped lattice whose squares have mirror images; else all of it.
     node_mirror,
 };
 

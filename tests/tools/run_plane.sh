@@ -606,6 +606,19 @@ expect "a twentieth of each energy" awk -F, '
     FILENAME == first { total[$1] = $5; if ($5 > peak) peak = $5; next }
     { ++rows; off = $5 * 20 - total[$1]; if (off < 0) off = -off; if (off > 1e-12 * peak) exit 1 }
     END { exit !(rows > 10) }' results/plane_band.csv results/strip.csv
+# A load on the whole of a side is as even, one across it is not.
+cat >even.toml <<'SCENE'
+model = { family = "nopd2d", radius2 = 1, nu = 0.25, G = 1 }
+domain = { nodes = [12, 20] }
+boundary = { kind = "periodic", bottom = { kind = "sbp" }, top = { kind = "sponge", layer = 5 } }
+load.push = { kind = "velocity", side = "bottom", component = "y", amplitude = 1e-3, rise = 5, until = 10 }
+time = { end = 30 }
+SCENE
+try advise even.toml --tolerance 0.5
+expect_exit 0
+expect_stdout_with "1 of the 12 nodes there gives the same u to roundings"
+expect_stdout_with "--set 'domain.nodes=[1, 20]'"
+rm even.toml
 for quiet in "" --quiet; do
     try run "$scene" "${small[@]}" --tolerance 0.03 --out advised $quiet
     expect_exit 0

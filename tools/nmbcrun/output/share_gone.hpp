@@ -13,7 +13,8 @@ struct Whole {
     const char* name;
 };
 
-/// All that was put in; the peak where nearly all of that has been taken back.
+/// All that was put in; the peak where that is small beside it, as what was put in has been taken
+/// back, or in steps near the longest the total swings.
 inline Whole whole_of(double put_in, double peak) {
     constexpr double enough = 0.1;
     return put_in > enough * peak ? Whole{put_in, "all that was put in"} : Whole{peak, "the peak"};

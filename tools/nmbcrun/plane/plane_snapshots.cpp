@@ -73,23 +73,32 @@ void PlaneSnapshots::begin(std::size_t step, double time_step, double bytes) {
         return;
     }
     is_kept_ = true;
-    const bool was_stopped = !std::filesystem::exists(growing());
-    const std::filesystem::path folder = was_stopped ? path("_snapshots") : growing();
     for (std::size_t at = 0; every_ > 0 && at <= step; at += every_) {
         snapshots_.push_back({double(at) * time_step, file_of(at)});
-        const std::filesystem::path file = folder / snapshots_.back().file.filename();
+    }
+    const std::string problem = what_lacks(growing(), bytes);
+    if (problem.empty()) {
+        return;
+    }
+    // Of a run that was stopped, they are published; what grows is then a killed run's.
+    const std::filesystem::path published = path("_snapshots");
+    if (!what_lacks(published, bytes).empty()) {
+        throw nmbcgen::FileError(problem + ": the run cannot go on from its checkpoint");
+    }
+    remove_snapshots(growing());
+    std::filesystem::rename(published, growing());
+}
+
+std::string PlaneSnapshots::what_lacks(const std::filesystem::path& folder, double bytes) const {
+    for (const Snapshot& snapshot : snapshots_) {
+        const std::filesystem::path file = folder / snapshot.file.filename();
         std::error_code missing;
         const auto size = std::filesystem::file_size(file, missing);
         if (missing || double(size) < bytes) {
-            throw nmbcgen::FileError(
-                fmt::format("{} is {}: the run cannot go on from its checkpoint; without --resume "
-                            "it begins anew",
-                            file.string(), missing ? "missing" : "too short"));
+            return file.string() + (missing ? " is missing" : " is too short");
         }
     }
-    if (was_stopped && std::filesystem::exists(path("_snapshots"))) {
-        std::filesystem::rename(path("_snapshots"), growing());
-    }
+    return "";
 }
 
 std::filesystem::path PlaneSnapshots::path(std::string_view ending) const {

@@ -42,6 +42,8 @@ class PlaneSnapshots {
     std::string listed() const;
 
   private:
+    /// "FILE is missing", or too short, of the snapshots in this folder; empty: nothing is.
+    std::string what_lacks(const std::filesystem::path& folder, double bytes) const;
     std::filesystem::path growing() const { return path("_snapshots.part"); }
     std::filesystem::path file_of(std::size_t step) const;
     std::filesystem::path path(std::string_view ending) const;

@@ -27,15 +27,16 @@ std::vector<std::size_t> entries_at_side(const PlaneScene& scene, const nmbc::Pl
     std::array<std::size_t, 2> node{};
     node[axis] = side % 2 == 0 ? 0 : body.nodes[axis] - 1;
     std::vector<std::size_t> entries;
-    for (std::size_t& i = node[1 - axis]; i < body.nodes[1 - axis]; ++i) {
+    for (std::size_t i = 0; i < body.nodes[1 - axis]; ++i) {
+        node[1 - axis] = i;
         entries.push_back(plane.entry(node[0] + extension[0] - body.before[0],
                                       node[1] + extension[1] - body.before[1]));
     }
     return entries;
 }
 
-/// Of these: what a traction does to each, over what it does to a node of a
-/// whole cell.
+/// For each of these entries: what a traction on the side does to it, over what it does to a node
+/// of a whole cell.
 std::vector<double> shares_of_traction(const PlaneScene& scene, const nmbc::Plane& plane,
                                        std::size_t side, const std::vector<std::size_t>& entries) {
     const nmbc::PlaneParameters& p = plane.parameters();

@@ -29,7 +29,8 @@ bool is_uniform(const PlaneScene& scene, std::size_t axis) {
     const bool drive_spans = !scene.drive || spans(scene, axis, scene.drive->centre[axis],
                                                    scene.drive->half_width[axis]);
     return drive_spans && std::ranges::all_of(scene.loads, [&](const PlaneLoad& load) {
-               return spans(scene, axis, load.centre[axis], load.half_width[axis]);
+               return load.side ? *load.side / 2 != axis
+                                : spans(scene, axis, load.centre[axis], load.half_width[axis]);
            });
 }
 
@@ -49,16 +50,16 @@ std::optional<PlaneStrip> strip_of(const PlaneScene& scene) {
         const double middle = double(width + 1) / 2 * scene.spacing;
         const auto place = [&](const std::string& table, std::array<double, 2>& centre) {
             centre[axis] = middle;
-            if (!scene.given.contains(table + ".side")) {
-                strip.settings +=
-                    fmt::format(" --set '{}.centre=[{}, {}]'", table, centre[0], centre[1]);
-            }
+            strip.settings +=
+                fmt::format(" --set '{}.centre=[{}, {}]'", table, centre[0], centre[1]);
         };
         if (thin.drive) {
             place("drive", thin.drive->centre);
         }
         for (PlaneLoad& load : thin.loads) {
-            place(load.name, load.centre);
+            if (!load.side) {
+                place(load.name, load.centre);
+            }
         }
         std::vector<std::string> probes;
         for (auto& probe : thin.probes) {

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
@@ -87,15 +88,23 @@ std::string_view unquoted(std::string_view text, const toml::source_position& fa
     }
     text = text.substr(0, text.find('\n'));
     const std::size_t before = text.find_last_of("=,[{", fault.column - 1);
-    if (before == std::string_view::npos || text.find('=') > before) {
+    const std::size_t key = text.find('=');
+    if (before == std::string_view::npos || key > before || trimmed(text.substr(0, key)).empty()) {
         return {};
     }
     text.remove_prefix(before + 1);
     const std::string_view word = trimmed(text.substr(0, text.find_first_of(",]}#")));
-    const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-    const bool may_be_a_number =
-        word.find_first_of("+-0123456789") == 0 || word.find_first_of("\"'") == 0;
-    return !may_be_a_number && std::ranges::any_of(word, is_letter) ? word : std::string_view();
+    std::string lower_case;
+    for (const char c : word) {
+        lower_case += char(std::tolower(static_cast<unsigned char>(c)));
+    }
+    const bool is_plain = lower_case.find_first_not_of(
+                              "abcdefghijklmnopqrstuvwxyz0123456789_-./ ") == std::string::npos;
+    constexpr std::array others{"true", "false", "inf", "nan"};
+    const bool is_word = is_plain && (lower_case.find_first_of("abcdefghijklmnopqrstuvwxyz") == 0 ||
+                                      word.starts_with("./") || word.starts_with("../"));
+    return is_word && std::ranges::find(others, lower_case) == others.end() ? word
+                                                                            : std::string_view();
 }
 
 }  // namespace

@@ -109,14 +109,11 @@ void Sources::start(nmbc::Chain& chain) {
         at_start[entry] =
             (waves.before[entry] + waves.after[entry]) / 2 + (is_staggered ? 0 : v[entry]);
     }
-    start_from(chain, u, at_start);
-    if (is_staggered) {
-        const std::span<double> velocity = chain.velocity();
-        for (std::size_t entry = chain.ghosts(); entry + chain.ghosts() < v.size(); ++entry) {
-            velocity[entry] = v[entry] + waves.before[entry];
-        }
-        chain.restart_ends();  // their ghosts follow
+    std::vector<double> staggered;
+    for (std::size_t entry = 0; is_staggered && entry < v.size(); ++entry) {
+        staggered.push_back(v[entry] + waves.before[entry]);
     }
+    start_from(chain, u, at_start, staggered);
 }
 
 /// The exact end that refuses these fields. The waves that come in are known to the end they come
@@ -143,17 +140,25 @@ nmbc::End Sources::exact_end_that_moves(const nmbc::Chain& chain, std::span<cons
     return boundary.kind == BoundaryKind::exact && near > negligible * largest ? first : last;
 }
 
-void Sources::start_from(nmbc::Chain& chain, std::span<const double> u,
-                         std::span<const double> v) const {
+void Sources::start_from(nmbc::Chain& chain, std::span<const double> u, std::span<const double> v,
+                         std::span<const double> staggered) const {
     try {
         chain.start(u, v);
+        if (!staggered.empty()) {
+            const std::size_t ghosts = chain.ghosts();
+            std::ranges::copy(staggered.subspan(ghosts, staggered.size() - 2 * ghosts),
+                              chain.velocity().begin() + std::ptrdiff_t(ghosts));
+            chain.restart_ends();  // their ghosts follow
+        }
     } catch (const std::invalid_argument&) {
         if (scene_.left.kind != BoundaryKind::exact && scene_.right.kind != BoundaryKind::exact) {
             throw;
         }
         throw SceneError(fmt::format(
             "the exact end on the {} starts from rest, and something moves there at t = 0: {}",
-            exact_end_that_moves(chain, u, v) == nmbc::End::left ? "left" : "right",
+            exact_end_that_moves(chain, u, staggered.empty() ? v : staggered) == nmbc::End::left
+                ? "left"
+                : "right",
             scene_.incoming ? "give a later incoming.arrival"
                             : "initial has to be farther from it"));
     }

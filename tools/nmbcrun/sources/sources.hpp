@@ -54,8 +54,10 @@ class Sources {
   private:
     nmbc::End exact_end_that_moves(const nmbc::Chain& chain, std::span<const double> u,
                                    std::span<const double> v) const;
-    /// Throws SceneError, with the end, where an exact end refuses what moves next to it.
-    void start_from(nmbc::Chain& chain, std::span<const double> u, std::span<const double> v) const;
+    /// u and v at t = 0. staggered: v at -dt/2, in the place of what the chain makes of v; empty:
+    /// none. Throws SceneError, with the end, where an exact end refuses what moves next to it.
+    void start_from(nmbc::Chain& chain, std::span<const double> u, std::span<const double> v,
+                    std::span<const double> staggered) const;
 
     Scene scene_;
     double time_step_;
