@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <nmbc/edge_energy.hpp>
+#include <nmbc/edge_closure.hpp>
 #include <nmbc/lattice.hpp>
 #include <numbers>
 #include <stdexcept>

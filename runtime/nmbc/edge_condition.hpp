@@ -14,12 +14,6 @@
 
 namespace nmbc {
 
-/// What is given on the surface.
-enum class OnSurface {
-    displacement,  ///< Dirichlet: u [length]
-    traction,      ///< Neumann: the force on the body per area [stress], along X as u is
-};
-
 namespace detail {
 
 /// Half the width of the widest square of a lattice.

@@ -9,6 +9,7 @@
 #include <nmbc/boundary.hpp>
 #include <nmbc/boundary_condition.hpp>
 #include <nmbc/edge_energy.hpp>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -78,7 +79,7 @@ template <class Real>
 class FreeCondition final : public BoundaryCondition<Real> {
   public:
     explicit FreeCondition(const Lattice& lattice)
-        : ghosts_(lattice.reach()), has_all_energy_(has_mirrored_squares(lattice)) {}
+        : ghosts_(lattice.reach()), energy_(mirror_energy(lattice, OnSurface::traction, false)) {}
 
     std::size_t least_interior_nodes() const override { return ghosts_; }
 
@@ -89,10 +90,8 @@ class FreeCondition final : public BoundaryCondition<Real> {
     void after_kick(NodeLine<const Real> /*u*/, NodeLine<Real> v, std::size_t /*step*/) override {
         mirror(v);
     }
-    /// Ghosts mirror the others: where their squares do, those of the nodes that there are have all
-    /// the energy.
     const EdgeEnergy* own_energy(End /*end*/) const override {
-        return has_all_energy_ ? &nothing_more_ : nullptr;
+        return energy_ ? &*energy_ : nullptr;
     }
 
   private:
@@ -103,8 +102,7 @@ class FreeCondition final : public BoundaryCondition<Real> {
     }
 
     std::size_t ghosts_;
-    bool has_all_energy_;
-    EdgeEnergy nothing_more_{};
+    std::optional<EdgeEnergy> energy_;
 };
 
 template <class Real>

@@ -7,6 +7,7 @@
 #include <nmbc/certificate.hpp>
 #include <nmbc/chain.hpp>
 #include <nmbc/coefficients.hpp>
+#include <nmbc/edge_closure.hpp>
 #include <nmbc/edge_energy.hpp>
 #include <nmbc/ends.hpp>
 #include <nmbc/energy.hpp>

@@ -12,6 +12,7 @@
 #include <nmbc/boundary_condition.hpp>
 #include <nmbc/certificate.hpp>
 #include <nmbc/convex_kernel.hpp>
+#include <nmbc/edge_closure.hpp>
 #include <nmbc/edge_condition.hpp>
 #include <nmbc/edge_energy.hpp>
 #include <nmbc/lattice.hpp>
@@ -35,9 +36,9 @@ enum class Closure {
     /// surface and the nearest node, and the bonds across the surface bear the traction. For
     /// chains of bonds.
     surface_node,
-    sbp,     ///< summation by parts (sbp_edge): lattices of correspondence
-    kernel,  ///< convex kernels (kernel_edge): the same, with the influence of a cubic spline
-    cut,     ///< families end where the nodes do (cut_edge): of bonds, too
+    sbp,     ///< summation by parts (sbp_edge): lattices of correspondence and of bonds
+    kernel,  ///< convex kernels (kernel_edge): of correspondence, of a cubic spline's influence
+    cut,     ///< families end where the nodes do (cut_edge): of correspondence and of bonds
     /// A mirror through the outermost node: ghost f has 2 u_s - u_f, or u_f + 2 f dX e, nodes
     /// counted from 0. Half of this node's energy counts, the body's, where nothing is given in an
     /// undamped lattice whose squares have mirror images; else all of it.
@@ -147,30 +148,6 @@ inline GhostRows surface_node_rows(const Lattice& lattice, OnSurface given) {
     return ghosts;
 }
 
-/// What the nodes beside a mirror have of the whole chain's energy, which is twice theirs while
-/// nothing is given. None where squares have no mirror images, or where the damping would have to
-/// count the node that lies on the mirror by half.
-inline std::optional<EdgeEnergy> mirror_energy(const Lattice& lattice, OnSurface given,
-                                               bool through_node) {
-    if (!has_mirrored_squares(lattice) || (through_node && !lattice.damping.empty())) {
-        return std::nullopt;
-    }
-    EdgeEnergy energy;
-    if (!through_node) {
-        return energy;
-    }
-    energy.mass = {0.5};
-    for (const auto& [part, weight, stencil] : lattice.energy) {
-        const std::size_t half = stencil.size() / 2;
-        std::vector<double> folded(stencil.begin() + std::ptrdiff_t(half), stencil.end());
-        for (std::size_t k = 1; k <= half; ++k) {
-            folded[k] += given == OnSurface::traction ? stencil[half - k] : -stencil[half - k];
-        }
-        energy.squares.push_back({0, part, weight / 2, std::move(folded)});
-    }
-    return energy;
-}
-
 template <class Real>
 class SurfaceCondition final : public BoundaryCondition<Real> {
   public:
@@ -274,11 +251,16 @@ inline bool is_mirror(Closure closure) {
 }
 
 inline EdgeEnergies edges_of(Closure closure, const Lattice& lattice) {
-    if (closure == Closure::cut) {
-        return {cut_edge(lattice, End::left), cut_edge(lattice, End::right)};
+    switch (closure) {
+        case Closure::cut:
+            return {cut_edge(lattice, End::left), cut_edge(lattice, End::right)};
+        case Closure::sbp:
+            return {sbp_edge(lattice, End::left), sbp_edge(lattice, End::right)};
+        default: {
+            const EdgeEnergy edge = kernel_edge(lattice);
+            return {edge, edge};
+        }
     }
-    const EdgeEnergy edge = closure == Closure::sbp ? sbp_edge(lattice) : kernel_edge(lattice);
-    return {edge, edge};
 }
 
 }  // namespace detail

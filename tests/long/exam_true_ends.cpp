@@ -86,7 +86,7 @@ std::vector<Body> bodies() {
     std::vector<Closure> of_spline = of_strains;
     of_spline.push_back(Closure::kernel);
     const std::vector<Closure> of_bonds{Closure::mirror, Closure::node_mirror,
-                                        Closure::surface_node, Closure::cut};
+                                        Closure::surface_node, Closure::sbp, Closure::cut};
     return {{"n = 2, G = 0", correspondence(2, 0), of_strains},
             {"n = 2, G = 1", correspondence(2, 1), of_strains},
             {"n = 3, G = 0", correspondence(3, 0), of_strains},

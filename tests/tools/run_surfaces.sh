@@ -181,7 +181,8 @@ expect_stderr "both ends are fixed or free: a chart compares"
 rm snm.toml snm.json
 
 refuses 2 "convex kernels continue the influence of a cubic spline" body.toml --set boundary.left.kind=kernel
-refuses 2 'boundary.kind = "sbp": this end is one of correspondence lattices without damping, such as nopd1d; "mirror" ends any lattice' bonds.toml --set boundary.left.kind=sbp
+refuses 2 'boundary.kind = "kernel": this end is for undamped lattices of correspondence, such as nopd1d, or, if it is sbp or cut, of bonds; "mirror" ends any lattice' \
+    bonds.toml --set boundary.left.kind=kernel
 refuses 2 'preload is not known beside an end of kind "sbp"' body.toml --set preload.strain=0.01
 refuses 2 "needs at least 8 interior nodes" body.toml --set domain.nodes=7 --set initial.centre=4
 

@@ -21,6 +21,7 @@ plot of("nopd1d", "cut") using 4:5 with linespoints pt 4 lc rgb "#7f7f7f" title 
      of("spline", "kernel") using 4:5 with linespoints pt 8 lc rgb "#b2182b" title "kernel, n = 2", \
      of("bond1d", "snm") using 4:5 with linespoints pt 6 lc rgb "#ef8a62" title "snm, bonds, n = 2", \
      of("bond1d", "mirror") using 4:5 with linespoints pt 5 lc rgb "#fdae61" title "mirror, bonds, n = 2", \
+     of("bond1d", "sbp") using 4:5 with linespoints pt 11 lc rgb "#a6d96a" title "sbp, bonds, n = 2", \
      of("nopd1d", "mirror") using 4:5 with linespoints pt 7 lc rgb "#2166ac" title "mirror, n = 2", \
      of("nopd1d", "sbp") using 4:5 with linespoints pt 9 lc rgb "#1a9850" title "sbp, n = 2", \
      of("fem", "sbp") using 4:5 with linespoints pt 2 lc rgb "#000000" title "linear elements"

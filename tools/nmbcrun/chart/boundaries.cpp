@@ -14,10 +14,8 @@ std::vector<NamedBoundary> closures_of(const Scene& scene) {
     if (!is_damped(scene)) {
         const bool has_strains = scene.family.starts_with("nopd");
         kinds.push_back(BoundaryKind::cut);
-        kinds.push_back(has_strains ? BoundaryKind::sbp : BoundaryKind::snm);
-        if (has_strains) {
-            kinds.push_back(BoundaryKind::kernel);
-        }
+        kinds.push_back(BoundaryKind::sbp);
+        kinds.push_back(has_strains ? BoundaryKind::kernel : BoundaryKind::snm);
     }
     std::vector<NamedBoundary> all;
     all.reserve(kinds.size());
