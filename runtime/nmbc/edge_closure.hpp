@@ -124,11 +124,13 @@ inline EdgeEnergy edge_of(const Correspondence& lattice, const std::vector<EdgeN
     return edge;
 }
 
-/// Whether all squares are those of bonds, weight (u_{I+k} - u_I)^2, and nothing is damped.
+/// Whether all squares are those of bonds, weight (u_{I+k} - u_I)^2, and nothing is damped. The
+/// strain of nopd1d at n = 1, of I-1 and I+1, is none.
 inline bool has_bonds_alone(const Lattice& lattice) {
     return lattice.damping.empty() &&
            std::ranges::all_of(lattice.energy, [](const Lattice::Square& square) {
                return square.part == EnergyPart::strain &&
+                      square.stencil[square.stencil.size() / 2] != 0 &&
                       std::ranges::count_if(square.stencil,
                                             [](double entry) { return entry != 0; }) == 2;
            });

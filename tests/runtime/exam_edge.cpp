@@ -192,6 +192,12 @@ TEST_CASE("the energy is kept, between unlike ends, too") {
     }
 }
 
+TEST_CASE("the strain of nopd1d at n = 1 is no bond from I - 1 to I + 1") {
+    const nmbc::EdgeEnergy edge = nmbc::cut_edge(constant_influence(1, 0), nmbc::End::left);
+    REQUIRE(edge.squares.size() == 1);
+    CHECK(edge.squares[0].stencil == std::vector<double>{-1, 1});
+}
+
 TEST_CASE("a bar of bonds that is cut has no bonds beyond, at either end") {
     const nmbc::Lattice bonds = bonds_of({1, 0.25});  // 1/2 and 1/8
     const nmbc::ChainParameters p{.nodes = 12, .time_step = 0.5};

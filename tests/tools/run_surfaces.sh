@@ -172,8 +172,8 @@ try chart snm.toml --quiet
 expect_exit 0
 expect_no_stderr
 expect "closures of bonds" awk -F, 'NR > 1 { kinds[$2]++; if ($3 == 0.4) error[$2] = $11 }
-    END { exit !(kinds["mirror"] == 4 && kinds["node_mirror"] == 4 && kinds["snm"] >= 3 && kinds["cut"] == 4 && length(kinds) == 4 &&
-          error["mirror"] == 0 && error["node_mirror"] == 0 && error["snm"] < 0.02 && error["cut"] > 0.1) }' results/snm_chart.csv
+    END { exit !(kinds["mirror"] == 4 && kinds["node_mirror"] == 4 && kinds["snm"] >= 3 && kinds["cut"] == 4 && kinds["sbp"] == 4 && length(kinds) == 5 &&
+          error["mirror"] == 0 && error["node_mirror"] == 0 && error["snm"] < 0.02 && error["sbp"] < 0.02 && error["cut"] > 0.1) }' results/snm_chart.csv
 expect_file results/snm_chart.svg
 try chart body.toml --quiet --set boundary.kind=fixed --set boundary.left.kind=fixed --set boundary.right.kind=free
 expect_exit 2
