@@ -4,8 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "generator/exact/rational.hpp"
@@ -37,6 +41,29 @@ std::string text_of(const WithLog& number, const PowerInfluence& influence) {
 /// The longest closed form or list of weights that anybody reads.
 constexpr std::size_t readable = 1500;
 
+/// Decimal places of a weight whose exact text an option does not take.
+constexpr unsigned places = maximum_digits - 2;
+
+/// As --weights takes them; none where they are too many to read, or one is too small.
+std::optional<std::string> weights_option(const PowerInfluence& influence) {
+    std::vector<std::string> texts = weight_texts(influence);
+    for (std::size_t k = 0; const Rational& weight : power_weights(influence)) {
+        std::string& text = texts[k++];
+        if (text.size() > maximum_digits) {
+            const Integer scale = boost::multiprecision::pow(Integer(10), places);
+            const Integer rounded = floor(weight * scale + Rational(1, 2));
+            if (rounded == 0) {
+                return std::nullopt;
+            }
+            text = rounded.str();
+            text.insert(0, std::max(std::size_t(places) + 1, text.size()) - text.size(), '0');
+            text.insert(text.size() - places, ".");
+        }
+    }
+    std::string option = fmt::format("{}", fmt::join(texts, ","));
+    return option.size() > readable ? std::nullopt : std::optional(std::move(option));
+}
+
 }  // namespace
 
 std::string power_influence_text(const PowerInfluence& influence) {
@@ -62,11 +89,10 @@ std::string power_influence_text(const PowerInfluence& influence) {
                           "influence. The weights below have the solid's modulus in any case",
                           std::sqrt(modulus))
             : "");
-    const std::string weights = fmt::format("{}", fmt::join(weight_texts(influence), ","));
-    text += weights.size() > readable
-                ? "options     too long to read; bond1d_weights of --format json has them\n"
-                : fmt::format("options     --family bond1d --horizon {} --weights {}\n",
-                              influence.horizon, weights);
+    const auto weights = weights_option(influence);
+    text += weights ? fmt::format("options     --family bond1d --horizon {} --weights {}\n",
+                                  influence.horizon, *weights)
+                    : "options     too long to read; bond1d_weights of --format json has them\n";
     return text;
 }
 

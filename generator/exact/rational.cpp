@@ -10,8 +10,6 @@
 namespace nmbcgen {
 namespace {
 
-constexpr std::size_t maximum_digits = 40;
-
 bool all_digits(std::string_view text) {
     return !text.empty() &&
            std::ranges::all_of(text, [](char digit) { return digit >= '0' && digit <= '9'; });
@@ -23,15 +21,22 @@ Integer parse_digits(std::string_view digits) {
     return Integer(std::string(digits.substr(first)));
 }
 
+std::invalid_argument refusal(std::string_view text, const char* reason) {
+    return std::invalid_argument("'" + std::string(text.substr(0, 60)) + "' " + reason);
+}
+
+bool is_too_long(std::string_view text) {
+    const bool has_mark = text.find_first_of("/.") != std::string_view::npos;
+    return text.size() > maximum_digits + (has_mark ? 1 : 0);
+}
+
 }  // namespace
 
 Rational parse_rational(std::string_view text) {
-    const auto refuse = [&](const char* reason) -> std::invalid_argument {
-        return std::invalid_argument("'" + std::string(text.substr(0, 60)) + "' " + reason);
-    };
+    const auto refuse = [&](const char* reason) { return refusal(text, reason); };
     constexpr auto form = "is not a non-negative exact number such as 2, 1/2 or 0.3";
     const std::size_t mark = text.find_first_of("/.");
-    if (text.size() > maximum_digits + (mark == std::string_view::npos ? 0 : 1)) {
+    if (is_too_long(text)) {
         throw refuse("is too long: at most 40 digits are allowed");
     }
     const std::string_view left = text.substr(0, mark);
@@ -58,12 +63,14 @@ Rational parse_rational(std::string_view text) {
 
 Rational parse_signed_rational(std::string_view text) {
     const bool is_negative = text.starts_with('-');
+    const std::string_view digits = text.substr(is_negative ? 1 : 0);
     try {
-        const Rational size = parse_rational(text.substr(is_negative ? 1 : 0));
-        return is_negative ? -size : size;
+        return is_negative ? -parse_rational(digits) : parse_rational(digits);
     } catch (const std::invalid_argument&) {
-        throw std::invalid_argument("'" + std::string(text.substr(0, 60)) +
-                                    "' is not an exact number such as 1/4, -1/3 or 0.3");
+        if (is_too_long(digits)) {
+            throw;
+        }
+        throw refusal(text, "is not an exact number such as 1/4, -1/3 or 0.3");
     }
 }
 

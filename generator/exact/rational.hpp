@@ -2,6 +2,7 @@
 /// Rationals to and from text, and to the nearest double.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,8 +10,11 @@
 
 namespace nmbcgen {
 
+/// That a text of a number may have.
+inline constexpr std::size_t maximum_digits = 40;
+
 /// Reads a non-negative exact number: "3", "1/2" or "0.3". Throws std::invalid_argument with a
-/// message for people where the text is anything else or has more than 40 digits.
+/// message for people where the text is anything else or has more digits.
 Rational parse_rational(std::string_view text);
 
 /// Likewise, with or without a minus in front.

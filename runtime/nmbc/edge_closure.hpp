@@ -64,6 +64,13 @@ inline Correspondence correspondence_of(const Lattice& lattice) {
         }
     }
     is_known = is_known && !found.strain.empty();
+    double of_even_strain = 0;
+    for (std::size_t k = 1; k <= found.strain.size(); ++k) {
+        of_even_strain += 2 * static_cast<double>(k) * found.strain[k - 1];
+    }
+    for (double& entry : found.strain) {  // its square has no sign
+        entry = of_even_strain < 0 ? -entry : entry;
+    }
     std::vector<int> ends(n);  // of the bonds I+k and I-k: both weigh the same
     for (const auto& [part, weight, stencil] : lattice.energy) {
         if (!is_known || part == EnergyPart::strain) {
@@ -127,12 +134,13 @@ inline EdgeEnergy edge_of(const Correspondence& lattice, const std::vector<EdgeN
 /// Whether all squares are those of bonds, weight (u_{I+k} - u_I)^2, and nothing is damped. The
 /// strain of nopd1d at n = 1, of I-1 and I+1, is none.
 inline bool has_bonds_alone(const Lattice& lattice) {
-    return lattice.damping.empty() &&
+    return lattice.damping.empty() && !lattice.energy.empty() &&
            std::ranges::all_of(lattice.energy, [](const Lattice::Square& square) {
-               return square.part == EnergyPart::strain &&
-                      square.stencil[square.stencil.size() / 2] != 0 &&
+               const double own = square.stencil[square.stencil.size() / 2];
+               return square.part == EnergyPart::strain && own != 0 &&
                       std::ranges::count_if(square.stencil,
-                                            [](double entry) { return entry != 0; }) == 2;
+                                            [](double entry) { return entry != 0; }) == 2 &&
+                      std::ranges::count(square.stencil, -own) == 1;
            });
 }
 
@@ -141,6 +149,11 @@ inline bool has_bonds_alone(const Lattice& lattice) {
 inline EdgeEnergy cut_bonds(const Lattice& lattice, End end) {
     EdgeEnergy edge{.mass = std::vector<double>(lattice.reach(), 1.0)};
     for (const auto& [part, weight, stencil] : lattice.energy) {
+        if (!(weight >= 0)) {
+            throw std::invalid_argument(
+                "this end is for bonds none of which weighs less than 0: its energy is a sum of "
+                "squares");
+        }
         std::vector<double> inwards = stencil;
         if (end == End::right) {
             std::ranges::reverse(inwards);
@@ -163,7 +176,7 @@ inline EdgeEnergy cut_bonds(const Lattice& lattice, End end) {
 }
 
 /// What bonds that an edge cuts off would bear of an even strain of 1 between nodes I and I+1, by
-/// I. Throws std::invalid_argument where a bond weighs less than nothing.
+/// I.
 inline std::vector<double> lost_stresses(const Lattice& lattice) {
     std::vector<double> lost(lattice.reach());
     for (const auto& [part, weight, stencil] : lattice.energy) {
@@ -172,10 +185,6 @@ inline std::vector<double> lost_stresses(const Lattice& lattice) {
         const auto last = std::find_if(stencil.rbegin(), stencil.rend(), is_there).base() - 1;
         const auto length = static_cast<std::size_t>(last - first);
         const double stress = weight * *first * *first * static_cast<double>(length);
-        if (!(weight >= 0)) {
-            throw std::invalid_argument(
-                "summation by parts is for bonds whose weights are positive");
-        }
         // Of `length` bonds across the gap, I + 1 have both ends in the body.
         for (std::size_t gap = 0; gap + 1 < length; ++gap) {
             lost[gap] += stress * static_cast<double>(length - gap - 1);
@@ -195,7 +204,7 @@ inline std::vector<double> cut_strain(const Correspondence& own, std::size_t nod
         const double distance = static_cast<double>(other) - static_cast<double>(node);
         // The influence times the distance is the strain's own, up to a factor.
         const auto k = static_cast<std::size_t>(std::abs(distance));
-        const double force = std::copysign(own.strain[k - 1], distance);
+        const double force = distance > 0 ? own.strain[k - 1] : -own.strain[k - 1];
         strain[other] += force;
         strain[node] -= force;
         shape += force * distance;
@@ -218,7 +227,7 @@ inline EdgeNode sbp_node(const Correspondence& own, const std::vector<double>& m
         }
         const double distance = static_cast<double>(other) - static_cast<double>(node);
         const auto k = static_cast<std::size_t>(std::abs(distance));
-        double entry = std::copysign(own.strain[k - 1], distance);
+        double entry = distance > 0 ? own.strain[k - 1] : -own.strain[k - 1];
         entry += other < n ? (missing[node] - missing[other]) / static_cast<double>(n) : 0;
         result.strain[other] = entry;
         result.volume += entry * distance;
@@ -237,8 +246,9 @@ inline EdgeNode sbp_node(const Correspondence& own, const std::vector<double>& m
 
 /// The plain cut: families end where the nodes do, and strains are of the neighbours that are left;
 /// of bonds, those inside of the body stay. Too soft: a bar that is strained evenly does not rest.
-/// end: at which the edge is. Throws std::invalid_argument where the lattice is damped, and for
-/// squares that are neither those of bonds, weight (u_{I+k} - u_I)^2, nor of correspondence.
+/// end: at which the edge is. Throws std::invalid_argument where the lattice is damped, for bonds
+/// of negative weight, and for squares that are neither those of bonds, weight (u_{I+k} - u_I)^2,
+/// nor of correspondence.
 inline EdgeEnergy cut_edge(const Lattice& lattice, End end) {
     if (detail::has_bonds_alone(lattice)) {
         return detail::cut_bonds(lattice, end);
@@ -251,14 +261,14 @@ inline EdgeEnergy cut_edge(const Lattice& lattice, End end) {
     return detail::edge_of(own, nodes);
 }
 
-/// Summation by parts (docs/how-to/end-a-body.md): V D = Q, Q + Q^T = diag(-1, 0, .., 0, 1), Q 1 =
-/// 0, Q x = V 1, with the lattice's own strain further in, and of all such Q the one whose entries
-/// between the n outermost nodes differ least from the lattice's, by the sum of squares. `nmbcgen
-/// closure sbp` has it in exact numbers. Of bonds, those between nearest neighbours bear what the
-/// ones that are cut off would, and the outermost node has half a mass.
-/// end: at which the edge is. Throws std::invalid_argument where the lattice is damped, for bonds
-/// of negative weight, for squares that are neither those of bonds nor of correspondence, and where
-/// a V is not positive.
+/// Summation by parts (docs/explanation/true-ends.md): V D = Q, Q + Q^T = diag(-1, 0, .., 0, 1), Q
+/// 1 = 0, Q x = V 1, with the lattice's own strain further in, and of all such Q the one whose
+/// entries between the n outermost nodes differ least from the lattice's, by the sum of squares.
+/// `nmbcgen closure sbp` has it in exact numbers. Of bonds, those between nearest neighbours bear
+/// what the ones that are cut off would, and the outermost node has half a mass. end: at which the
+/// edge is. Throws std::invalid_argument where the lattice is damped, for bonds of negative weight,
+/// for squares that are neither those of bonds nor of correspondence, and where a V is not
+/// positive.
 inline EdgeEnergy sbp_edge(const Lattice& lattice, End end) {
     if (detail::has_bonds_alone(lattice)) {
         EdgeEnergy edge = detail::cut_bonds(lattice, end);

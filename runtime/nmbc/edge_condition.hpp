@@ -25,7 +25,7 @@ inline std::size_t half_width(const Lattice& lattice) {
     return half;
 }
 
-/// K of the nodes next to an edge, whose forces -K u differ from the lattice's, row by row.
+/// K of the nodes next to a left edge, whose forces -K u differ from the lattice's, row by row.
 struct EdgeStiffness {
     std::size_t rows = 0;
     std::size_t columns = 0;
@@ -257,13 +257,13 @@ struct EdgedChain {
 };
 
 inline bool EdgedChain::is_below(double bound) const {
-    const EdgeStiffness left = stiffness_of(edges.left, lattice);
-    const EdgeStiffness right = stiffness_of(edges.right, lattice);
+    // Whichever node a square is counted at, both ends are one body's: K is its own mirror image.
+    const EdgeStiffness K = stiffness_of(edges.left, lattice);
     const auto of_lattice = [this](std::size_t distance) {
         return distance <= lattice.reach() ? lattice.symbol[distance] : 0;
     };
     // What an edge puts in the place of the endless lattice.
-    const auto change = [&](const EdgeStiffness& K, std::size_t row, std::size_t column) {
+    const auto change = [&](std::size_t row, std::size_t column) {
         const std::size_t distance = row > column ? row - column : column - row;
         return row < K.rows && column < K.columns
                    ? K.entries[row * K.columns + column] - of_lattice(distance)
@@ -277,7 +277,7 @@ inline bool EdgedChain::is_below(double bound) const {
                : from_right < of_right.size() ? of_right[from_right]
                                               : 1;
     };
-    const std::size_t width = std::max(left.columns, right.columns);
+    const std::size_t width = K.columns;
     const std::size_t first = is_held ? 1 : 0;
     std::vector<double> L(nodes * width);  // entry (i, i - k) at i * width + k
     for (std::size_t i = first; i + first < nodes; ++i) {
@@ -285,8 +285,7 @@ inline bool EdgedChain::is_below(double bound) const {
         const std::size_t band = std::min(i - first, width - 1);
         for (std::size_t k = band + 1; k-- > 0;) {
             const std::size_t j = i - k;
-            double entry =
-                -of_lattice(k) - change(left, i, j) - change(right, nodes - 1 - i, nodes - 1 - j);
+            double entry = -of_lattice(k) - change(i, j) - change(nodes - 1 - i, nodes - 1 - j);
             for (std::size_t m = k + 1; m <= band; ++m) {
                 entry -= row[m] * L[j * width + m - k];
             }

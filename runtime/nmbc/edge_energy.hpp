@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The edge of a chain that ends on a node: the outermost nodes have masses, and squares of energy,
-/// of their own.
+/// The energy of a chain next to an end: where it ends on a node, the outermost nodes have masses,
+/// and squares of energy, of their own; beside a mirror they have half of the whole chain's.
 #pragma once
 
 #include <algorithm>

@@ -256,11 +256,16 @@ inline EdgeEnergies edges_of(Closure closure, const Lattice& lattice) {
             return {cut_edge(lattice, End::left), cut_edge(lattice, End::right)};
         case Closure::sbp:
             return {sbp_edge(lattice, End::left), sbp_edge(lattice, End::right)};
-        default: {
+        case Closure::kernel: {
             const EdgeEnergy edge = kernel_edge(lattice);
             return {edge, edge};
         }
+        case Closure::mirror:
+        case Closure::surface_node:
+        case Closure::node_mirror:
+            break;
     }
+    throw std::logic_error("this end has no edge of its own");
 }
 
 }  // namespace detail

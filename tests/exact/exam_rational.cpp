@@ -79,6 +79,8 @@ TEST_CASE("parse_rational takes 40 digits and refuses more") {
         CAPTURE(text.substr(0, 60));
         CHECK(contains(refusal(text), "at most 40 digits"));
         CHECK(refusal(text).size() < 200);  // a message for people, however long the text
+        CHECK_THROWS_WITH_AS(parse_signed_rational("-" + text),
+                             doctest::Contains("at most 40 digits"), std::invalid_argument);
     }
 }
 

@@ -181,6 +181,14 @@ expect_stderr "both ends are fixed or free: a chart compares"
 rm snm.toml snm.json
 
 refuses 2 "convex kernels continue the influence of a cubic spline" body.toml --set boundary.left.kind=kernel
+# Summation by parts of bonds, which keeps the energy; none may weigh less than 0.
+try run bonds.toml --quiet --set boundary.left.kind=sbp --set boundary.right.kind=sbp
+expect_exit 0
+expect_no_stderr
+expect "the ledger closes" awk '/^ledger drift/ { exit !($3 < 1e-12) }' "$scratch/stdout"
+"$nmbcgen" --family bond1d --horizon 2 --weights 2,-1/10 --order 1 --uncertified --format json --stdout >less.json
+refuses 2 'boundary.kind = "sbp": this end is for bonds none of which weighs less than 0' bonds.toml --set model.horizon=2 \
+    --set model.influence='[2, "-1/10"]' --set model.tables='["less.json"]' --set boundary.left.kind=sbp --set boundary.right.kind=mirror
 refuses 2 'boundary.kind = "kernel": this end is for undamped lattices of correspondence, such as nopd1d, or, if it is sbp or cut, of bonds; "mirror" ends any lattice' \
     bonds.toml --set boundary.left.kind=kernel
 refuses 2 'preload is not known beside an end of kind "sbp"' body.toml --set preload.strain=0.01

@@ -2,8 +2,10 @@
 #include "tools/nmbcrun/scene/exact_json.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "generator/exact/rational.hpp"
 
@@ -23,6 +25,22 @@ bool is_positive_integer(std::string_view text) {
     return is_integer(text) && text.front() != '-' && text != "0";
 }
 
+std::optional<Fraction> fraction_in(std::string_view text) {
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    Fraction fraction{std::string(text.substr(0, slash)),
+                      slash == text.size() ? "1" : std::string(text.substr(slash + 1))};
+    return is_integer(fraction.numerator) && is_positive_integer(fraction.denominator)
+               ? std::optional(std::move(fraction))
+               : std::nullopt;
+}
+
+std::optional<nmbcgen::Rational> in_lowest_terms(const std::string& text) {
+    const auto fraction = fraction_in(text);
+    return fraction && nmbcgen::to_string(fraction->value()) == text
+               ? std::optional(fraction->value())
+               : std::nullopt;
+}
+
 std::string integers_of(const JsonValue& json) {
     std::string list;
     for (const JsonValue& element : json.elements()) {
@@ -38,20 +56,6 @@ std::string integers_of(const JsonValue& json) {
     return list;
 }
 
-/// In lowest terms.
-nmbcgen::Rational number_by(nmbcgen::Rational (*parse)(std::string_view), const JsonValue& json,
-                            const char* allowed) {
-    const std::string text = json.text();
-    try {
-        nmbcgen::Rational value = parse(text);
-        if (nmbcgen::to_string(value) == text) {
-            return value;
-        }
-    } catch (const std::invalid_argument&) {  // said below
-    }
-    json.must_be(allowed);
-}
-
 }  // namespace
 
 nmbcgen::Rational Fraction::value() const {
@@ -59,13 +63,11 @@ nmbcgen::Rational Fraction::value() const {
 }
 
 Fraction fraction_of(const JsonValue& json) {
-    const std::string text = json.text();
-    const std::size_t slash = std::min(text.find('/'), text.size());
-    Fraction fraction{text.substr(0, slash), slash == text.size() ? "1" : text.substr(slash + 1)};
-    if (!is_integer(fraction.numerator) || !is_positive_integer(fraction.denominator)) {
+    auto fraction = fraction_in(json.text());
+    if (!fraction) {
         json.must_be(R"(an exact number "p/q" or "p")");
     }
-    return fraction;
+    return *std::move(fraction);
 }
 
 Fraction rational_function_of(const JsonValue& json) {
@@ -81,13 +83,19 @@ Fraction rational_function_of(const JsonValue& json) {
 }
 
 nmbcgen::Rational number_of(const JsonValue& json) {
-    return number_by(nmbcgen::parse_signed_rational, json,
-                     "an exact number \"p/q\" in lowest terms");
+    const auto value = in_lowest_terms(json.text());
+    if (!value) {
+        json.must_be("an exact number \"p/q\" in lowest terms");
+    }
+    return *value;
 }
 
 nmbcgen::Rational parameter_of(const JsonValue& json) {
-    return number_by(nmbcgen::parse_rational, json,
-                     "an exact number \"p/q\" in lowest terms, not below 0");
+    const auto value = in_lowest_terms(json.text());
+    if (!value || *value < 0) {
+        json.must_be("an exact number \"p/q\" in lowest terms, not below 0");
+    }
+    return *value;
 }
 
 }  // namespace nmbcrun
