@@ -86,8 +86,10 @@ Candidate in_steps(const Certified& certified, const Question& question, double 
     candidate.certified = certified.steps;
     if (!certified.half_space) {
         candidate.lost =
-            fmt::format("not certified with cfl {} or more and any tau up to {}", smallest_cfl,
-                        to_string(damping_ladder(question.family).back()));
+            certified.what.order > highest_damped_order
+                ? fmt::format("not certified with cfl {} or more; no tau was tried", smallest_cfl)
+                : fmt::format("not certified with cfl {} or more and any tau up to {}",
+                              smallest_cfl, to_string(damping_ladder(question.family).back()));
         return candidate;
     }
     const HalfSpace& half_space = *certified.half_space;
@@ -205,7 +207,7 @@ std::vector<Certified> all_certified(const Question& question, const Progress& p
     for (const Specification& what : all) {
         progress(examined++, all.size());
         if (Certified one = least_damped(what);
-            one.half_space || what.order <= highest_damped_order) {
+            one.half_space || what.order <= highest_damped_order || question.order) {
             found.push_back(std::move(one));
         }
         if (what.order > 1) {

@@ -90,8 +90,9 @@ inline Correspondence correspondence_of(const Lattice& lattice) {
     is_known = is_known && std::ranges::count(ends, 1) == 0;
     if (!is_known) {
         throw std::invalid_argument(
-            "this end is for undamped lattices of correspondence, such as nopd1d, or, if it is sbp "
-            "or cut, of bonds");
+            "this end is for undamped lattices like nopd1d, of one strain a node, and, if it is "
+            "sbp or "
+            "cut, of bonds");
     }
     return found;
 }

@@ -98,6 +98,9 @@ refused() {
     expect_stderr "$text"
 }
 refused "--horizon (or --radius2) is required" --G 1
+try recommend --horizon 2 --G 1 --order 5
+expect_exit 3
+expect_stderr "no certified boundary for horizon 2 at G = 1"
 refused "recommend requires --G" --horizon 1
 refused "is not a whole number from 1 to 100" --horizon 0 --G 1
 for tolerance in 0 1 -1 nan inf 1e-4x ""; do

@@ -109,7 +109,7 @@ TEST_CASE("what is certified opposite an exact end") {
         CHECK_MESSAGE((above.empty() ||
                        (above.starts_with("NMBC2 of stride 3 is certified against a pml end up to "
                                           "cfl = ") &&
-                        above.find(" only at n = 3, G = 4; cfl = ") != std::string::npos)),
+                        above.find(" only at n = 3, G = 4; the step has cfl = ") != std::string::npos)),
                       above);
     }
 }

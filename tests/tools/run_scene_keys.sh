@@ -36,12 +36,12 @@ setting 2 "--set boundary.rigth.kind: boundary.rigth is not a key of a scene" bo
 setting 2 "--set bogus.key: bogus is not a key of a scene" bogus.key=1
 setting 2 "no table for family nopd1d, horizon 2, order 9" boundary.right.order=9
 setting 4 "between these ends steps up to" time.step=0.6
-setting 2 "drive.centre and drive.half_width select no node: they are at X = 1 to 500" drive.centre=-99
+setting 2 "drive.centre and drive.half_width select no node: the nodes are at X = 1 to 500" drive.centre=-99
 refuses 2 "a run of 250000 steps is too long for an \"exact\" end, which is made for 200000 at most" \
     "$scene" --set boundary.kind=exact --set time.end=5000
 refuses 4 "NMBC2 is not stable at n = 2, G = 1, cfl = 0.0668: a mode at that end grows as exp(" \
     "$scene" --set boundary.left.kind=exact --set boundary.right.order=2 --set model.G=1
-refuses 4 "NMBC1 is certified against a pml end at no time step at n = 2, G = 1; cfl = 0.0668" \
+refuses 4 "NMBC1 is certified against a pml end at no time step at n = 2, G = 1; the step has cfl = 0.0668" \
     "$scene" --set boundary.left.kind=pml --set boundary.left.layer=10 --set model.G=1
 setting 2 "must not be 0" drive.amplitude=0
 setting 2 "whole number from 1 to 100000000, not 0" domain.nodes=0
@@ -181,7 +181,7 @@ source_of 2 "force.frequency has no meaning for a gaussian, exp(-((t - time)/dur
     "${force[@]}" force.history=gaussian force.frequency=0.1
 source_of 2 "force.duration is missing; is force.duratoin meant for it?" "${force[@]}" force.history=ricker force.duratoin=3
 source_of 2 "force.cycles has no meaning for this history" "${force[@]}" force.history=ricker force.cycles=1 force.duration=1 force.time=2
-source_of 2 "force.centre and force.half_width select no node: they are at X = 1 to 500" force.centre=-9 force.amplitude=1 force.history=sine force.frequency=1
+source_of 2 "force.centre and force.half_width select no node: the nodes are at X = 1 to 500" force.centre=-9 force.amplitude=1 force.history=sine force.frequency=1
 source_of 2 "the nearest is at X = 7, and force.half_width = 0.32 would select it" force.centre=7.3125 force.amplitude=1 force.history=sine force.frequency=1
 # .. which it does.
 try run "$sourceless" "${short[@]}" --set force.centre=7.3125 --set force.half_width=0.32 --set force.amplitude=1 --set force.history=sine \

@@ -177,10 +177,17 @@ void Search::add(const std::string& name, const Boundary& boundary, const nmbc::
                                     : "no steps that it may take are within the tolerance");
 }
 
+double Search::cfl_of_true_ends() const {
+    const SurfaceLimits limits = surface_limits(scene_, lattice_);
+    return std::min(limits.left, limits.right);
+}
+
 void Search::add_ends_of_the_lattice() {
     const auto none = [](double) { return 0.0; };
-    const nmbc::StableStep highest{{}, largest_cfl * nmbc::interior_cfl(lattice_)};
-    const std::string limit = "just below the interior's limit";
+    const double interior = largest_cfl * nmbc::interior_cfl(lattice_);
+    const nmbc::StableStep highest{{}, std::min(interior, cfl_of_true_ends())};
+    const std::string limit =
+        highest.cfl < interior ? "what the true end allows" : "just below the interior's limit";
     if (Mirrors(scene_).count() == 2) {
         add("its own ends, which are physical", scene_.left, highest, limit, none);
         return;
@@ -244,7 +251,8 @@ void Search::add_passive() {
         leave_out("passive", why_not);
         return;
     }
-    const double longest = std::max(DesignedEnd::largest_cfl, given_cfl().value_or(0));
+    const double longest =
+        std::max(std::min(DesignedEnd::largest_cfl, cfl_of_true_ends()), given_cfl().value_or(0));
     add("passive", {.kind = BoundaryKind::passive}, {{}, longest},
         "what passive ends are designed for", [&](double cfl) {
             try {

@@ -63,6 +63,8 @@ class Search {
              const std::string& limit, ErrorAt error_at);
     template <class BoundaryError>
     Verdict judge(Candidate& candidate, BoundaryError boundary_error);
+    /// What true ends allow, or the interior.
+    double cfl_of_true_ends() const;
     void add_ends_of_the_lattice();
     void add_passive();
     void add_table(const nmbc::MatchingTable& table);

@@ -19,20 +19,24 @@
 namespace nmbcrun {
 namespace {
 
+/// A mirror between nodes under a traction, whichever that is, reflects as a free end does.
+bool is_free(const Boundary& boundary) {
+    return boundary.kind == BoundaryKind::free ||
+           (boundary.kind == BoundaryKind::mirror && boundary.given == nmbc::OnSurface::traction);
+}
+
 /// in_time: the end's table in continuous time.
 nmbcgen::LatticeEnd end_of(const Boundary& boundary, const nmbcgen::HalfSpace& in_time,
                            double time_step) {
     // A fixed or free end is the same in any steps, but in a damped lattice the waves are not.
     const auto half_space = stepped(in_time, time_step);
-    switch (boundary.kind) {
-        case BoundaryKind::fixed:
-        case BoundaryKind::extended:
-            return fixed_end(half_space);
-        case BoundaryKind::free:
-            return free_end(half_space);
-        default:  // nmbc; decided_without_waves() knows the others
-            break;
+    if (boundary.kind == BoundaryKind::fixed || boundary.kind == BoundaryKind::extended) {
+        return fixed_end(half_space);
     }
+    if (is_free(boundary)) {
+        return free_end(half_space);
+    }
+    // nmbc; decided_without_waves() knows the others
     return {nmbcgen::LatticeEnd::Kind::matching, half_space};
 }
 
@@ -61,9 +65,9 @@ std::size_t moving_nodes(const Scene& scene) {
 }
 
 /// Of an end whose eigenvalues and round trips are looked at.
-bool has_known_waves(BoundaryKind kind) {
-    return kind == BoundaryKind::nmbc || kind == BoundaryKind::fixed ||
-           kind == BoundaryKind::free || kind == BoundaryKind::extended;
+bool has_known_waves(const Boundary& boundary) {
+    return boundary.kind == BoundaryKind::nmbc || boundary.kind == BoundaryKind::fixed ||
+           boundary.kind == BoundaryKind::extended || is_free(boundary);
 }
 
 /// Growth [c/dX] by the largest eigenvalue of one step, in chains so short that the half spaces do
@@ -80,8 +84,10 @@ double short_chain_growth(const Scene& scene, const Ends& ends, double time_step
 
 std::string name_of(const Boundary& boundary) {
     if (!takes_table(boundary.kind)) {
-        const char* article = name_of(boundary.kind).starts_with('e') ? "an " : "a ";
-        return article + std::string(name_of(boundary.kind)) + " end";
+        const auto kind = name_of(boundary.kind);
+        return fmt::format("{} {} end",
+                           kind.starts_with('e') || kind == "snm" || kind == "sbp" ? "an" : "a",
+                           kind);
     }
     return fmt::format(
         "{}{}{}", boundary.kind == BoundaryKind::truncated ? "truncated MBC" : "NMBC",
@@ -168,7 +174,7 @@ std::optional<std::string> decided_without_waves(const Scene& scene, const nmbc:
     if (adds_no_energy(scene.left.kind) && adds_no_energy(scene.right.kind)) {
         return "";
     }
-    if (has_known_waves(scene.left.kind) && has_known_waves(scene.right.kind)) {
+    if (has_known_waves(scene.left) && has_known_waves(scene.right)) {
         return std::nullopt;
     }
     const bool on_the_left = scene.left.kind == BoundaryKind::nmbc;
@@ -180,7 +186,7 @@ std::optional<std::string> decided_without_waves(const Scene& scene, const nmbc:
         return "";
     }
     return fmt::format(
-        "{} is certified against {} {}{}; cfl = {:.3g}", name_of(matching),
+        "{} is certified against {} {}{}; the step has cfl = {:.3g}", name_of(matching),
         name_of(on_the_left ? scene.right : scene.left),
         certified > 0 ? fmt::format("up to cfl = {:.3g} only", certified) : "at no time step",
         place_of(scene), cfl);
@@ -208,8 +214,8 @@ bool is_short(const Scene& scene) {
 
 bool has_eigenvalues(const Scene& scene) {
     // Of a damped lattice round trips tell all.
-    return is_short(scene) && !is_damped(scene) && has_known_waves(scene.left.kind) &&
-           has_known_waves(scene.right.kind);
+    return is_short(scene) && !is_damped(scene) && has_known_waves(scene.left) &&
+           has_known_waves(scene.right);
 }
 
 PairOfEnds::PairOfEnds(const Scene& scene, const nmbc::MatchingTable& left,

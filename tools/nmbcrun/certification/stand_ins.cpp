@@ -97,7 +97,7 @@ std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice) 
     }
     const std::string choices = choices_in_place(scene);
     return choices.empty() ? "No other end that there is a table of is certified here; "
-                             R"(boundary.kind = "extended" is)"
+                             R"(boundary.kind = "extended", "exact" and "sponge" are)"
                            : choices;
 }
 

@@ -10,6 +10,7 @@
 #include <nmbc/surface.hpp>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "tools/nmbcrun/certification/certificate.hpp"
@@ -54,6 +55,13 @@ double surface_cfl(const Scene& scene, const Boundary& boundary, const nmbc::Lat
         throw SceneError(fmt::format(R"(boundary.kind = "{}": {}; "mirror" ends any lattice)",
                                      name_of(boundary.kind), error.what()));
     }
+}
+
+/// To so many digits, rounded down: it can be given as a limit.
+std::string not_above(double value, int digits) {
+    const double last = std::pow(10, std::floor(std::log10(value)) - digits + 1);
+    const std::string nearest = fmt::format("{:.{}g}", value, digits);
+    return std::stod(nearest) > value ? fmt::format("{:.{}g}", value - last, digits) : nearest;
 }
 
 std::string why_uncertified(const Scene& scene, const Boundary& boundary) {
@@ -184,12 +192,14 @@ void require_stable_steps(const Scene& scene, const nmbc::Lattice& lattice, doub
                           const SurfaceLimits& surfaces) {
     const double omega_max = highest_frequency(scene, lattice);
     const double cfl = time_step * omega_max / 2;
-    const double stable = std::min({nmbc::interior_cfl(lattice), surfaces.left, surfaces.right});
+    constexpr double roundings = 1e-12;  // the limit was a time step on its way here
+    const double beside = std::min(surfaces.left, surfaces.right) * (1 + roundings);
+    const double stable = std::min(nmbc::interior_cfl(lattice), beside);
     if (cfl > stable) {
-        throw Unstable(
-            fmt::format("steps of {:.6g} (cfl = {:.3g}) are too long: between these ends steps up "
-                        "to {:.6g} (cfl = {:.3g}) are stable",
-                        time_step, cfl, 2 * stable / omega_max, stable));
+        throw Unstable(fmt::format(
+            "steps of {:.6g} (cfl = {:.3g}) are too long: between these ends steps up "
+            "to {} (cfl = {}) are stable",
+            time_step, cfl, not_above(2 * stable / omega_max, 6), not_above(stable, 3)));
     }
 }
 

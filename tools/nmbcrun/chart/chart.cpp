@@ -20,6 +20,7 @@
 
 #include "generator/names/printable.hpp"
 #include "generator/support/on_all_cores.hpp"
+#include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/chart/boundaries.hpp"
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/chart/long_run.hpp"
@@ -307,13 +308,18 @@ void chart(const Scene& scene, const ChartOptions& options) {
             "both ends are fixed or free: a chart compares artificial ends, or ways to close a "
             "surface, such as \"mirror\"");
     }
-    const double limit = nmbc::interior_cfl(lattice_of(scene));
+    const nmbc::Lattice lattice = lattice_of(scene);
+    double limit = nmbc::interior_cfl(lattice);
+    if (!is_closed(scene)) {  // closures that are compared are left out where steps are too long
+        const SurfaceLimits surfaces = surface_limits(scene, lattice);
+        limit = std::min({limit, surfaces.left, surfaces.right});
+    }
     std::vector<double> steps;
     std::ranges::copy_if(cfls, std::back_inserter(steps),
                          [limit](double cfl) { return cfl <= limit; });
     if (steps.empty()) {
-        throw SceneError(fmt::format("a chart begins at cfl {}, and the interior's limit is {:.4g}",
-                                     cfls.front(), limit));
+        throw SceneError(fmt::format(
+            "a chart begins at cfl {}, and steps here are stable to {:.4g}", cfls.front(), limit));
     }
     CsvFile csv(options.folder / (scene.name + "_chart.csv"), points_header);
     const std::size_t long_run = options.long_run.value_or(default_long_run(scene));

@@ -302,7 +302,8 @@ Prospect prospect_of(const Simulation& simulation) {
 
 bool absorbs(const Scene& scene) {
     try {
-        return prospect_of(Simulation(scene)).objection.empty();
+        const Prospect prospect = prospect_of(Simulation(scene));
+        return prospect.objection.empty() && !prospect.sends_much_back;
     } catch (const SceneError&) {
         return false;
     } catch (const Unstable&) {

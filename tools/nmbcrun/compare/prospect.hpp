@@ -27,7 +27,7 @@ struct Prospect {
 /// than a tenth of its energy in waves slower than 0.75 c, or faster than 1.25 c, no warning.
 Prospect prospect_of(const Simulation& simulation);
 
-/// Whether the scene can be run and its prospect has no objection.
+/// Whether the scene can be run, and its ends neither amplify nor send much back.
 bool absorbs(const Scene& scene);
 
 }  // namespace nmbcrun

@@ -126,7 +126,7 @@ class Region {
             if (std::max(x.off, y.off) > scene_.spacing) {
                 const auto last = position_of(scene_, scene_.nodes[0] - 1, scene_.nodes[1] - 1);
                 throw SceneError(
-                    fmt::format("{} acts on no node of the scene: they are at [{:g}, {:g}] to "
+                    fmt::format("{} acts on no node of the scene: its nodes are at [{:g}, {:g}] to "
                                 "[{:g}, {:g}]",
                                 table, scene_.spacing, scene_.spacing, last[0], last[1]));
             }

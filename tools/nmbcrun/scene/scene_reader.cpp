@@ -251,7 +251,10 @@ std::map<std::string, std::string> SceneReader::given() const {
 void SceneReader::fail_unknown(const std::string& key,
                                const std::vector<std::string>& known) const {
     const auto distance = [&](const std::string& other) {
-        return other.ends_with("." + key) ? 0 : edit_distance(key, other);
+        const bool is_alike = std::ranges::equal(key, other, [](unsigned char a, unsigned char b) {
+            return std::tolower(a) == std::tolower(b);
+        });
+        return is_alike || other.ends_with("." + key) ? 0 : edit_distance(key, other);
     };
     std::set<std::string> names(known.begin(), known.end());
     for (const std::string& name : known) {  // the groups of them, too

@@ -31,7 +31,7 @@ std::vector<std::size_t> require_nodes_within(const Scene& scene, double centre,
         const auto [at, off] = nearest_node(centre, scene.nodes, scene.spacing);
         if (off > scene.spacing) {
             throw SceneError(fmt::format(
-                "{0}.centre and {0}.half_width select no node: they are at X = {1:g} to {2:g}",
+                "{0}.centre and {0}.half_width select no node: the nodes are at X = {1:g} to {2:g}",
                 table, scene.spacing, double(scene.nodes) * scene.spacing));
         }
         throw SceneError(fmt::format(

@@ -108,7 +108,8 @@ std::string what_there_is(const Scene& scene) {
         return fmt::format("there are the horizons {} of this family", fmt::join(horizons, ", "));
     }
     return families.empty() ? "there is nothing of this influence"
-                            : fmt::format("there are the families {}", fmt::join(families, ", "));
+                            : fmt::format("there are, of this influence, the families {}",
+                                          fmt::join(families, ", "));
 }
 
 /// Whether both have the same coefficients at G, to roundings.
