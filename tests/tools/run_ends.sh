@@ -176,9 +176,9 @@ for kind in sponge pml; do
     done
     stable "${layer[@]}" --set boundary.left.kind=$kind --set model.horizon=1 --set model.G=0.5
     rm -r results
-    unstable "NMBC1 is certified against a $kind end at no time step at n = 2, G = 0; cfl" \
+    unstable "NMBC1 is certified against a $kind end at no time step at n = 2, G = 0; the step has cfl" \
         "${layer[@]}" --set boundary.left.kind=$kind
-    unstable "NMBC2 is certified against a $kind end up to cfl = 0.69 only at n = 1, G = 0.5; cfl" \
+    unstable "NMBC2 is certified against a $kind end up to cfl = 0.69 only at n = 1, G = 0.5; the step has cfl" \
         "${layer[@]}" --set boundary.right.kind=$kind --set model.horizon=1 --set model.G=0.5 \
         --set boundary.order=2 --set time.cfl=0.8
     try run "$automatic" "${layer[@]}" --set boundary.kind=$kind --set time.end=4
