@@ -106,11 +106,12 @@ TEST_CASE("what is certified opposite an exact end") {
         scene.right = {.kind = BoundaryKind::pml, .layer = 10};
         const std::string above = objection_to(scene, cfl);
         CHECK(above.empty() == (cfl <= certified));
-        CHECK_MESSAGE((above.empty() ||
-                       (above.starts_with("NMBC2 of stride 3 is certified against a pml end up to "
-                                          "cfl = ") &&
-                        above.find(" only at n = 3, G = 4; the step has cfl = ") != std::string::npos)),
-                      above);
+        CHECK_MESSAGE(
+            (above.empty() ||
+             (above.starts_with("NMBC2 of stride 3 is certified against a pml end up to "
+                                "cfl = ") &&
+              above.find(" only at n = 3, G = 4; the step has cfl = ") != std::string::npos)),
+            above);
     }
 }
 
