@@ -42,7 +42,7 @@ std::string text_of(const WithLog& number, const PowerInfluence& influence) {
 constexpr std::size_t readable = 1500;
 
 /// Decimal places of a weight whose exact text an option does not take.
-constexpr unsigned places = maximum_digits - 2;
+constexpr unsigned decimal_places = maximum_digits - 2;
 
 /// As --weights takes them; none where they are too many to read, or one is too small.
 std::optional<std::string> weights_option(const PowerInfluence& influence) {
@@ -50,14 +50,15 @@ std::optional<std::string> weights_option(const PowerInfluence& influence) {
     for (std::size_t k = 0; const Rational& weight : power_weights(influence)) {
         std::string& text = texts[k++];
         if (text.size() > maximum_digits) {
-            const Integer scale = boost::multiprecision::pow(Integer(10), places);
+            const Integer scale = boost::multiprecision::pow(Integer(10), decimal_places);
             const Integer rounded = floor(weight * scale + Rational(1, 2));
             if (rounded == 0) {
                 return std::nullopt;
             }
             text = rounded.str();
-            text.insert(0, std::max(std::size_t(places) + 1, text.size()) - text.size(), '0');
-            text.insert(text.size() - places, ".");
+            text.insert(0, std::max(std::size_t(decimal_places) + 1, text.size()) - text.size(),
+                        '0');
+            text.insert(text.size() - decimal_places, ".");
         }
     }
     std::string option = fmt::format("{}", fmt::join(texts, ","));

@@ -49,6 +49,17 @@ inline bool is_near(const std::vector<double>& one, const std::vector<double>& o
     return near;
 }
 
+/// A square has no sign: that of an even strain of 1 is taken for positive.
+inline void turn_to_even_strain(std::vector<double>& strain) {
+    double of_even = 0;
+    for (std::size_t k = 1; k <= strain.size(); ++k) {
+        of_even += 2 * static_cast<double>(k) * strain[k - 1];
+    }
+    for (double& entry : strain) {
+        entry = of_even < 0 ? -entry : entry;
+    }
+}
+
 /// Of a lattice without damping. Throws std::invalid_argument for another kind of lattice.
 inline Correspondence correspondence_of(const Lattice& lattice) {
     const std::size_t n = lattice.reach() / 2;
@@ -64,13 +75,7 @@ inline Correspondence correspondence_of(const Lattice& lattice) {
         }
     }
     is_known = is_known && !found.strain.empty();
-    double of_even_strain = 0;
-    for (std::size_t k = 1; k <= found.strain.size(); ++k) {
-        of_even_strain += 2 * static_cast<double>(k) * found.strain[k - 1];
-    }
-    for (double& entry : found.strain) {  // its square has no sign
-        entry = of_even_strain < 0 ? -entry : entry;
-    }
+    turn_to_even_strain(found.strain);
     std::vector<int> ends(n);  // of the bonds I+k and I-k: both weigh the same
     for (const auto& [part, weight, stencil] : lattice.energy) {
         if (!is_known || part == EnergyPart::strain) {

@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace nmbc {
-
-namespace detail {
+namespace nmbc::detail {
 
 /// Half the width of the widest square of a lattice.
 inline std::size_t half_width(const Lattice& lattice) {
@@ -303,5 +301,4 @@ inline bool EdgedChain::is_below(double bound) const {
     return true;
 }
 
-}  // namespace detail
-}  // namespace nmbc
+}  // namespace nmbc::detail
