@@ -33,8 +33,10 @@ Specification random_specification() {
 }  // namespace
 
 TEST_CASE("what is derived is proved, symmetric, and rounds to the same doubles") {
+    int tried = 0;
     int derived = 0;
-    CHECK(rc::check([&derived] {
+    CHECK(rc::check([&] {
+        ++tried;
         const Specification what = random_specification();
         try {
             const Table table = derive(what);  // throws std::logic_error where a proof fails
@@ -48,5 +50,5 @@ TEST_CASE("what is derived is proved, symmetric, and rounds to the same doubles"
             RC_SUCCEED("no such condition");
         }
     }));
-    CHECK(derived > 50);  // of 100
+    CHECK(2 * derived > tried);
 }
