@@ -477,10 +477,10 @@ setting 2 "model.horizon is of a chain; a plane has model.radius2, its square" m
 setting 2 "initial moves no node: its width is 1e-09" initial.width=1e-9
 force=('force={amplitude = 1, component = "x", centre = [0.5, 0.25], half_width = 0.25, history = "sine", frequency = 1}')
 setting 2 "force acts on no node of the scene: the nearest is at [1, 1], and force.half_width = 0.91 would select it" "${force[@]}"
-setting 2 "force acts on no node of the scene: they are at [1, 1] to [150, 275]" "${force[@]}" 'force.centre=[5, 1000]'
+setting 2 "force acts on no node of the scene: its nodes are at [1, 1] to [150, 275]" "${force[@]}" 'force.centre=[5, 1000]'
 drive=('drive={amplitude = 1, component = "x", centre = [5.5, 0.5], half_width = [0.25, 4], duration = 9}')
 setting 2 "drive acts on no node of the scene: the nearest is at [6, 1], and drive.half_width = [0.5, 4] would select it" "${drive[@]}"
-setting 2 "drive acts on no node of the scene: they are at [1, 1] to [150, 275]" "${drive[@]}" 'drive.centre=[-1, 2]'
+setting 2 "drive acts on no node of the scene: its nodes are at [1, 1] to [150, 275]" "${drive[@]}" 'drive.centre=[-1, 2]'
 setting 2 'must be "nopd2d"' model.family=nopd1d
 setting 2 "must be a list [x, y], not one of 3 numbers" "domain.nodes=[1, 2, 3]"
 setting 2 "two whole numbers" "domain.nodes=[1.5, 2]"
