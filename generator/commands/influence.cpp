@@ -46,9 +46,9 @@ constexpr unsigned decimal_places = maximum_digits - 2;
 
 /// As --weights takes them; none where they are too many to read, or one is too small.
 std::optional<std::string> weights_option(const PowerInfluence& influence) {
-    std::vector<std::string> texts = weight_texts(influence);
-    for (std::size_t k = 0; const Rational& weight : power_weights(influence)) {
-        std::string& text = texts[k++];
+    std::vector<std::string> texts;
+    for (const Rational& weight : power_weights(influence)) {
+        std::string& text = texts.emplace_back(to_string(weight));
         if (text.size() > maximum_digits) {
             const Integer scale = boost::multiprecision::pow(Integer(10), decimal_places);
             const Integer rounded = floor(weight * scale + Rational(1, 2));

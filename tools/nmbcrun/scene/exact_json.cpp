@@ -36,9 +36,11 @@ std::optional<Fraction> fraction_in(std::string_view text) {
 
 std::optional<nmbcgen::Rational> in_lowest_terms(const std::string& text) {
     const auto fraction = fraction_in(text);
-    return fraction && nmbcgen::to_string(fraction->value()) == text
-               ? std::optional(fraction->value())
-               : std::nullopt;
+    if (!fraction) {
+        return std::nullopt;
+    }
+    nmbcgen::Rational value = fraction->value();
+    return nmbcgen::to_string(value) == text ? std::optional(std::move(value)) : std::nullopt;
 }
 
 std::string integers_of(const JsonValue& json) {
