@@ -63,6 +63,12 @@ class BoundaryCondition {
     /// Of an end beyond which there is no energy: what its outermost nodes have of their own.
     virtual const EdgeEnergy* own_energy(End /*end*/) const { return nullptr; }
 
+    /// Of a damped lattice, in every step before forces act: `change`, what the lattice's own
+    /// damping changes v by in so long [time], becomes what the end's does at such nodes. v is half
+    /// a step old.
+    virtual void complete_damping(NodeLine<const Real> /*v*/, NodeLine<Real> /*change*/,
+                                  double /*duration*/) const {}
+
     /// In every step, when the lattice's own forces have acted and nothing else has: the forces of
     /// such nodes.
     virtual void complete_kick(NodeLine<const Real> /*u*/, NodeLine<Real> /*v*/) {}

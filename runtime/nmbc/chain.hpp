@@ -84,7 +84,7 @@ class BasicChain {
         return parameters_.nodes + left_->layer_nodes() + right_->layer_nodes() + 2 * ghosts();
     }
     /// Entry of the first interior node.
-    std::size_t first_interior() const { return ghosts() + left_->layer_nodes(); }
+    std::size_t first_interior() const { return first_interior_from(End::left); }
     /// Interior nodes next to an end whose velocities it may change.
     std::size_t nodes_changed_by(End end) const {
         return (end == End::left ? left_ : right_)->least_interior_nodes();
@@ -121,7 +121,7 @@ class BasicChain {
         start_ends();
         const double back = -parameters_.time_step / 2;
         if (is_damped()) {
-            find_damping(*damping_during(back));
+            find_damping(*damping_during(back), back);
             damp();
         }
         force_during(back)->kick(displacement_, velocity_);
@@ -279,7 +279,7 @@ class BasicChain {
     void kick() {
         restart_ends();
         if (is_damped()) {
-            find_damping(*damping_);
+            find_damping(*damping_, parameters_.time_step);
             count_damped();
             damp();
         }
@@ -314,10 +314,14 @@ class BasicChain {
         }
     }
 
-    /// What the damping changes v by, from the old v.
-    void find_damping(const detail::Kick<Real>& damping) {
+    /// What the damping changes v by in so long, from the old v.
+    void find_damping(const detail::Kick<Real>& damping, double duration) {
         std::ranges::fill(damping_change_, Real{0});
         damping.kick(velocity_, damping_change_);
+        const std::span<const Real> v = velocity_;
+        const std::span<Real> change = damping_change_;
+        left_->complete_damping({v, End::left}, {change, End::left}, duration);
+        right_->complete_damping({v, End::right}, {change, End::right}, duration);
     }
 
     void damp() {
@@ -333,10 +337,25 @@ class BasicChain {
             return;
         }
         const double half = parameters_.density * parameters_.spacing / 2;
-        for (std::size_t node = ghosts(); node + ghosts() < nodes(); ++node) {
-            damped_[node] -= half * static_cast<double>(damping_change_[node]) *
+        const auto count = [&](std::size_t node, double mass) {
+            damped_[node] -= mass * half * static_cast<double>(damping_change_[node]) *
                              static_cast<double>(velocity_[node]);
+        };
+        for (std::size_t node = ghosts(); node + ghosts() < nodes(); ++node) {
+            count(node, 1);
         }
+        for (const End end : {End::left, End::right}) {
+            const EdgeEnergy* const edge = edge_energy(end);
+            for (std::size_t i = 0; edge != nullptr && i < edge->mass.size(); ++i) {
+                const std::size_t inwards = first_interior_from(end) + i;
+                count(end == End::left ? inwards : nodes() - 1 - inwards, edge->mass[i] - 1);
+            }
+        }
+    }
+
+    /// Nodes between an end of the fields and its outermost interior node.
+    std::size_t first_interior_from(End end) const {
+        return ghosts() + (end == End::left ? left_ : right_)->layer_nodes();
     }
 
     Lattice lattice_;

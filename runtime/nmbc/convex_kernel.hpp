@@ -74,7 +74,7 @@ inline std::vector<double> convex_kernels(std::size_t n, std::size_t nodes) {
 /// throughout, by (25), which gives the outermost node the force of an even strain. The nodes next
 /// to it have not: this is no method that passes the patch test.
 /// Throws std::invalid_argument for a lattice that is not of correspondence with the influence of a
-/// cubic spline of radius (n + 1) dX, and for a damped one.
+/// cubic spline of radius (n + 1) dX.
 inline EdgeEnergy kernel_edge(const Lattice& lattice) {
     const detail::Correspondence own = detail::correspondence_of(lattice);
     const std::size_t n = own.strain.size();

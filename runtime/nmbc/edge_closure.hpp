@@ -60,11 +60,11 @@ inline void turn_to_even_strain(std::vector<double>& strain) {
     }
 }
 
-/// Of a lattice without damping. Throws std::invalid_argument for another kind of lattice.
+/// Throws std::invalid_argument for another kind of lattice.
 inline Correspondence correspondence_of(const Lattice& lattice) {
     const std::size_t n = lattice.reach() / 2;
     Correspondence found;
-    bool is_known = n > 0 && lattice.reach() == 2 * n && lattice.damping.empty();
+    bool is_known = n > 0 && lattice.reach() == 2 * n;
     for (const auto& [part, weight, stencil] : lattice.energy) {
         is_known = is_known && stencil.size() == 2 * n + 1;
         if (is_known && part == EnergyPart::strain) {
@@ -95,8 +95,7 @@ inline Correspondence correspondence_of(const Lattice& lattice) {
     is_known = is_known && std::ranges::count(ends, 1) == 0;
     if (!is_known) {
         throw std::invalid_argument(
-            "this end is for undamped lattices like nopd1d, of one strain a node, and, if it is "
-            "sbp or "
+            "this end is for lattices like nopd1d, of one strain a node, and, if it is sbp or "
             "cut, of bonds");
     }
     return found;
@@ -137,10 +136,10 @@ inline EdgeEnergy edge_of(const Correspondence& lattice, const std::vector<EdgeN
     return edge;
 }
 
-/// Whether all squares are those of bonds, weight (u_{I+k} - u_I)^2, and nothing is damped. The
-/// strain of nopd1d at n = 1, of I-1 and I+1, is none.
+/// Whether all squares are those of bonds, weight (u_{I+k} - u_I)^2. The strain of nopd1d at n = 1,
+/// of I-1 and I+1, is none.
 inline bool has_bonds_alone(const Lattice& lattice) {
-    return lattice.damping.empty() && !lattice.energy.empty() &&
+    return !lattice.energy.empty() &&
            std::ranges::all_of(lattice.energy, [](const Lattice::Square& square) {
                const double own = square.stencil[square.stencil.size() / 2];
                return square.part == EnergyPart::strain && own != 0 &&
@@ -252,9 +251,8 @@ inline EdgeNode sbp_node(const Correspondence& own, const std::vector<double>& m
 
 /// The plain cut: families end where the nodes do, and strains are of the neighbours that are left;
 /// of bonds, those inside of the body stay. Too soft: a bar that is strained evenly does not rest.
-/// end: at which the edge is. Throws std::invalid_argument where the lattice is damped, for bonds
-/// of negative weight, and for squares that are neither those of bonds, weight (u_{I+k} - u_I)^2,
-/// nor of correspondence.
+/// end: at which the edge is. Throws std::invalid_argument for bonds of negative weight, and for
+/// squares that are neither those of bonds, weight (u_{I+k} - u_I)^2, nor of correspondence.
 inline EdgeEnergy cut_edge(const Lattice& lattice, End end) {
     if (detail::has_bonds_alone(lattice)) {
         return detail::cut_bonds(lattice, end);
@@ -272,9 +270,8 @@ inline EdgeEnergy cut_edge(const Lattice& lattice, End end) {
 /// entries between the n outermost nodes differ least from the lattice's, by the sum of squares.
 /// `nmbcgen closure sbp` has it in exact numbers. Of bonds, those between nearest neighbours bear
 /// what the ones that are cut off would, and the outermost node has half a mass. end: at which the
-/// edge is. Throws std::invalid_argument where the lattice is damped, for bonds of negative weight,
-/// for squares that are neither those of bonds nor of correspondence, and where a V is not
-/// positive.
+/// edge is. Throws std::invalid_argument for bonds of negative weight, for squares that are neither
+/// those of bonds nor of correspondence, and where a V is not positive.
 inline EdgeEnergy sbp_edge(const Lattice& lattice, End end) {
     if (detail::has_bonds_alone(lattice)) {
         EdgeEnergy edge = detail::cut_bonds(lattice, end);

@@ -7,8 +7,10 @@
 #include <cstddef>
 #include <functional>
 #include <nmbc/boundary_condition.hpp>
+#include <nmbc/edge_damping.hpp>
 #include <nmbc/edge_energy.hpp>
 #include <nmbc/lattice.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,11 +25,14 @@ inline std::size_t half_width(const Lattice& lattice) {
     return half;
 }
 
-/// K of the nodes next to a left edge, whose forces -K u differ from the lattice's, row by row.
+/// K of the nodes next to a left edge, whose forces -K u differ from the lattice's, row by row. Of
+/// squares that are damped it is the matrix of the damping.
 struct EdgeStiffness {
     std::size_t rows = 0;
     std::size_t columns = 0;
     std::vector<double> entries{};
+
+    double at(std::size_t row, std::size_t column) const { return entries[row * columns + column]; }
 };
 
 inline EdgeStiffness stiffness_of(const EdgeEnergy& edge, const Lattice& lattice) {
@@ -57,42 +62,80 @@ inline EdgeStiffness stiffness_of(const EdgeEnergy& edge, const Lattice& lattice
     return K;
 }
 
+/// What brings the accelerations of the nodes next to an edge from the lattice's to the edge's.
+class EdgeChange {
+  public:
+    /// symbol: of the lattice that K is the edge of; factor: unit of the accelerations.
+    EdgeChange(const EdgeStiffness& K, const std::vector<double>& mass,
+               const std::vector<double>& symbol, double factor)
+        : ghosts_(symbol.size() - 1),
+          rows_(K.rows),
+          columns_(K.columns),
+          entries_(rows_ * columns_) {
+        for (std::size_t row = 0; row < rows_; ++row) {
+            double* const change = &entries_[row * columns_];
+            for (std::size_t column = 0; column < columns_; ++column) {
+                change[column] = -K.at(row, column) / (row < mass.size() ? mass[row] : 1);
+            }
+            change[row] += symbol[0];
+            for (std::size_t m = 1; m <= ghosts_; ++m) {
+                change[row + m] += symbol[m];
+                change[row < m ? 0 : row - m] += symbol[m];  // ghosts are where node 0 is
+            }
+            for (std::size_t column = 0; column < columns_; ++column) {
+                change[column] *= factor;
+            }
+        }
+    }
+
+    std::size_t columns() const { return columns_; }
+
+    /// Adds so long of it, at this field, to `to`.
+    template <class Real>
+    void add(NodeLine<const Real> field, NodeLine<Real> to, double duration) const {
+        const double* entry = entries_.data();
+        for (std::size_t row = 0; row < rows_; ++row) {
+            const auto own = static_cast<double>(field[ghosts_ + row]);
+            double sum = 0;
+            for (std::size_t column = 0; column < columns_; ++column) {
+                sum += *entry++ * (static_cast<double>(field[ghosts_ + column]) - own);
+            }
+            to[ghosts_ + row] += static_cast<Real>(duration * sum);
+        }
+    }
+
+  private:
+    std::size_t ghosts_;
+    std::size_t rows_;
+    std::size_t columns_;
+    std::vector<double> entries_;  // row by row; rows add up to 0
+};
+
 /// The outermost node lies on the surface. Beyond it there is nothing: the ghosts go with it, so
 /// that in a body that has moved far the lattice's own forces, which are taken back, are small.
 template <class Real>
 class EdgeCondition final : public BoundaryCondition<Real> {
   public:
-    /// K: stiffness_of() the edges.
-    EdgeCondition(EdgeEnergies edges, const EdgeStiffness& K, const Lattice& lattice,
-                  const ChainParameters& p, OnSurface given, std::function<double(double)> value)
+    /// damping: of a damped lattice.
+    EdgeCondition(EdgeEnergies edges, const Lattice& lattice,
+                  const std::optional<EdgeDamping>& damping, const ChainParameters& p,
+                  OnSurface given, std::function<double(double)> value)
         : edges_(std::move(edges)),
           ghosts_(lattice.reach()),
-          rows_(K.rows),
-          columns_(K.columns),
-          changes_(K.entries.size()),
+          change_(stiffness_of(edges_.left, lattice), edges_.left.mass, lattice.symbol,
+                  std::pow(p.wave_speed() / p.spacing, 2)),
           time_step_(p.time_step),
           given_(given),
           load_(1 / (p.density * p.spacing * edges_.left.mass.at(0))),
           value_(std::move(value)) {
-        const double rate = p.wave_speed() / p.spacing;
-        for (std::size_t row = 0; row < rows_; ++row) {
-            const double mass = row < edges_.left.mass.size() ? edges_.left.mass[row] : 1;
-            std::vector<double> change(columns_);
-            for (std::size_t column = 0; column < columns_; ++column) {
-                change[column] = -K.entries[row * columns_ + column] / mass;
-            }
-            change[row] += lattice.symbol[0];
-            for (std::size_t m = 1; m <= ghosts_; ++m) {
-                change[row + m] += lattice.symbol[m];
-                change[row < m ? 0 : row - m] += lattice.symbol[m];  // ghosts are where node 0 is
-            }
-            for (std::size_t column = 0; column < columns_; ++column) {
-                changes_[row * columns_ + column] = rate * rate * change[column];
-            }
+        if (damping) {
+            damping_change_.emplace(stiffness_of(damping->edges.left, damping->lattice),
+                                    edges_.left.mass, damping->lattice.symbol,
+                                    p.wave_speed() / p.spacing);
         }
     }
 
-    std::size_t least_interior_nodes() const override { return columns_; }
+    std::size_t least_interior_nodes() const override { return change_.columns(); }
 
     const EdgeEnergy* own_energy(End end) const override {
         return end == End::left ? &edges_.left : &edges_.right;
@@ -111,14 +154,21 @@ class EdgeCondition final : public BoundaryCondition<Real> {
     }
 
     void after_start(NodeLine<const Real> u, NodeLine<Real> v, double duration) override {
-        change(u, v, duration);
+        change_.add(u, v, duration);
         if (given_ == OnSurface::traction) {
             v[ghosts_] += static_cast<Real>(duration * load_ * at(0));
         }
     }
 
+    void complete_damping(NodeLine<const Real> v, NodeLine<Real> change,
+                          double duration) const override {
+        if (damping_change_) {
+            damping_change_->add(v, change, duration);
+        }
+    }
+
     void complete_kick(NodeLine<const Real> u, NodeLine<Real> v) override {
-        change(u, v, time_step_);
+        change_.add(u, v, time_step_);
     }
 
     void after_kick(NodeLine<const Real> u, NodeLine<Real> v, std::size_t step) override {
@@ -137,168 +187,14 @@ class EdgeCondition final : public BoundaryCondition<Real> {
   private:
     double at(double time) const { return value_ ? value_(time) : 0; }
 
-    /// From what the lattice's forces do in so long, with these ghosts, to what the edge's do.
-    void change(NodeLine<const Real> u, NodeLine<Real> v, double duration) const {
-        const double* entry = changes_.data();
-        for (std::size_t row = 0; row < rows_; ++row) {
-            const auto own = static_cast<double>(u[ghosts_ + row]);
-            double sum = 0;
-            for (std::size_t column = 0; column < columns_; ++column) {
-                sum += *entry++ * (static_cast<double>(u[ghosts_ + column]) - own);
-            }
-            v[ghosts_ + row] += static_cast<Real>(duration * sum);
-        }
-    }
-
     EdgeEnergies edges_;
     std::size_t ghosts_;
-    std::size_t rows_;
-    std::size_t columns_;
-    std::vector<double> changes_;  // of the accelerations by u, row by row; rows add up to 0
+    EdgeChange change_;                         // of the accelerations by u
+    std::optional<EdgeChange> damping_change_;  // and by v
     double time_step_;
     OnSurface given_;
     double load_;  // acceleration of node 0 by a traction of 1
     std::function<double(double)> value_;
 };
-
-/// Adds weight L^T (L u) of a stencil L, whose entries are at place(0), place(1), ..
-template <class Place>
-void add_force(double weight, const std::vector<double>& stencil, const Place& place,
-               const std::vector<double>& u, std::vector<double>& force) {
-    double sum = 0;
-    for (std::size_t i = 0; i < stencil.size(); ++i) {
-        sum += stencil[i] * u[place(i)];
-    }
-    for (std::size_t i = 0; i < stencil.size(); ++i) {
-        force[place(i)] += weight * stencil[i] * sum;
-    }
-}
-
-/// M^-1 K u of a chain between two edges.
-inline std::vector<double> between_edges(const EdgeEnergies& edges, const Lattice& lattice,
-                                         const std::vector<double>& u) {
-    const std::size_t nodes = u.size();
-    const std::size_t edge = edges.left.mass.size();
-    std::vector<double> force(nodes);
-    for (const EdgeEnergy::Square& square : edges.left.squares) {
-        add_force(
-            square.weight, square.stencil, [](std::size_t i) { return i; }, u, force);
-    }
-    for (const EdgeEnergy::Square& square : edges.right.squares) {
-        add_force(
-            square.weight, square.stencil, [=](std::size_t i) { return nodes - 1 - i; }, u, force);
-    }
-    for (const auto& [part, weight, stencil] : lattice.energy) {
-        for (std::size_t node = edge; node + edge < nodes; ++node) {
-            const std::size_t first = node - stencil.size() / 2;
-            add_force(
-                weight, stencil, [=](std::size_t i) { return first + i; }, u, force);
-        }
-    }
-    for (std::size_t node = 0; node < edge; ++node) {
-        force[node] /= edges.left.mass[node];
-        force[nodes - 1 - node] /= edges.right.mass[node];
-    }
-    return force;
-}
-
-/// Estimates -lambda of the fastest mode of a chain of this many nodes, by power iteration; of the
-/// interior, if that is more. accelerate(u) puts the accelerations in the place of the
-/// displacements u.
-template <class Accelerate>
-double fastest_mode(const Lattice& lattice, std::size_t nodes, const Accelerate& accelerate) {
-    std::vector<double> u(nodes);
-    for (std::size_t i = 0; i < nodes; ++i) {  // neither even nor odd about the middle
-        const double size = 1 + static_cast<double>(i) / static_cast<double>(nodes);
-        u[i] = i % 2 == 0 ? size : -size;
-    }
-    double largest = 0;
-    constexpr int enough = 400;  // the error falls by the ratio of eigenvalues every time
-    for (int iteration = 0; iteration < enough; ++iteration) {
-        accelerate(u);
-        largest = 0;
-        for (const double entry : u) {
-            largest = std::max(largest, std::abs(entry));
-        }
-        for (double& entry : u) {
-            entry /= largest;
-        }
-    }
-    const double top = maximum_frequency(lattice);
-    return std::max(largest, top * top);
-}
-
-/// A chain between two edges.
-struct EdgedChain {
-    const EdgeEnergies& edges;
-    const Lattice& lattice;
-    bool is_held = false;  ///< u = 0 on the outermost nodes
-    std::size_t nodes = 0;
-
-    /// Estimates the largest eigenvalue of M^-1 K.
-    double fastest() const {
-        const auto hold = [this](std::vector<double>& field) {
-            if (is_held) {
-                field.front() = field.back() = 0;
-            }
-        };
-        return fastest_mode(lattice, nodes, [&](std::vector<double>& u) {
-            hold(u);
-            u = between_edges(edges, lattice, u);
-            hold(u);
-        });
-    }
-
-    /// Whether all eigenvalues of M^-1 K are below `bound`, up to roundings: Cholesky's
-    /// decomposition of bound M - K exists.
-    bool is_below(double bound) const;
-};
-
-inline bool EdgedChain::is_below(double bound) const {
-    // Whichever node a square is counted at, both ends are one body's: K is its own mirror image.
-    const EdgeStiffness K = stiffness_of(edges.left, lattice);
-    const auto of_lattice = [this](std::size_t distance) {
-        return distance <= lattice.reach() ? lattice.symbol[distance] : 0;
-    };
-    // What an edge puts in the place of the endless lattice.
-    const auto change = [&](std::size_t row, std::size_t column) {
-        const std::size_t distance = row > column ? row - column : column - row;
-        return row < K.rows && column < K.columns
-                   ? K.entries[row * K.columns + column] - of_lattice(distance)
-                   : 0;
-    };
-    const auto mass = [&](std::size_t node) {
-        const std::vector<double>& of_left = edges.left.mass;
-        const std::vector<double>& of_right = edges.right.mass;
-        const std::size_t from_right = nodes - 1 - node;
-        return node < of_left.size()          ? of_left[node]
-               : from_right < of_right.size() ? of_right[from_right]
-                                              : 1;
-    };
-    const std::size_t width = K.columns;
-    const std::size_t first = is_held ? 1 : 0;
-    std::vector<double> L(nodes * width);  // entry (i, i - k) at i * width + k
-    for (std::size_t i = first; i + first < nodes; ++i) {
-        double* const row = &L[i * width];
-        const std::size_t band = std::min(i - first, width - 1);
-        for (std::size_t k = band + 1; k-- > 0;) {
-            const std::size_t j = i - k;
-            double entry = -of_lattice(k) - change(i, j) - change(nodes - 1 - i, nodes - 1 - j);
-            for (std::size_t m = k + 1; m <= band; ++m) {
-                entry -= row[m] * L[j * width + m - k];
-            }
-            if (k > 0) {
-                row[k] = entry / L[j * width];
-                continue;
-            }
-            entry += bound * mass(i);
-            if (!(entry > 0)) {
-                return false;
-            }
-            row[0] = std::sqrt(entry);
-        }
-    }
-    return true;
-}
 
 }  // namespace nmbc::detail

@@ -60,11 +60,10 @@ inline bool has_mirrored_squares(const Lattice& lattice) {
 }
 
 /// What the nodes beside a mirror have of the whole chain's energy, which is twice theirs while
-/// nothing is given. None where squares have no mirror images, or where the damping would have to
-/// count the node that lies on the mirror by half.
+/// nothing is given. None where squares have no mirror images.
 inline std::optional<EdgeEnergy> mirror_energy(const Lattice& lattice, OnSurface given,
                                                bool through_node) {
-    if (!has_mirrored_squares(lattice) || (through_node && !lattice.damping.empty())) {
+    if (!has_mirrored_squares(lattice)) {
         return std::nullopt;
     }
     EdgeEnergy energy;

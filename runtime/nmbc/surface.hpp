@@ -14,7 +14,9 @@
 #include <nmbc/convex_kernel.hpp>
 #include <nmbc/edge_closure.hpp>
 #include <nmbc/edge_condition.hpp>
+#include <nmbc/edge_damping.hpp>
 #include <nmbc/edge_energy.hpp>
+#include <nmbc/edged_chain.hpp>
 #include <nmbc/lattice.hpp>
 #include <optional>
 #include <stdexcept>
@@ -40,8 +42,8 @@ enum class Closure {
     kernel,  ///< convex kernels (kernel_edge): of correspondence, of a cubic spline's influence
     cut,     ///< families end where the nodes do (cut_edge): of correspondence and of bonds
     /// A mirror through the outermost node: ghost f has 2 u_s - u_f, or u_f + 2 f dX e, nodes
-    /// counted from 0. Half of this node's energy counts, the body's, where nothing is given in an
-    /// undamped lattice whose squares have mirror images; else all of it.
+    /// counted from 0. Half of this node's energy counts, the body's, where nothing is given in a
+    /// lattice whose squares have mirror images; else all of it.
     node_mirror,
 };
 
@@ -62,7 +64,8 @@ struct SurfaceEnd {
     std::function<double(double time)> value{};  ///< none: 0 at all times
 
     /// Throws NotCertified for steps that are too long for the closure, std::invalid_argument for a
-    /// lattice that it does not end: a damped one for all but a mirror.
+    /// lattice that it does not end: a damped one for a surface node, and one whose damping is not
+    /// tau times the stabilisation of its table for those with an energy of their own.
     template <class Real>
     std::unique_ptr<BoundaryCondition<Real>> make(const Lattice& lattice, const ChainParameters& p,
                                                   std::type_identity<Real> precision) const;
@@ -78,8 +81,9 @@ struct SurfaceEnd {
 /// this closure at both ends, where this is given: the interior's, or that of a mode that decays
 /// inwards, and 1 % more. Of closures with an energy, a decomposition has shown it, up to
 /// roundings, for the chain, or where it is long for one of 40 reaches, beyond which both ends are
-/// alone. Of a surface node, which has none, it is an estimate by power iteration. Throws as
-/// SurfaceEnd::make.
+/// alone. With the damping of a lattice it is so much more that steps dt [dX/c] are stable while
+/// dt^2 times it is below 4; of a mirror see interior_cfl(). Of a surface node, which has no
+/// energy, it is an estimate by power iteration. Throws as SurfaceEnd::make.
 double largest_eigenvalue(const Lattice& lattice, Closure closure, OnSurface given,
                           std::size_t nodes);
 
@@ -268,6 +272,16 @@ inline EdgeEnergies edges_of(Closure closure, const Lattice& lattice) {
     throw std::logic_error("this end has no edge of its own");
 }
 
+/// None where nothing is damped.
+inline std::optional<EdgeDamping> damping_of(Closure closure, const Lattice& lattice) {
+    if (lattice.damping.empty()) {
+        return std::nullopt;
+    }
+    Lattice at_1 = stabilised_at_1(lattice);
+    EdgeEnergies edges = edges_of(closure, at_1);
+    return edge_damping(lattice, std::move(at_1), std::move(edges));
+}
+
 }  // namespace detail
 
 inline double largest_eigenvalue(const Lattice& lattice, Closure closure, OnSurface given,
@@ -288,11 +302,12 @@ inline double largest_eigenvalue(const Lattice& lattice, Closure closure, OnSurf
     }
     const EdgeEnergies edges = detail::edges_of(closure, lattice);
     const std::size_t least = 2 * edges.left.mass.size() + 1;
-    detail::EdgedChain chain{edges, lattice, given == OnSurface::displacement,
+    const auto damping = detail::damping_of(closure, lattice);
+    detail::EdgedChain chain{edges, lattice, damping, given == OnSurface::displacement,
                              short_enough(least, 6 * n + 8)};
     double bound = margin * chain.fastest();
     chain.nodes = short_enough(least, 40 * n);
-    while (!chain.is_below(bound)) {
+    while (!chain.is_stable_below(bound)) {
         bound *= margin;
     }
     return bound;
@@ -322,10 +337,9 @@ std::unique_ptr<BoundaryCondition<Real>> SurfaceEnd::make(
         return std::make_unique<detail::SurfaceCondition<Real>>(
             detail::surface_node_rows(lattice, given), unit_of(p), p.time_step, value);
     }
-    EdgeEnergies edges = detail::edges_of(closure, lattice);
-    const detail::EdgeStiffness K = detail::stiffness_of(edges.left, lattice);
-    return std::make_unique<detail::EdgeCondition<Real>>(std::move(edges), K, lattice, p, given,
-                                                         value);
+    return std::make_unique<detail::EdgeCondition<Real>>(
+        detail::edges_of(closure, lattice), lattice, detail::damping_of(closure, lattice), p, given,
+        value);
 }
 
 }  // namespace nmbc
