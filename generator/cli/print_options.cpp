@@ -223,19 +223,23 @@ CLI::App* add_coupling(CLI::App& app, Request& request) {
                            "such as 3/2; 0: local",
                            largest_coupling_horizon))
         ->required();
+    const auto add_bars = [&](CLI::App& command) {
+        add_parsed(command, "--horizon", task.horizon, parse_wave_horizon,
+                   fmt::format("delta of the left bar in units of its element's length h, an "
+                               "exact number up to {}; 0: local",
+                               largest_wave_horizon))
+            ->required();
+        add_parsed(command, "--other-horizon", task.other_horizon, parse_wave_horizon,
+                   "likewise of the right bar, in units of h, too (default 0)");
+        add_parsed(command, "--other-length", task.other_length, parse_element_length,
+                   "length of the right bar's elements in units of h, an exact number from 1/4 to "
+                   "4 (default 1)");
+    };
+    add_bars(*add_part("junction", CouplingPart::junction,
+                       "rows of the stiffness where two bars meet, exact"));
     add_part("cases", CouplingPart::cases, "the cases 1 to 4 of Seleson 2011");
-    auto* const waves = add_part("waves", CouplingPart::waves,
-                                 "what the junction of two bars reflects, and an NMBC behind it");
-    add_parsed(*waves, "--horizon", task.horizon, parse_wave_horizon,
-               fmt::format("delta of the left bar in units of its element's length h, an exact "
-                           "number up to {}; 0: local",
-                           largest_wave_horizon))
-        ->required();
-    add_parsed(*waves, "--other-horizon", task.other_horizon, parse_wave_horizon,
-               "likewise of the right bar, in units of h, too (default 0)");
-    add_parsed(*waves, "--other-length", task.other_length, parse_element_length,
-               "length of the right bar's elements in units of h, an exact number from 1/4 to 4 "
-               "(default 1)");
+    add_bars(*add_part("waves", CouplingPart::waves,
+                       "what the junction of two bars reflects, and an NMBC behind it"));
     return coupling;
 }
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "generator/commands/coupling_junction.hpp"
 #include "generator/commands/coupling_waves.hpp"
-#include "generator/coupling/assembly.hpp"
 #include "generator/coupling/equilibrium.hpp"
 #include "generator/exact/rational.hpp"
 
@@ -16,35 +16,6 @@ namespace nmbcgen {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* source = "Seleson 2011, part IV: linear elements of length h";
-
-std::string stencil_text(const Rational& horizon) {
-    std::string text = fmt::format("stencil     {}, horizon {} h\nunits       k/h\n\n", source,
-                                   to_string(horizon));
-    const std::vector<LogNumber> stencil = uniform_stencil(horizon);
-    for (std::size_t m = 0; m < stencil.size(); ++m) {
-        constexpr std::size_t readable = 1500;
-        const std::string exact = to_string(stencil[m]);
-        text += fmt::format("{:<4}{:< 24.17g}{}\n", m, nearest_double(stencil[m]),
-                            exact.size() > readable ? "too long to read" : exact);
-    }
-    return text;
-}
-
-Json stencil_json(const Rational& horizon) {
-    Json entries = Json::array();
-    for (const LogNumber& entry : uniform_stencil(horizon)) {
-        Json logs = Json::object();
-        for (const auto& [prime, coefficient] : entry.of_log) {
-            logs[std::to_string(prime)] = to_string(coefficient);
-        }
-        entries.push_back({{"rational", to_string(entry.rational)},
-                           {"of_log", logs},
-                           {"value", nearest_double(entry)}});
-    }
-    return {{"coupling", "stencil"}, {"horizon", to_string(horizon)}, {"stencil", entries}};
-}
 
 /// A patch test of two bars.
 struct Patch {
@@ -139,6 +110,8 @@ std::string coupling_text(const CouplingTask& task) {
     switch (task.part) {
         case CouplingPart::stencil:
             return stencil_text(task.horizon);
+        case CouplingPart::junction:
+            return junction_text(halves_of(task));
         case CouplingPart::cases:
             return cases_text();
         case CouplingPart::waves:
@@ -150,7 +123,9 @@ std::string coupling_text(const CouplingTask& task) {
 std::string coupling_json(const CouplingTask& task) {
     switch (task.part) {
         case CouplingPart::stencil:
-            return stencil_json(task.horizon).dump(2) + "\n";
+            return stencil_json(task.horizon);
+        case CouplingPart::junction:
+            return junction_json(halves_of(task));
         case CouplingPart::cases:
             return cases_json().dump(2) + "\n";
         case CouplingPart::waves:

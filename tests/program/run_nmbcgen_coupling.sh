@@ -17,8 +17,9 @@ shows() {
     expect "block $number of the page" diff block "$scratch/stdout"
 }
 shows 1 stencil --horizon 3/2
-shows 2 cases
-shows 3 waves --horizon 3
+shows 2 junction --horizon 1/2
+shows 3 cases
+shows 4 waves --horizon 3
 
 try coupling waves --horizon 3/2 --other-horizon 3/2 --other-length 2
 expect_exit 0
@@ -28,7 +29,7 @@ try coupling stencil --horizon 100 --stdout
 expect_exit 0
 expect "no line that nobody reads" awk 'length > 1600 { exit 1 }' "$scratch/stdout"
 
-for part in "stencil --horizon 2" cases "waves --horizon 3/4 --other-length 4"; do
+for part in "stencil --horizon 2" "junction --horizon 3/2 --other-horizon 3/4 --other-length 2" cases "waves --horizon 3/4 --other-length 4"; do
     read -ra arguments <<<"$part"
     try coupling "${arguments[@]}" --format json
     expect_exit 0
@@ -44,6 +45,24 @@ for entry in stencil:
     value = float(Fraction(entry["rational"])) + sum(
         float(Fraction(c)) * math.log(int(p)) for p, c in entry["of_log"].items())
     assert abs(value - entry["value"]) < 1e-15
+# Of two bars: pairs are symmetric; no row of either form sees a shift, none of `rows` a strain.
+junction = json.load(open("junction.json"))
+assert junction["horizons"] == ["3/2", "3/4"] and junction["lengths"] == ["1", "2"]
+for form in ("pairs", "rows"):
+    assert [row["node"] for row in junction[form]] == [-2, -1, 0, 1]
+    K = {(row["node"], e["column"]): e for row in junction[form] for e in row["entries"]}
+    if form == "pairs":
+        assert all(K[j, i]["value"] == e["value"] for (i, j), e in K.items() if (j, i) in K)
+    for row in junction[form]:
+        position = lambda node: node * (2 if node > 0 else 1)
+        for moment in (0, 1) if form == "rows" else (0,):
+            rational, logs = Fraction(0), {}
+            for e in row["entries"]:
+                factor = position(e["column"]) ** moment
+                rational += factor * Fraction(e["rational"])
+                for p, c in e["of_log"].items():
+                    logs[p] = logs.get(p, 0) + factor * Fraction(c)
+            assert rational == 0 and not any(logs.values()), (form, row["node"], moment)
 cases = json.load(open("cases.json"))
 # Seleson 2011 by our reading, to the digits known
 for row, u in zip(cases["case_1"], (.611, .354, .280, .258), strict=True):
@@ -58,13 +77,15 @@ assert waves["horizons"] == ["3/4", "0"] and waves["lengths"] == ["1", "4"]
 assert all(abs(sum(w["pairs"].values()) - 1) < 1e-9 for w in waves["waves"])
 assert set(waves["packet"]["rows"]["measured"]) == {"reflected", "transmitted", "from_end"}'
 
-refuses 2 "coupling needs one of the subcommands stencil, cases, waves" coupling
-refuses 2 "'foo' is not expected: coupling takes the subcommands stencil, cases, waves" coupling foo
+refuses 2 "coupling needs one of the subcommands stencil, junction, cases, waves" coupling
+refuses 2 "'foo' is not expected: coupling takes the subcommands stencil, junction, cases, waves" coupling foo
 refuses 2 "--horizon is required" coupling stencil
+refuses 2 "--horizon is required" coupling junction
 refuses 2 "--horizon is required" coupling waves
 refuses 2 "--horizon" coupling cases --horizon 2
 refuses 2 "'101' is not a number from 0 to 100" coupling stencil --horizon 101
 refuses 2 "'11' is not a number from 0 to 10" coupling waves --horizon 11
+refuses 2 "'11' is not a number from 0 to 10" coupling junction --horizon 2 --other-horizon 11
 refuses 2 "denominator up to 1000" coupling stencil --horizon 1.0001
 refuses 2 "-1" coupling stencil --horizon -1
 refuses 2 "nonsense" coupling stencil --horizon nonsense
