@@ -86,7 +86,7 @@ std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega) {
     keyed.reserve(modes.size());
     for (const Mode& mode : modes) {
         const double angle = std::arg(mode.k);
-        keyed.push_back({{!mode.travels(), std::abs(angle), std::abs(mode.k), angle}, mode});
+        keyed.push_back({{!mode.travels(), std::abs(angle), std::norm(mode.k), angle}, mode});
     }
     std::ranges::sort(keyed, {}, &std::pair<Key, Mode>::first);
     std::ranges::transform(keyed, modes.begin(), &std::pair<Key, Mode>::second);

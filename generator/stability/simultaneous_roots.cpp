@@ -15,19 +15,28 @@ Complex reciprocal(Complex z) {
     return std::conj(z) / std::norm(z);
 }
 
-/// The corners of the least concave function above log |a_i|.
-std::vector<std::size_t> newton_polygon(const std::vector<Complex>& a) {
-    std::vector<double> heights;
-    heights.reserve(a.size());
+std::vector<double> sizes_of(const std::vector<Complex>& a) {
+    std::vector<double> sizes;
+    sizes.reserve(a.size());
     for (const Complex coefficient : a) {
-        heights.push_back(std::log(std::abs(coefficient)));
+        sizes.push_back(std::abs(coefficient));
+    }
+    return sizes;
+}
+
+/// The corners of the least concave function above log |a_i|. sizes: |a_i|.
+std::vector<std::size_t> newton_polygon(const std::vector<double>& sizes) {
+    std::vector<double> heights;
+    heights.reserve(sizes.size());
+    for (const double size : sizes) {
+        heights.push_back(std::log(size));
     }
     const auto slope = [&heights](std::size_t from, std::size_t to) {
         return (heights[to] - heights[from]) / double(to - from);
     };
     std::vector<std::size_t> corners;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a[i] == 0.0) {
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        if (sizes[i] == 0) {
             continue;
         }
         while (corners.size() > 1 &&
@@ -39,14 +48,13 @@ std::vector<std::size_t> newton_polygon(const std::vector<Complex>& a) {
     return corners;
 }
 
-std::vector<Complex> first_guesses(const std::vector<Complex>& a) {
+std::vector<Complex> first_guesses(const std::vector<double>& sizes) {
     std::vector<Complex> guesses;
-    const std::vector<std::size_t> corners = newton_polygon(a);
+    const std::vector<std::size_t> corners = newton_polygon(sizes);
     for (std::size_t side = 0; side + 1 < corners.size(); ++side) {
         const std::size_t low = corners[side];
         const auto count = double(corners[side + 1] - low);
-        const double radius =
-            std::pow(std::abs(a[low]) / std::abs(a[corners[side + 1]]), 1 / count);
+        const double radius = std::pow(sizes[low] / sizes[corners[side + 1]], 1 / count);
         for (std::size_t i = low; i < corners[side + 1]; ++i) {
             constexpr double off_the_axes = 0.7;  // a real polynomial's guesses would stay mirrored
             guesses.push_back(std::polar(radius, 2 * std::numbers::pi * double(i - low) / count +
@@ -63,7 +71,7 @@ struct Value {
     double roundings = 0;
 
     Value(const std::vector<Complex>& a, const std::vector<double>& sizes, Complex x) {
-        const double size = std::abs(x);
+        const double size = std::sqrt(std::norm(x));  // too small a one to square is 0: as good
         for (std::size_t i = a.size(); i-- > 0;) {
             slope = {slope.real() * x.real() - slope.imag() * x.imag() + value.real(),
                      slope.real() * x.imag() + slope.imag() * x.real() + value.imag()};
@@ -80,12 +88,8 @@ struct Value {
 std::optional<std::vector<Complex>> simultaneous_roots(const std::vector<Complex>& a) {
     constexpr int most = 100;
     constexpr double settled = 2 * std::numeric_limits<double>::epsilon();
-    std::vector<double> sizes;
-    sizes.reserve(a.size());
-    for (const Complex coefficient : a) {
-        sizes.push_back(std::abs(coefficient));
-    }
-    std::vector<Complex> roots = first_guesses(a);
+    const std::vector<double> sizes = sizes_of(a);
+    std::vector<Complex> roots = first_guesses(sizes);
     std::vector<bool> known(roots.size(), false);
     std::size_t unknown = roots.size();
     for (int iteration = 0; iteration < most && unknown > 0; ++iteration) {

@@ -223,18 +223,12 @@ class BasicPlane {
     /// others.
     PlaneEnergies energies(std::ptrdiff_t first_x, std::ptrdiff_t last_x, std::ptrdiff_t first_y,
                            std::ptrdiff_t last_y) const {
-        const auto range = [](std::ptrdiff_t first, std::ptrdiff_t last, std::size_t layers,
-                              std::size_t nodes) {
-            const auto before = static_cast<std::ptrdiff_t>(layers);
-            if (first >= last || first < -before ||
-                last + before > static_cast<std::ptrdiff_t>(nodes)) {
-                throw std::invalid_argument(
-                    "energies: the nodes must be a range within the plane and its layers");
-            }
-            return detail::PlaneAxis::Range{first + before, last + before};
-        };
-        return energies_of(
-            {range(first_x, last_x, layers_[0], nx_), range(first_y, last_y, layers_[2], ny_)});
+        return energies_of(window_of({first_x, last_x}, {first_y, last_y}));
+    }
+    /// Of each of these nodes, row by row, what it has of energies().total() [per thickness].
+    std::vector<double> energies_of_nodes(std::ptrdiff_t first_x, std::ptrdiff_t last_x,
+                                          std::ptrdiff_t first_y, std::ptrdiff_t last_y) const {
+        return energies_of_nodes(window_of({first_x, last_x}, {first_y, last_y}));
     }
     PlaneEnergies interior_energies() const {
         return energies(0, static_cast<std::ptrdiff_t>(parameters_.nx), 0,
@@ -250,6 +244,21 @@ class BasicPlane {
         detail::PlaneAxis::Range x;
         detail::PlaneAxis::Range y;
     };
+
+    /// Of nodes counted from the interior's first one, those counted from the body's.
+    Window window_of(const detail::PlaneAxis::Range& x, const detail::PlaneAxis::Range& y) const {
+        const auto range = [](const detail::PlaneAxis::Range& nodes, std::size_t layers,
+                              std::size_t all) {
+            const auto before = static_cast<std::ptrdiff_t>(layers);
+            if (nodes.first >= nodes.last || nodes.first < -before ||
+                nodes.last + before > static_cast<std::ptrdiff_t>(all)) {
+                throw std::invalid_argument(
+                    "energies: the nodes must be a range within the plane and its layers");
+            }
+            return detail::PlaneAxis::Range{nodes.first + before, nodes.last + before};
+        };
+        return {range(x, layers_[0], nx_), range(y, layers_[2], ny_)};
+    }
 
     /// With the null Lagrangian of its passive sides; bonds have none.
     static PlaneModel with_beta(const PlaneModel& model, const PlaneSides& sides) {
@@ -423,7 +432,19 @@ class BasicPlane {
     void add_corner_dashpots(std::size_t across_x, std::size_t across_y);
     void add_ghost_lines();
     void add_friction();
+
+    /// At t - dt/2, ghosts too.
+    struct HalfStep {
+        Fields mean;  ///< of two displacements
+        Fields velocity;
+    };
+    HalfStep at_half_step() const;
+    double kinetic_energy(std::ptrdiff_t x, std::ptrdiff_t y, const Fields& velocity) const;
+    /// Over E.
+    detail::PlanePotential potential_of_row(std::ptrdiff_t y, const detail::PlaneAxis::Range& nodes,
+                                            const Fields& u) const;
     PlaneEnergies energies_of(const Window& window) const;
+    std::vector<double> energies_of_nodes(const Window& window) const;
 
     PlaneModel model_;
     PlaneSides sides_;

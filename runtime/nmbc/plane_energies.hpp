@@ -5,56 +5,85 @@
 #include <cstddef>
 #include <nmbc/plane.hpp>
 #include <nmbc/plane_potential.hpp>
-#include <utility>
 #include <variant>
+#include <vector>
 
 namespace nmbc {
+
+template <class Real>
+typename BasicPlane<Real>::HalfStep BasicPlane<Real>::at_half_step() const {
+    const auto half = static_cast<Real>(parameters_.time_step / 2);
+    HalfStep now{u_, v_};
+    close_ghosts(now.velocity);
+    close_ghosts(now.mean);
+    for (std::size_t a = 0; a < 2; ++a) {
+        for (std::size_t i = 0; i < now.mean[a].size(); ++i) {
+            now.mean[a][i] -= half * now.velocity[a][i];
+        }
+    }
+    return now;
+}
+
+template <class Real>
+double BasicPlane<Real>::kinetic_energy(std::ptrdiff_t x, std::ptrdiff_t y,
+                                        const Fields& velocity) const {
+    const std::ptrdiff_t at = y * static_cast<std::ptrdiff_t>(grid().nx) + x;
+    double sum = 0;
+    for (std::size_t a = 0; a < 2; ++a) {
+        const auto own = static_cast<double>(field(velocity)[a][at]);
+        sum += mass_of(a, x, y) * own * own / 2;
+    }
+    return parameters_.density * parameters_.spacing * parameters_.spacing * sum;
+}
+
+template <class Real>
+detail::PlanePotential BasicPlane<Real>::potential_of_row(std::ptrdiff_t y,
+                                                          const detail::PlaneAxis::Range& nodes,
+                                                          const Fields& u) const {
+    return std::visit(
+        [&](const auto& force) {
+            return force.potential_of_row(y, nodes.first, nodes.last, field(u));
+        },
+        force_);
+}
 
 /// With m the mean of two displacements and d half of their difference, a quadratic form Q of both
 /// is Q(m) - Q(d).
 template <class Real>
 PlaneEnergies BasicPlane<Real>::energies_of(const Window& window) const {
-    const auto half = static_cast<Real>(parameters_.time_step / 2);
-    Fields velocity = v_;
-    close_ghosts(velocity);
-    Fields mean = u_;
-    close_ghosts(mean);
-    for (std::size_t a = 0; a < 2; ++a) {
-        for (std::size_t i = 0; i < mean[a].size(); ++i) {
-            mean[a][i] -= half * velocity[a][i];
-        }
-    }
-    const auto v = field(std::as_const(velocity));
+    const HalfStep now = at_half_step();
     detail::PlanePotential potential;
     double lost = 0;
     PlaneEnergies sum;
     for (std::ptrdiff_t y = window.y.first; y < window.y.last; ++y) {
         double kinetic = 0;
         for (std::ptrdiff_t x = window.x.first; x < window.x.last; ++x) {
-            const std::ptrdiff_t at = y * static_cast<std::ptrdiff_t>(grid().nx) + x;
-            for (std::size_t a = 0; a < 2; ++a) {
-                const auto own = static_cast<double>(v[a][at]);
-                kinetic += mass_of(a, x, y) * own * own / 2;
-            }
+            kinetic += kinetic_energy(x, y, now.velocity);
         }
         sum.kinetic += kinetic;
-        const auto potential_of = [&](const detail::PlaneField<const Real>& u) {
-            return std::visit(
-                [&](const auto& force) {
-                    return force.potential_of_row(y, window.x.first, window.x.last, u);
-                },
-                force_);
-        };
-        potential.add(potential_of(field(std::as_const(mean))));
-        lost += potential_of(v).total();
+        potential.add(potential_of_row(y, window.x, now.mean));
+        lost += potential_of_row(y, window.x, now.velocity).total();
     }
     const double E = parameters_.youngs_modulus;
-    sum.kinetic *= parameters_.density * parameters_.spacing * parameters_.spacing;
     sum.strain = E * potential.strain;
     sum.stabilisation = E * potential.stabilisation;
     sum.staggered = sum.kinetic + E * (potential.total() -
                                        parameters_.time_step * parameters_.time_step / 4 * lost);
     return sum;
+}
+
+template <class Real>
+std::vector<double> BasicPlane<Real>::energies_of_nodes(const Window& window) const {
+    const HalfStep now = at_half_step();
+    std::vector<double> energies;
+    for (std::ptrdiff_t y = window.y.first; y < window.y.last; ++y) {
+        for (std::ptrdiff_t x = window.x.first; x < window.x.last; ++x) {
+            const detail::PlanePotential own = potential_of_row(y, {x, x + 1}, now.mean);
+            energies.push_back(kinetic_energy(x, y, now.velocity) +
+                               parameters_.youngs_modulus * (own.strain + own.stabilisation));
+        }
+    }
+    return energies;
 }
 
 }  // namespace nmbc

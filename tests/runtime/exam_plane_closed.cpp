@@ -9,6 +9,7 @@
 #include <memory>
 #include <nmbc/plane.hpp>
 #include <nmbc/plane_convex_kernel.hpp>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -204,6 +205,10 @@ TEST_CASE("the energies of a range of nodes are those of closed layers, too") {
               plane.energies(9, right, 0, top).staggered ==
           doctest::Approx(plane.energies().staggered).epsilon(1e-13));
     CHECK(plane.interior_energies().staggered < 0.9 * plane.energies().staggered);
+    const std::vector<double> of_nodes = plane.energies_of_nodes(-before, 9, 0, top);
+    CHECK(of_nodes.size() == std::size_t((9 + before) * top));
+    CHECK(std::accumulate(of_nodes.begin(), of_nodes.end(), 0.0) ==
+          doctest::Approx(plane.energies(-before, 9, 0, top).total()).epsilon(1e-13));
     CHECK_THROWS_AS(plane.energies(-before - 1, 9, 0, 7), std::invalid_argument);
     CHECK_THROWS_AS(plane.energies(0, 9, 0, top + 1), std::invalid_argument);
     CHECK_THROWS_AS(plane.energies(0, 9, -1, 7), std::invalid_argument);

@@ -232,7 +232,7 @@ try run "$scene" --quiet --set time.end=60 --set output.every=5 --set 'output.pr
     --set output.field=true --set output.snapshots=200 --out out --plot
 expect_exit 0
 expect_no_stderr
-for picture in energy.svg energy.png fields.png fields.gif field.png; do
+for picture in energy.svg energy.png fields.png fields.gif field.png field_energy.png fields_energy.png; do
     expect_stdout_with "picture      out/plane_pulse_$picture"
     expect "$picture" test -s out/plane_pulse_$picture
 done
@@ -263,11 +263,17 @@ for path in [f"{folder}/{name}" for _, name in files] + [f"{folder}/plane_pulse_
     data = open(path, "rb").read()
     header, _, rest = data.partition(b'<AppendedData encoding="raw">\n_')
     assert b'WholeExtent="0 149 0 274 0 0"' in header
-    offsets = [int(o) for o in re.findall(rb'offset="(\d+)"', header)]
-    for offset in offsets:
-        size, = struct.unpack_from("<Q", rest, offset)
-        assert size == 150 * 275 * 3 * 8, size
-    assert rest[offsets[-1] + 8 + size:].startswith(b"\n</AppendedData>")
+    arrays = re.findall(rb'Name="(\w+)" NumberOfComponents="(\d)" format="appended" offset="(\d+)"', header)
+    assert [name for name, _, _ in arrays] == [b"displacement", b"velocity", b"energy"]
+    for _, components, offset in arrays:
+        size, = struct.unpack_from("<Q", rest, int(offset))
+        assert size == 150 * 275 * int(components) * 8, size
+    assert rest[int(offset) + 8 + size:].startswith(b"\n</AppendedData>")
+# The energies of all nodes, dX = 1, are those of the last row of the table, at the same time: two sums of 41 250 terms.
+energy = struct.unpack_from(f"<{150 * 275}d", rest, int(offset) + 8)
+rows = [line.split(",") for line in open(f"{folder}/plane_pulse.csv") if not line.startswith("#")]
+total = float(rows[-1][rows[0].index("total")])
+assert min(energy) >= 0 and abs(sum(energy) - total) < 1e-11 * total, (sum(energy), total)
 first = open(f"{folder}/{files[0][1]}", "rb").read().partition(b'raw">\n_')[2]
 u = struct.unpack_from("<3d", first, 8 + (136 * 150 + 74) * 24)  # node (75, 137), r = 1/2
 assert u[0] == 0 and abs(u[1] - 0.0009998286624877785) < 1e-18 and u[2] == 0, u

@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: MIT
-# The displacement |u| of a plane as colour, from the snapshots of nmbcrun (output.snapshots):
+# The displacement |u| of a plane, or its energy, as colour, from the snapshots of nmbcrun
+# (output.snapshots):
 #     gnuplot -c share/nmbc/plots/fields.gp OUT RUN.pvd TITLE
-# writes OUT.png, up to six of the snapshots, evenly spaced, and OUT.gif, up to a hundred of them;
-# from the field at the end (output.field) OUT.png alone:
+#     gnuplot -c share/nmbc/plots/fields.gp OUT RUN.pvd TITLE energy
+# writes OUT.png, up to six of the snapshots, evenly spaced, and OUT.gif, up to a hundred of them; of
+# the energy, and from the field at the end (output.field), OUT.png alone:
 #     gnuplot -c share/nmbc/plots/fields.gp OUT RUN_field.vti TITLE
-# Colours are logarithmic over three decades below the largest displacement of those of OUT.png.
-if (ARGC != 3) {
-    printerr "usage: gnuplot -c fields.gp OUT RUN.pvd|RUN_field.vti TITLE (writes OUT.png and OUT.gif)"
+# Colours are logarithmic over three decades of displacement, or six of energy, below the largest of
+# those of OUT.png.
+if (ARGC != 3 && !(ARGC == 4 && ARG4 eq "energy")) {
+    printerr "usage: gnuplot -c fields.gp OUT RUN.pvd|RUN_field.vti TITLE [energy] (writes OUT.png and OUT.gif)"
     exit status 2
 }
+is_energy = ARGC == 4
 if (strstrt(ARG2, "'") > 0) {
     printerr sprintf("fields.gp: no name with an apostrophe: %s", ARG2)
     exit status 2
@@ -30,10 +34,14 @@ times = is_field ? sprintf("sed '/<AppendedData/q' '%s' | sed -n 's/.*Name=\"Tim
                  : sprintf(list, "\\1")
 time_of(i) = real(system(times . sprintf(" | awk 'NR == %d { printf \"%%.12e\", $1 }'", i)))
 
-# The header is text; what follows it are the bytes' count, 8 bytes, and displacements of three doubles.
+# The header is text; what follows it are arrays, before each their bytes' count, 8 bytes.
 marker = "<AppendedData encoding=\"raw\">"
 head(file, name) = system(sprintf("sed '/<AppendedData/q' '%s' | grep -ao '%s=\"[^\"]*\"' | cut -d '\"' -f 2", file, name))
-skip(file) = int(system(sprintf("grep -abo -m 1 '%s' '%s' | cut -d : -f 1", marker, file))) + strlen(marker) + 2 + 8
+quantity = is_energy ? "energy" : "displacement"
+offset(file) = int(system(sprintf("sed '/<AppendedData/q' '%s' | sed -n 's/.*Name=\"%s\".* offset=\"\\([0-9]*\\)\".*/\\1/p'", file, quantity)))
+skip(file) = int(system(sprintf("grep -abo -m 1 '%s' '%s' | cut -d : -f 1", marker, file))) + strlen(marker) + 2 + 8 + offset(file)
+numbers = is_energy ? "%float64" : "%3float64"
+size_of = is_energy ? "(column(1))" : "(sqrt(column(1)**2 + column(2)**2))"
 first = file_of(1)
 extent = head(first, "WholeExtent")
 nx = int(word(extent, 2)) + 1
@@ -43,9 +51,9 @@ origin_x = real(system(sprintf("echo '%s' | awk '{ printf \"%%.12e\", $1 }'", he
 origin_y = real(system(sprintf("echo '%s' | awk '{ printf \"%%.12e\", $2 }'", head(first, "Origin"))))
 last_x = origin_x + (nx - 1) * spacing
 last_y = origin_y + (ny - 1) * spacing
-image(file) = sprintf("'%s' binary skip=%d array=(%d,%d) format='%%3float64' dx=%.9g dy=%.9g " . \
-                      "origin=(%.9g,%.9g) using (shown(sqrt($1**2 + $2**2))) with image%s", \
-                      file, skip(file), nx, ny, spacing, spacing, origin_x, origin_y, probes(run, spacing))
+image(file) = sprintf("'%s' binary skip=%d array=(%d,%d) format='%s' dx=%.9g dy=%.9g " . \
+                      "origin=(%.9g,%.9g) using (shown%s) with image%s", \
+                      file, skip(file), nx, ny, numbers, spacing, spacing, origin_x, origin_y, size_of, probes(run, spacing))
 
 heading = ARG3 . (has_probes(run) ? " (circles: probes)" : "")
 panels = count < 6 ? count : 6
@@ -53,17 +61,17 @@ chosen(p) = panels == 1 ? 1 : 1 + int((p - 1) * (count - 1.0) / (panels - 1) + 0
 largest = 0
 do for [p = 1:panels] {
     file = file_of(chosen(p))
-    stats file binary skip=skip(file) record=(nx * ny) format="%3float64" \
-        using (sqrt($1**2 + $2**2)) nooutput
+    stats file binary skip=skip(file) record=(nx * ny) format=numbers using @size_of nooutput
     largest = STATS_max > largest ? STATS_max : largest
 }
 largest = largest > 0 ? largest : 1
-shown(u) = u > largest / 1000 ? u : largest / 1000  # 0 has no logarithm
+least = largest / (is_energy ? 1e6 : 1e3)
+shown(u) = u > least ? u : least  # 0 has no logarithm
 
 # Dark is still: told apart without colour vision, and printed in grey.
 set palette defined (0 "#000004", 0.25 "#51127c", 0.5 "#b73779", 0.75 "#fc8961", 1 "#fcfdbf")
 set logscale cb
-set cbrange [largest / 1000:largest]
+set cbrange [least:largest]
 set xrange [origin_x - spacing / 2:last_x + spacing / 2]
 set yrange [origin_y - spacing / 2:last_y + spacing / 2]
 set size ratio -1
@@ -72,7 +80,7 @@ set format "%g"
 set format cb "10^{%T}"
 set xtics (origin_x, last_x)
 set ytics (origin_y, last_y)
-set cblabel "|u| (length unit)" offset 1
+set cblabel (is_energy ? "energy (per volume)" : "|u| (length unit)") offset 1
 unset key
 
 # Room for the axes' names and the longest of their numbers, in pixels.
@@ -110,7 +118,7 @@ do for [p = 1:panels] {
 }
 unset multiplot
 set output
-if (is_field) {
+if (is_field || is_energy) {
     exit
 }
 

@@ -25,10 +25,11 @@ struct Quantity {
 
 constexpr const char* displacement_label = "displacement";
 constexpr const char* velocity_label = "velocity";
+constexpr const char* energy = "energy";
 constexpr const char* damage = "damage";
 
 std::vector<Quantity> quantities_of(const PlaneScene& scene) {
-    std::vector<Quantity> all{{displacement_label, 3}, {velocity_label, 3}};
+    std::vector<Quantity> all{{displacement_label, 3}, {velocity_label, 3}, {energy, 1}};
     if (scene.fracture) {
         all.push_back({damage, 1});
     }
@@ -37,6 +38,9 @@ std::vector<Quantity> quantities_of(const PlaneScene& scene) {
 
 /// Node by node, row by row.
 std::vector<double> values_of(const PlaneSimulation& simulation, const Quantity& quantity) {
+    if (quantity.name == energy) {
+        return simulation.energy_density();
+    }
     const auto [nx, ny] = simulation.body().nodes;
     std::vector<double> values;
     values.reserve(nx * ny * quantity.components);
@@ -116,8 +120,8 @@ void write_hdf5(const PlaneSimulation& simulation, const std::filesystem::path& 
         if (quantity.components > 1) {
             extents.push_back(quantity.components);
         }
-        const double half_step =
-            quantity.name == velocity_label ? simulation.plan().time_step / 2 : 0;
+        const bool is_half_step_before = quantity.name == velocity_label || quantity.name == energy;
+        const double half_step = is_half_step_before ? simulation.plan().time_step / 2 : 0;
         file.add(quantity.name, extents,
                  {{"time", fmt::format("{:.10g}", simulation.plane().time() - half_step)}});
         file.write(quantity.name, values_of(simulation, quantity));

@@ -15,8 +15,8 @@ namespace nmbcrun {
 std::string_view extension_of(FieldFormat format);
 
 /// displacement at t and velocity at t - dt/2 of the nodes of the body, three components, z = 0;
-/// damage of a scene with fracture. VTK image data, or HDF5 datasets of ny x nx (x 3) in doubles.
-/// Throws FileError.
+/// energy at t - dt/2 [per volume]; damage of a scene with fracture. VTK image data, or HDF5
+/// datasets of ny x nx (x 3) in doubles. Throws FileError.
 void write_fields(const PlaneSimulation& simulation, const std::filesystem::path& path);
 
 /// Of such a file, but for its head.
@@ -28,8 +28,8 @@ struct Snapshot {
 };
 
 /// What opens the snapshots as one: FOLDER/NAME.pvd; or FOLDER/NAME.xdmf, and NAME.h5, whose groups
-/// displacement, velocity and damage have a link to the dataset of each snapshot, and times in
-/// `time`. Throws FileError.
+/// displacement, velocity, energy and damage have a link to the dataset of each snapshot, and times
+/// in `time`. Throws FileError.
 void write_series(const PlaneSimulation& simulation, const std::filesystem::path& folder,
                   const std::vector<Snapshot>& snapshots);
 

@@ -196,6 +196,8 @@ void draw_plane(const PlaneScene& scene, const std::filesystem::path& folder) {
     }
     if (scene.field && !scene.fracture && is_drawn) {
         draw("fields.gp", {file("_field"), file("_field.vti"), scene.title}, {file("_field.png")});
+        draw("fields.gp", {file("_field_energy"), file("_field.vti"), scene.title, "energy"},
+             {file("_field_energy.png")});
     } else if (scene.field && !scene.fracture) {
         fmt::print("no picture   of the field: its format is not \"vtk\"\n");
     }
@@ -204,6 +206,8 @@ void draw_plane(const PlaneScene& scene, const std::filesystem::path& folder) {
     } else if (scene.snapshots > 0) {
         draw("fields.gp", {file("_fields"), file(".pvd"), scene.title},
              {file("_fields.png"), file("_fields.gif")});
+        draw("fields.gp", {file("_fields_energy"), file(".pvd"), scene.title, "energy"},
+             {file("_fields_energy.png")});
     }
 }
 

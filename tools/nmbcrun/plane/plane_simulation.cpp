@@ -254,13 +254,27 @@ void PlaneSimulation::advance(std::size_t steps) {
     plane_.advance(steps, prescribe);
 }
 
-nmbc::PlaneEnergies PlaneSimulation::energies() const {
+std::array<std::ptrdiff_t, 4> PlaneSimulation::range_of_body() const {
     const PlaneBody whole = body();
     const auto first = [&](std::size_t axis) {
         return std::ptrdiff_t(extension_[2 * axis]) - std::ptrdiff_t(whole.before[axis]);
     };
-    return plane_.energies(first(0), first(0) + std::ptrdiff_t(whole.nodes[0]), first(1),
-                           first(1) + std::ptrdiff_t(whole.nodes[1]));
+    return {first(0), first(0) + std::ptrdiff_t(whole.nodes[0]), first(1),
+            first(1) + std::ptrdiff_t(whole.nodes[1])};
+}
+
+nmbc::PlaneEnergies PlaneSimulation::energies() const {
+    const auto [first_x, last_x, first_y, last_y] = range_of_body();
+    return plane_.energies(first_x, last_x, first_y, last_y);
+}
+
+std::vector<double> PlaneSimulation::energy_density() const {
+    const auto [first_x, last_x, first_y, last_y] = range_of_body();
+    std::vector<double> density = plane_.energies_of_nodes(first_x, last_x, first_y, last_y);
+    for (double& energy : density) {
+        energy /= scene_.spacing * scene_.spacing;
+    }
+    return density;
 }
 
 double PlaneSimulation::times_supplied() const {

@@ -54,6 +54,8 @@ class PlaneSimulation {
 
     /// Of the nodes of body(), at t - dt/2.
     nmbc::PlaneEnergies energies() const;
+    /// Node by node, row by row [per volume].
+    std::vector<double> energy_density() const;
     /// The energy of the whole plane over that of its start and its sources.
     double times_supplied() const;
     /// The energy of the whole plane at the start, and the work of its sources since.
@@ -95,6 +97,8 @@ class PlaneSimulation {
     PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides,
                     const std::array<std::size_t, 4>& extension);
     nmbc::PlanePoint node_at(double X, double Y) const;
+    /// Of the body's nodes along x, and along y, counted from the interior's first one.
+    std::array<std::ptrdiff_t, 4> range_of_body() const;
     void cut();
     void let_break();
 
