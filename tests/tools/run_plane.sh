@@ -336,7 +336,7 @@ for sides in "boundary.left.kind=higdon" "boundary.kind=pml boundary.layer=10"; 
     expect_exit 2
     expect_stderr "there model.G is 1, here 0.5"
     # Nothing that it has kept is lost, or replaced by nothing, where its files are gone or the disk is full.
-    first=stopped/plane_pulse_snapshots.part/000000000.h5
+    first=$(echo stopped/plane_pulse_snapshots.new-*)/000000000.h5
     mv $first first.h5
     try run "$scene" "${kept[@]}" --resume --out stopped
     expect_exit 5
@@ -346,6 +346,15 @@ for sides in "boundary.left.kind=higdon" "boundary.kind=pml boundary.layer=10"; 
     expect_exit 5
     expect_stderr "$first is too short"
     mv first.h5 $first
+    probes=$(echo stopped/plane_pulse_probes.csv.new-*)
+    cp "$probes" probes.csv
+    printf 'x' | dd of="$probes" bs=1 conv=notrunc status=none
+    try run "$scene" "${kept[@]}" --resume --out stopped
+    expect_exit 5
+    expect_stderr "it was changed since the checkpoint"
+    cp probes.csv "$probes"
+    rm probes.csv
+    expect "its snapshots stay" test -s $first
     code=0
     (
         ulimit -f 20
@@ -370,6 +379,30 @@ for sides in "boundary.left.kind=higdon" "boundary.kind=pml boundary.layer=10"; 
     expect_stderr "there is no such file"
     rm -r whole stopped
 done
+
+# .. and with their own snapshots, where a run that starts anew has been killed behind their step: of a run that was
+# stopped they are published, of one that was killed they still grow.
+"$program" run "$scene" "${common[@]}" --out whole >"$scratch/stdout" 2>&1
+for signal in TERM KILL; do
+    "$program" run "$scene" "${common[@]}" --out stopped --set output.checkpoint=1e-9 >"$scratch/stdout" 2>&1 &
+    running=$!
+    until [ -e stopped/plane_pulse.checkpoint ] || ! kill -0 $running 2>/dev/null; do sleep 0.01; done
+    kill -$signal $running
+    wait $running 2>/dev/null || true
+    expect "$signal: stopped on the way" test -e stopped/plane_pulse.checkpoint
+    "$program" run "$scene" "${common[@]}" --out stopped --set model.G=0.5 --set time.end=4000 --set output.checkpoint=1e9 \
+        >"$scratch/stdout" 2>&1 &
+    running=$!
+    until compgen -G 'stopped/plane_pulse_snapshots.new-*/000001200.h5' >/dev/null; do sleep 0.01; done
+    kill -KILL $running
+    wait $running 2>/dev/null || true
+    try run "$scene" --resume --out stopped "${common[@]}"
+    expect_exit 0
+    expect "$signal: its own files, byte for byte" diff -r whole stopped
+    expect_no_leftovers stopped
+    rm -r stopped
+done
+rm -r whole
 
 # The energies so far can be read; what a run reads it does not replace, nor what is not its own.
 mkdir scenes

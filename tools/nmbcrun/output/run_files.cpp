@@ -88,6 +88,11 @@ void RunFiles::begin() {
     std::filesystem::create_symlink(energies_journal().source().filename(), path(growing), ignored);
 }
 
+std::string RunFiles::own_ending() const {
+    const Journal& energies = *journals_.front().journal;
+    return energies.mark().name.substr(energies.path().filename().string().size());
+}
+
 std::vector<Journal::Mark> RunFiles::marks() const {
     std::vector<Journal::Mark> marks;
     for (const auto& [label, journal] : journals_) {

@@ -39,7 +39,7 @@ class RunFiles {
     virtual void keep(bool kept);
 
     /// Removes what killed runs have left, and what no checkpoint but this run's needs.
-    void remove_leftovers() const;
+    virtual void remove_leftovers() const;
 
     /// About `some` of the `all` rows of energies, and the last.
     std::vector<std::vector<double>> rows(std::size_t all, std::size_t some) const;
@@ -74,6 +74,10 @@ class RunFiles {
     /// All or nothing, as far as the file system can do that; and removes what an earlier run has
     /// published of the others.
     void publish(std::vector<nmbcgen::NewFile> files) const;
+
+    /// What tells the growing files of this run from those of others of its name, behind the names
+    /// that they are published under; the same where it goes on from a checkpoint.
+    std::string own_ending() const;
 
     Journal& energies_journal() { return *journals_.front().journal; }
     std::filesystem::path path(std::string_view ending) const;

@@ -44,7 +44,7 @@ PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, const std::filesystem:
                 .inputs = inputs_of(simulation.scene()),
                 .further = PlaneSnapshots::replaced(simulation.scene(), folder)},
                about, std::move(marks)),
-      snapshots_(simulation.scene(), folder) {
+      snapshots_(simulation.scene(), folder, own_ending()) {
     const PlaneScene& scene = simulation.scene();
     if (!scene.probes.empty()) {
         probed_ = &open("probes", "_probes.csv", probes_header(scene));
@@ -62,6 +62,11 @@ PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, const std::filesystem:
 void PlaneFiles::keep(bool kept) {
     snapshots_.keep(kept);
     RunFiles::keep(kept);
+}
+
+void PlaneFiles::remove_leftovers() const {
+    RunFiles::remove_leftovers();
+    snapshots_.remove_leftovers();
 }
 
 std::vector<PlaneFiles::CrackRow> PlaneFiles::crack_rows() const {

@@ -28,6 +28,7 @@ class PlaneFiles : public RunFiles {
                 const PlaneBalance& balance);
     void take_snapshot(const PlaneSimulation& simulation) { snapshots_.take(simulation); }
     void keep(bool kept) override;
+    void remove_leftovers() const override;
     /// What is there, in the place of what an earlier run of this name has left; of a run that has
     /// reached its end the field, too.
     void publish(const PlaneSimulation& simulation, bool at_end);

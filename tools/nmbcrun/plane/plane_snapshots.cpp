@@ -16,21 +16,32 @@ namespace {
 constexpr std::array<std::string_view, 5> endings{".pvd", ".xdmf", ".h5", "_field.vti",
                                                   "_field.h5"};
 
-/// Of a folder that has snapshots, and of nothing else in it.
+bool is_snapshot(const std::string& name) {
+    constexpr std::size_t digits = 9;
+    const std::size_t dot = name.find_first_not_of("0123456789");
+    return dot != std::string::npos && dot >= digits &&
+           (name.substr(dot) == ".vti" || name.substr(dot) == ".h5");
+}
+
+/// Of a folder that has snapshots what a killed process has left unfinished; the others, too, if
+/// they are to go; and nothing else in it.
+void clear(const std::filesystem::path& folder, bool of_snapshots) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        const std::size_t unfinished = name.find(".new-");
+        if (is_snapshot(name.substr(0, unfinished)) &&
+            (of_snapshots || unfinished != std::string::npos)) {
+            std::filesystem::remove(entry.path());
+        }
+    }
+}
+
+/// With its folder, where nothing else is in that.
 void remove_snapshots(const std::filesystem::path& folder) {
     if (!std::filesystem::is_directory(folder)) {
         return;
     }
-    constexpr std::size_t digits = 9;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const std::string stem = entry.path().stem().string();
-        const bool is_field =
-            entry.path().extension() == ".vti" || entry.path().extension() == ".h5";
-        if (is_field && stem.size() >= digits &&
-            stem.find_first_not_of("0123456789") == std::string::npos) {
-            std::filesystem::remove(entry.path());
-        }
-    }
+    clear(folder, true);
     std::error_code not_empty;
     std::filesystem::remove(folder, not_empty);
 }
@@ -46,13 +57,15 @@ std::vector<std::filesystem::path> PlaneSnapshots::replaced(const PlaneScene& sc
     return paths;
 }
 
-PlaneSnapshots::PlaneSnapshots(const PlaneScene& scene, std::filesystem::path folder)
+PlaneSnapshots::PlaneSnapshots(const PlaneScene& scene, std::filesystem::path folder,
+                               const std::string& own_ending)
     : folder_(std::move(folder)),
       name_(scene.name),
       format_(scene.field_format),
       every_(scene.snapshots),
       has_field_(scene.field),
-      series_(series_name(scene)) {
+      series_(series_name(scene)),
+      growing_(path("_snapshots").filename().string() + own_ending) {
     for (const std::string_view ending : endings) {
         nmbcgen::require_replaceable(path(ending));
     }
@@ -69,24 +82,37 @@ PlaneSnapshots::~PlaneSnapshots() {
 
 void PlaneSnapshots::begin(std::size_t step, double time_step, double bytes) {
     if (step == 0) {
+        is_kept_ = false;
         remove_snapshots(growing());
         return;
     }
-    is_kept_ = true;
     for (std::size_t at = 0; every_ > 0 && at <= step; at += every_) {
         snapshots_.push_back({double(at) * time_step, file_of(at)});
     }
     const std::string problem = what_lacks(growing(), bytes);
     if (problem.empty()) {
+        if (std::filesystem::is_directory(growing())) {
+            clear(growing(), false);
+        }
         return;
     }
-    // Of a run that was stopped, they are published; what grows is then a killed run's.
     const std::filesystem::path published = path("_snapshots");
-    if (!what_lacks(published, bytes).empty()) {
+    if (std::filesystem::exists(growing()) || !what_lacks(published, bytes).empty()) {
         throw nmbcgen::FileError(problem + ": the run cannot go on from its checkpoint");
     }
-    remove_snapshots(growing());
     std::filesystem::rename(published, growing());
+}
+
+void PlaneSnapshots::remove_leftovers() const {
+    const std::string beginning = path("_snapshots").filename().string() + ".new-";
+    std::error_code error;  // a folder that cannot be listed keeps what it has
+    for (std::filesystem::directory_iterator entry(folder_.empty() ? "." : folder_, error), end;
+         !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with(beginning) && name != growing_) {
+            remove_snapshots(entry->path());
+        }
+    }
 }
 
 std::string PlaneSnapshots::what_lacks(const std::filesystem::path& folder, double bytes) const {

@@ -11,16 +11,18 @@
 namespace nmbcrun {
 
 /// FOLDER/NAME_snapshots/T.vti or .h5, T the step, and what opens them (write_series);
-/// NAME_field.vti or .h5, the end. Snapshots wait in NAME_snapshots.part for their run's end. Every
-/// member throws FileError.
+/// NAME_field.vti or .h5, the end. Snapshots wait for their run's end in a folder of its own,
+/// NAME_snapshots.new-PROCESS. Every member throws FileError.
 class PlaneSnapshots {
   public:
     /// What a run of the scene replaces or removes: files, and the folder of snapshots.
     static std::vector<std::filesystem::path> replaced(const PlaneScene& scene,
                                                        const std::filesystem::path& folder);
 
-    /// Throws FileError where something else than a file is in the way of one.
-    PlaneSnapshots(const PlaneScene& scene, std::filesystem::path folder);
+    /// own_ending: of the run, as RunFiles has it. Throws FileError where something else than a
+    /// file is in the way of one.
+    PlaneSnapshots(const PlaneScene& scene, std::filesystem::path folder,
+                   const std::string& own_ending);
     /// Removes snapshots that are not published, unless they are kept.
     ~PlaneSnapshots();
     PlaneSnapshots(const PlaneSnapshots&) = delete;
@@ -28,13 +30,15 @@ class PlaneSnapshots {
     PlaneSnapshots(PlaneSnapshots&&) = delete;
     PlaneSnapshots& operator=(PlaneSnapshots&&) = delete;
 
-    /// With those that a run has left up to this step, which stay whatever becomes of this one; at
-    /// step 0 anew, and those of a run that was killed are removed. bytes: that a snapshot has at
-    /// least. Throws FileError where one is missing or shorter.
+    /// With those that this run has left up to this step, which stay whatever becomes of it, or
+    /// were published when it was stopped; at step 0 anew. bytes: that a snapshot has at least.
+    /// Throws FileError where one is missing or shorter.
     void begin(std::size_t step, double time_step, double bytes);
 
     void take(const PlaneSimulation& simulation);
     void keep(bool kept) { is_kept_ = kept; }
+    /// Removes what other runs of this name have left in their folders.
+    void remove_leftovers() const;
     /// In the place of what an earlier run of this name has left; at_end: the field, too.
     void publish(const PlaneSimulation& simulation, bool at_end);
 
@@ -44,7 +48,7 @@ class PlaneSnapshots {
   private:
     /// "FILE is missing", or too short, of the snapshots in this folder; empty: nothing is.
     std::string what_lacks(const std::filesystem::path& folder, double bytes) const;
-    std::filesystem::path growing() const { return path("_snapshots.part"); }
+    std::filesystem::path growing() const { return folder_ / growing_; }
     std::filesystem::path file_of(std::size_t step) const;
     std::filesystem::path path(std::string_view ending) const;
     std::filesystem::path field() const;
@@ -55,7 +59,8 @@ class PlaneSnapshots {
     std::size_t every_;
     bool has_field_;
     std::string series_;
-    bool is_kept_ = false;
+    std::string growing_;  // the name of their folder
+    bool is_kept_ = true;  // what a run goes on from stays whatever is wrong before it begins
     std::vector<Snapshot> snapshots_{};
 };
 
