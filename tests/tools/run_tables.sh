@@ -140,6 +140,15 @@ try run "$scene" --quiet "${third[@]}" --set time.cfl=0.3
 expect_exit 0
 expect_no_stderr
 
+# A table of the family says nothing of damping, which bonds have nothing for.
+refuses 2 "nmbcrun has no table for family bond1d, horizon 2, order 1, stride 1, damping tau = 1/10: there is no such model: damping \
+1/10: this model has no stabilisation to be damped by. It knows the committed set and those of model.tables, in which of this family \
+and horizon there are bond1d_n2_order1" "${bonds[@]}" --set model.damping=1/10
+# Of a family that only the table knows there is nothing to say.
+sed 's/"bond1d/"mine/' scenes/bond1d_n2_order1.json >scenes/mine.json
+refuses 2 "nmbcrun has no table for family mine, horizon 2, order 1, stride 1, damping tau = 1/10. It knows" "${bonds[@]}" \
+    --set model.family=mine --set 'model.tables=["mine.json"]' --set model.damping=1/10
+
 refuses 2 'model.influence must be "constant", "conical", "inverse", "cubic", or a list of 2 exact numbers, not "cone"' \
     --set model.influence=cone
 refuses 2 "model.influence must be a list, not 3" --set model.influence=3

@@ -31,18 +31,18 @@ std::vector<nmbcgen::Rational> weights_of(const Scene& scene) {
     return weights;
 }
 
-bool is_family(const std::string& name) {
-    return nmbcgen::projected_family(name).has_value() ||
-           std::ranges::find(nmbcgen::families(), name, &nmbcgen::Family::name) !=
-               nmbcgen::families().end();
-}
-
 }  // namespace
 
 std::string why_no_G(std::string_view family, double G) {
     return fmt::format(
         "the lattice of family {} has no stabilisation: model.G must be absent or 0, not {}",
         family, G);
+}
+
+bool is_family(const std::string& name) {
+    return nmbcgen::projected_family(name).has_value() ||
+           std::ranges::find(nmbcgen::families(), name, &nmbcgen::Family::name) !=
+               nmbcgen::families().end();
 }
 
 std::string why_no_lattice(const Scene& scene) {

@@ -12,6 +12,9 @@ namespace nmbcrun {
 /// Of a family without stabilisation, in words.
 std::string why_no_G(std::string_view family, double G);
 
+/// Whether nmbcgen has lattices of this name; tables of a user's own may be of others.
+bool is_family(const std::string& name);
+
 /// Why nmbcgen has no lattice of the scene's model, and what is allowed; empty where it has, or
 /// where the horizon is beyond its own.
 std::string why_no_lattice(const Scene& scene);

@@ -179,7 +179,8 @@ const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary
     if (found != tables.end()) {
         return **found;
     }
-    if (const std::string why = why_no_lattice(scene); !why.empty() && !has_own_table(scene)) {
+    const std::string why = why_no_lattice(scene);
+    if (!why.empty() && !has_own_table(scene)) {
         throw SceneError(why);
     }
     throw SceneError(fmt::format(
@@ -192,8 +193,10 @@ const nmbc::MatchingTable& table_of(const Scene& scene, const Boundary& boundary
             ? fmt::format(", matched_step {}", boundary.matched_step)
             : "",
         scene.tau == "0" ? "" : fmt::format(", damping tau = {}", scene.tau),
-        how_to_make(scene, boundary), scene.own_tables.empty() ? "" : " and those of model.tables",
-        what_there_is(scene)));
+        why.empty()               ? how_to_make(scene, boundary)
+        : is_family(scene.family) ? ": " + why
+                                  : "",
+        scene.own_tables.empty() ? "" : " and those of model.tables", what_there_is(scene)));
 }
 
 const TableFile* uncertified_file(const Scene& scene, const nmbc::MatchingTable& table) {
