@@ -37,8 +37,10 @@ MatchingPoint parse_point(const std::string& text) {
                 (rest.empty() ? Rational(1) : parse_rational("1" + rest));
         }
     } catch (const std::invalid_argument&) {
-        throw std::invalid_argument("'" + text.substr(0, 60) +
-                                    "' is not a wave number such as 6/5, 1.2 or 2pi/3");
+        throw std::invalid_argument(
+            "'" + text.substr(0, 60) +
+            "' is not a wave number such as 6/5, 1.2 or 2pi/3: an integer, a "
+            "fraction p/q or a decimal, or one times pi");
     }
     if (wave_number(point) >= pi() || (point.of_pi && point.wave_number == 0)) {
         throw std::invalid_argument("'" + text.substr(0, 60) +

@@ -25,6 +25,24 @@ std::invalid_argument refusal(std::string_view text, const char* reason) {
     return std::invalid_argument("'" + std::string(text.substr(0, 60)) + "' " + reason);
 }
 
+/// Whether it is spelt as doubles are, 1e-3.
+bool has_exponent(std::string_view text) {
+    const std::size_t mark = std::min(text.find_first_of("eE"), text.size());
+    std::string_view exponent = text.substr(std::min(mark + 1, text.size()));
+    if (exponent.starts_with('-') || exponent.starts_with('+')) {
+        exponent.remove_prefix(1);
+    }
+    return mark > 0 && text.find_first_not_of("0123456789.") == mark && all_digits(exponent);
+}
+
+/// form: what is allowed, as "is not a number such as 1/2".
+std::invalid_argument refusal_of_form(std::string_view text, const std::string& form) {
+    constexpr auto of_exponent =
+        ": an exponent is not allowed; an integer, a fraction p/q and a decimal are";
+    const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
+    return refusal(text, (form + (has_exponent(digits) ? of_exponent : "")).c_str());
+}
+
 bool is_too_long(std::string_view text) {
     const bool has_mark = text.find_first_of("/.") != std::string_view::npos;
     return text.size() > maximum_digits + (has_mark ? 1 : 0);
@@ -41,14 +59,14 @@ Rational parse_rational(std::string_view text) {
     }
     const std::string_view left = text.substr(0, mark);
     if (!all_digits(left)) {
-        throw refuse(form);
+        throw refusal_of_form(text, form);
     }
     if (mark == std::string_view::npos) {
         return Rational(parse_digits(left));
     }
     const std::string_view right = text.substr(mark + 1);
     if (!all_digits(right)) {
-        throw refuse(form);
+        throw refusal_of_form(text, form);
     }
     if (text[mark] == '.') {
         const Integer scale = boost::multiprecision::pow(Integer(10), unsigned(right.size()));
@@ -70,7 +88,7 @@ Rational parse_signed_rational(std::string_view text) {
         if (is_too_long(digits)) {
             throw;
         }
-        throw refusal(text, "is not an exact number such as 1/4, -1/3 or 0.3");
+        throw refusal_of_form(text, "is not an exact number such as 1/4, -1/3 or 0.3");
     }
 }
 

@@ -60,6 +60,22 @@ TEST_CASE("parse_rational refuses everything else, and says what and why") {
     CHECK_THROWS_AS(parse_rational(std::string("1\0", 2)), std::invalid_argument);
 }
 
+TEST_CASE("an exponent is named, with what is allowed in its place") {
+    const std::string allowed =
+        ": an exponent is not allowed; an integer, a fraction p/q and a decimal are";
+    for (const std::string text : {"1e-3", "1E5", "2.5e+3", "1e400"}) {
+        CHECK(contains(refusal(text), "'" + text + "' is not a non-negative exact number"));
+        CHECK(contains(refusal(text), allowed));
+    }
+    for (const std::string text : {"e", "e5", "1e", "1e5.", "1.5", "nan", "1/e2", "1_0e2"}) {
+        CHECK_FALSE(contains(refusal(text), allowed));
+    }
+    CHECK_THROWS_WITH_AS(
+        nmbcgen::parse_signed_rational("-1e-3"),
+        ("'-1e-3' is not an exact number such as 1/4, -1/3 or 0.3" + allowed).c_str(),
+        std::invalid_argument);
+}
+
 TEST_CASE("parse_rational refuses the denominator 0") {
     for (const std::string text : {"1/0", "0/0", "3/000"}) {
         CHECK(contains(refusal(text), "denominator 0"));

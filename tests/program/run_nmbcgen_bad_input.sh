@@ -45,6 +45,8 @@ for option in --G --damping --time-step; do
         refuses $option "'$bad'" "non-negative exact number" "1/2" -- \
             --order 1 --horizon 1 $option "$bad"
     done
+    refuses $option "'1e-3'" "an exponent is not allowed; an integer, a fraction p/q and a decimal are" -- \
+        --order 1 --horizon 1 $option 1e-3
     refuses $option "'1/0'" "denominator 0" -- --order 1 --horizon 1 $option 1/0
     refuses $option "at most 40 digits" -- --order 1 --horizon 1 $option "$sixty"
     refuses $option "at most 40 digits" -- --order 1 --horizon 1 $option "1/$sixty"
