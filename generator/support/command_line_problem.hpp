@@ -63,6 +63,16 @@ inline std::string problem_of(const CLI::ParseError& error, const CLI::App& prog
         }
         return command->get_name() + " needs one of the subcommands " + subcommands_of(*command);
     }
+    constexpr std::string_view of_exclusion = " excludes ";
+    if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
+        return problem.replace(problem.find(of_exclusion), of_exclusion.size(), " and ") +
+               " exclude each other: give one of them";
+    }
+    constexpr std::string_view of_repetition = ": At Most 1 required but received ";
+    if (const std::size_t at = problem.find(of_repetition); at != std::string::npos) {
+        return problem.replace(at, of_repetition.size(), " is given ") +
+               " times, where once is allowed";
+    }
     constexpr std::string_view of_flag = " was given a disallowed flag override";
     if (problem.ends_with(of_flag)) {
         const std::string name = problem.substr(0, problem.size() - of_flag.size());

@@ -180,4 +180,8 @@ try advise "${bar[@]}"
 expect_exit 2
 try run "${bar[@]}" --tolerance 1e-3 --resume
 expect_exit 2
+expect_stderr "nmbcrun: --resume and --tolerance exclude each other: give one of them"
+try run "${bar[@]}" --out one --out other
+expect_exit 2
+expect_stderr "nmbcrun: --out is given 2 times, where once is allowed"
 finish

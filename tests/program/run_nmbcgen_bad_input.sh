@@ -50,7 +50,7 @@ for option in --G --damping --time-step; do
     refuses $option "'1/0'" "denominator 0" -- --order 1 --horizon 1 $option 1/0
     refuses $option "at most 40 digits" -- --order 1 --horizon 1 $option "$sixty"
     refuses $option "at most 40 digits" -- --order 1 --horizon 1 $option "1/$sixty"
-    refuses $option "At Most 1" -- --order 1 --horizon 1 $option 1 $option 1
+    refuses "$option is given 2 times, where once is allowed" -- --order 1 --horizon 1 $option 1 $option 1
 done
 
 for bad in "" nan -1 1e3 pipi pi/0 1/0 pi/1.5 0.01pi5 0.1pi.5; do
@@ -82,7 +82,7 @@ refuses --match "value 1:2 twice" -- --horizon 1 --G 1/2 --match 0:1,1:2,1:2
 refuses --match "given twice: pi/3" -- --horizon 1 --G 1/2 --match 0:1,pi/3:1,2pi/6:2
 refuses --match "given twice: 1" -- --horizon 1 --G 1/2 --match 0:1,1.0:1,1:2
 refuses --match "requires --G" -- --horizon 1 --match 0:3,1:1
-refuses --match "excludes" -- --horizon 1 --G 1/2 --match 0:3,1:1 --order 2
+refuses "--order and --match exclude each other: give one of them" -- --horizon 1 --G 1/2 --match 0:3,1:1 --order 2
 refuses --match --horizon -- --G 1/2 --match 0:3,1:1
 refuses --match --order -- reflect --horizon 1 --G 1/2
 
@@ -93,7 +93,7 @@ refuses --weights "3 weights, where horizon 2 needs 2" -- --order 1 --horizon 2 
 refuses --weights "other than 0" -- --order 1 --horizon 2 --weights 1,0
 refuses --weights "nopd1d needs weights above 0" -- --order 1 --horizon 2 --weights 1,-1
 refuses --weights "empty item" -- --order 1 --horizon 2 --weights 1,,2
-refuses --weights "excludes" -- --all --weights conical
+refuses --all --weights "exclude each other: give one of them" -- --all --weights conical
 refuses --weights "3 weights, where horizon 2" -- dispersion --horizon 3,2 --G 1 --weights 1,2,3
 refuses --limit "constant influence" -- dispersion --horizon 2 --G 1 --weights conical --limit
 refuses --limit "no continuum limit" -- dispersion --family bond1d --horizon 2 --limit
@@ -131,9 +131,9 @@ refuses --unknown "not expected" -- --order 1 --horizon 1 --unknown
 refuses -x "not expected" -- --order 1 --horizon 1 -x
 refuses stray "not expected" -- --order 1 --horizon 1 stray
 
-refuses --order "At Most 1" -- --order 1 --order 2 --horizon 1
-refuses --order "At Most 1" -- --order 1 --order 1 --horizon 1
-refuses --horizon "At Most 1" -- --order 1 --horizon 1 --horizon 1
+refuses "--order is given 2 times, where once is allowed" -- --order 1 --order 2 --horizon 1
+refuses "--order is given 2 times, where once is allowed" -- --order 1 --order 1 --horizon 1
+refuses "--horizon is given 3 times, where once is allowed" -- --order 1 --horizon 1 --horizon 1 --horizon 1
 
 refuses "--order (or --match) and --horizon" "--all" "--check" -- --order 1
 refuses "--order (or --match) and --horizon" "--all" "--check" -- --horizon 1
@@ -142,16 +142,16 @@ refuses "--order (or --match) and --horizon" "--all" "--check" -- --stdout
 refuses --order "required" -- --horizon 1 --order
 refuses --order "required" -- --horizon 1 --order=
 
-refuses --all --order excludes -- --all --order 1
-refuses --all --horizon excludes -- --all --horizon 1
-refuses --all --stdout excludes -- --all --stdout
-refuses --all --G excludes -- --all --G 1
-refuses --all --damping excludes -- --all --damping 1/10
-refuses --check --damping excludes -- --check --damping 0
-refuses --all --time-step excludes -- --all --time-step 1/2
-refuses --cfl excludes -- --all --cfl 1/2
+refuses --all --order "exclude each other: give one of them" -- --all --order 1
+refuses --all --horizon "exclude each other: give one of them" -- --all --horizon 1
+refuses --all --stdout "exclude each other: give one of them" -- --all --stdout
+refuses --all --G "exclude each other: give one of them" -- --all --G 1
+refuses --all --damping "exclude each other: give one of them" -- --all --damping 1/10
+refuses --check --damping "exclude each other: give one of them" -- --check --damping 0
+refuses --all --time-step "exclude each other: give one of them" -- --all --time-step 1/2
+refuses --all --cfl "exclude each other: give one of them" -- --all --cfl 1/2
 refuses --cfl "requires --G" -- --order 2 --horizon 1 --cfl 1/2
-refuses --cfl --time-step excludes -- --order 2 --horizon 1 --G 1 --cfl 1/2 --time-step 1
+refuses --cfl --time-step "exclude each other: give one of them" -- --order 2 --horizon 1 --G 1 --cfl 1/2 --time-step 1
 for bad in 0 1 1.5; do
     refuses --cfl "'$bad'" "between 0 and 1" -- --order 2 --horizon 1 --G 1 --cfl $bad
 done
@@ -165,7 +165,7 @@ refuses --radius2 "no node of the square lattice is at a distance of 3 squared" 
     $plane --radius2 3 --nu 1/4 --polarisation P
 refuses --radius2 "'101' is not a whole number from 1 to 100" -- $plane --radius2 101 --nu 1/4 --polarisation P
 refuses --radius2 "'0'" -- $plane --radius2 0 --nu 1/4 --polarisation P
-refuses --radius2 --horizon excludes -- $plane --radius2 1 --horizon 1 --nu 1/4 --polarisation P
+refuses --radius2 --horizon "exclude each other: give one of them" -- $plane --radius2 1 --horizon 1 --nu 1/4 --polarisation P
 refuses --nu "Poisson's ratio 1: plane stress needs -1 < nu < 1" -- \
     $plane --radius2 1 --nu 1 --polarisation P
 refuses --nu "Poisson's ratio 1/2: plane strain needs -1 < nu < 1/2" -- \
@@ -196,12 +196,12 @@ refuses --order "options go behind the subcommand: nmbcgen recommend --order" --
     --order 3 recommend --horizon 1 --G 1
 refuses --out "options go behind the subcommand: nmbcgen reflect --out" -- \
     --out x reflect --order 1 --horizon 1 --G 1
-refuses --all --check excludes -- --all --check
-refuses --all --check excludes -- --check --all
-refuses --check --order excludes -- --check --order 1
+refuses --all --check "exclude each other: give one of them" -- --all --check
+refuses --all --check "exclude each other: give one of them" -- --check --all
+refuses --check --order "exclude each other: give one of them" -- --check --order 1
 for given in --stdout=no --require-stable=3; do
     refuses "${given%=*} takes no value: give it alone, or leave it out" -- --order 1 --horizon 1 "$given"
 done
-refuses --stdout --out excludes -- --order 1 --horizon 1 --stdout --out folder
+refuses --stdout --out "exclude each other: give one of them" -- --order 1 --horizon 1 --stdout --out folder
 
 finish

@@ -118,7 +118,7 @@ refuses 2 "is of --method bz-ls" bonds --dimension 1 --horizon 3 --method point 
 refuses 2 "is of --method bz-ls" bonds --dimension 2 --horizon 3 --method galerkin --positive 1/2
 refuses 2 "is not a non-negative exact number" bonds --dimension 2 --horizon 3 --method bz-ls --positive -1
 refuses 2 "3 coefficients, where horizon 3 needs 6" bonds --dimension 2 --horizon 3 --alpha 1,1,1
-refuses 2 "--method excludes --alpha" bonds --dimension 1 --horizon 1 --alpha 1 --method point
+refuses 2 "--method and --alpha exclude each other: give one of them" bonds --dimension 1 --horizon 1 --alpha 1 --method point
 refuses 2 "'x' is not an exact number" bonds --dimension 1 --horizon 1 --alpha x
 refuses 2 "allowed: text, json" bonds --dimension 1 --horizon 1 --alpha 1 --format yaml
 refuses 3 "singular at N = 5" bonds --dimension 2 --horizon 5 --method point

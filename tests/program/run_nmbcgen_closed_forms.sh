@@ -69,7 +69,7 @@ refused "--order is required"
 for order in 0 13 -1 nan inf 1e308 "" 2,,3 01 1.5 9999999999; do
     refused "is not a whole number from 1 to 12" --order "$order"
 done
-refused "At Most 1" --order 1 --order 2
+refused "--order is given 2 times, where once is allowed" --order 1 --order 2
 refused "is not a family of chains; allowed: nopd1d" --order 1 --family other
 refused "is not a format; allowed: text, latex, json" --order 1 --format header
 refused "not expected" --order 1 --horizon 2

@@ -61,8 +61,8 @@ done
 for bad in -1 nan inf 1e308 x " 2" "1;2" 1/0; do
     refuses "--G: '$bad'" --horizon 1 --G "1/3,$bad"
 done
-refuses "--horizon: At Most 1" --horizon 1 --horizon 2 --G 1
-refuses "--G: At Most 1" --horizon 1 --G 1 --G 2
+refuses "--horizon is given 2 times, where once is allowed" --horizon 1 --horizon 2 --G 1
+refuses "--G is given 2 times, where once is allowed" --horizon 1 --G 1 --G 2
 for bad in 0 -1 1.5 1000001 nan "" 1,2; do
     refuses "--samples: '$bad' is not a whole number from 1 to 1000000" --horizon 1 --G 1 --samples "$bad"
 done

@@ -123,9 +123,9 @@ refused "is narrower than 1e-06" --order 1 --horizon 1 --G 1 --band 1..1.0000001
 refused "--match" "${all[@]}" --match 0:1,1:1
 refused "--samples" "${all[@]}" --samples 3
 for option in order horizon G band; do
-    refused "At Most 1" "${all[@]}" "--$option" 1 "--$option" 1
+    refused "--$option is given 3 times, where once is allowed" "${all[@]}" "--$option" 1 "--$option" 1
 done
-refused "excludes" "${all[@]}" --cfl 1/2 --time-step 1/2
+refused "--time-step and --cfl exclude each other: give one of them" "${all[@]}" --cfl 1/2 --time-step 1/2
 refused "is not between 0 and 1" "${all[@]}" --cfl 1
 refused "non-negative exact number" "${all[@]}" --damping nan
 refused "--family" "${all[@]}" --family other
