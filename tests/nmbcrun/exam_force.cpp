@@ -120,6 +120,13 @@ TEST_CASE("a history that is cut off at the beginning or the end of a run is tol
     };
     CHECK(of_rows("0,0\n1,2\n2,0\n").warnings("force", step, 4).empty());
     CHECK(of_rows("0,0\n1,2\n9,2\n").warnings("load.top", step).empty());  // a load may stay
+    CHECK(of_rows("0,0\n1,2\n9,2\n").warnings("force", step, 4).empty());
+    CHECK(
+        only(of_rows("0,0\n1,2\n9,2\n").warnings("force", step, 1.5)) ==  // on its way up
+        "force has not ended at time.end = 1.5: up to 1 of its peak comes later. time.end = 10 or "
+        "more has all of it");
+    CHECK(only(of_rows("0,0\n1,2\n9,1\n").warnings("force", step, 4))
+              .starts_with("force has not ended at time.end = 4: up to "));
     CHECK(only(of_rows("0,1\n1,2\n2,0\n").warnings("force", step, 4)) ==
           "force jumps to 0.5 of its peak at t = 1: a first row of 0, at t = 0 or later, would do");
     CHECK(only(of_rows("-2,0\n0,2\n2,0\n").warnings("load.top", step)) ==

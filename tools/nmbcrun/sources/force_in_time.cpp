@@ -131,7 +131,7 @@ std::string ForceInTime::jump_at_start(const std::string& table) const {
 
 std::string ForceInTime::rest_after(double end, const std::string& table) const {
     const double rest = last_ > end ? largest(std::max(end, first_), last_) : 0;
-    if (rest <= negligible_part * peak()) {
+    if (rest <= negligible_part * peak() || stays(end)) {
         return "";
     }
     const double enough =
@@ -140,6 +140,20 @@ std::string ForceInTime::rest_after(double end, const std::string& table) const 
         "{} has not ended at time.end = {:.4g}: up to {:.2g} of its peak comes later. time.end = "
         "{:.4g} or more has all of it",
         table, end, rest / peak(), two_digits(enough, false));
+}
+
+bool ForceInTime::stays(double time) const {
+    if (force_.history != History::file) {
+        return false;
+    }
+    const double now = at(time);
+    for (std::size_t row = 0; row < times_.size(); ++row) {
+        const double change = std::abs(force_.amplitude * forces_[row] - now);
+        if (force_.time + times_[row] > time && change > negligible_part * peak()) {
+            return false;
+        }
+    }
+    return true;
 }
 
 std::string ForceInTime::missed_rows(double time_step) const {

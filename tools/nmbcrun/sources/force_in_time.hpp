@@ -36,6 +36,9 @@ class ForceInTime {
     std::string missed_rows(double time_step) const;
     std::string jump_at_start(const std::string& table) const;
     std::string rest_after(double end, const std::string& table) const;
+    /// Whether a file has it as it is now up to its last row: of a load that lasts a run misses
+    /// nothing.
+    bool stays(double time) const;
 
     ForceHistory force_;
     double first_ = 0;
