@@ -16,6 +16,10 @@ ln -s "$programs" build/bin
 ln -s "$source/"{runtime,generated,docs} .
 cp -r "$source/tools" .  # a scene names files relative to itself
 
+# Tutorials leave the project's own folder as it was, but for `results`.
+rest() { find . -mindepth 1 -maxdepth 1 ! -name results ! -name commands | sort; }
+rest >"$scratch/rest"
+
 # shape FILE: without numbers and the width of columns.
 shape() { sed -E 's/-?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?/#/g; s/[ -]*#/ #/g; s/ +/ /g; s/ $//' "$1"; }
 
@@ -30,6 +34,10 @@ for page in tutorial/first-run tutorial/own-loop how-to/half-bar how-to/own-tabl
         cat "$scratch/errors"
         exit 1
     fi
+    if [[ $page == tutorial/* ]] && ! diff "$scratch/rest" <(rest); then
+        echo "docs/$page.md: its commands leave that outside of results"
+        exit 1
+    fi
     sed -n '/^```text/,/^```$/p' "$source/docs/$page.md" | grep -v '^```' >"$scratch/page"
     if ! grep -vxFf <(shape "$scratch/output") <(shape "$scratch/page") >"$scratch/other"; then
         continue
@@ -39,7 +47,7 @@ for page in tutorial/first-run tutorial/own-loop how-to/half-bar how-to/own-tabl
     exit 1
 done
 bash -e <<'COMMANDS'
-./steel_bar | grep -qx 'middle of the bar: 43.65 um'
+results/steel_bar | grep -qx 'middle of the bar: 43.65 um'
 awk -F, 'END { exit !($2 > 43.645e-6 && $2 < 43.655e-6) }' results/steel_probes.csv
 COMMANDS
 echo "all commands run"
