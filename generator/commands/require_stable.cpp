@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <set>
 #include <string>
 
 #include "generator/commands/ghost_side.hpp"
 #include "generator/exact/rational.hpp"
+#include "generator/exact/rounded_text.hpp"
 #include "generator/families/vector_family.hpp"
 #include "generator/names/names.hpp"
 #include "generator/names/projected_family.hpp"
@@ -18,6 +18,8 @@
 
 namespace nmbcgen {
 namespace {
+
+constexpr int digits_of_edge = 7;
 
 std::string how_it_fails(const Table& table, const Rational& G) {
     const ModalVerdict verdict = modal_verdict(make_half_space(table, G));
@@ -36,28 +38,21 @@ std::string how_it_fails(const Table& table, const Rational& G) {
     }
 }
 
-/// Seven digits, rounded into the window.
-std::string edge_text(double edge, double towards) {
+/// Of a window, rounded into it.
+std::string lower_edge(double edge) {
     constexpr double next_to_zero = 1e-300;  // where 0 itself is a pole
     if (edge < next_to_zero) {
         return edge > 0 ? "above 0" : "0";
     }
-    std::string text = fmt::format("{:.7g}", edge);
-    const double shown = std::stod(text);
-    const bool rises = towards > edge;
-    if (rises ? shown >= edge : shown <= edge) {
-        return text;
-    }
-    const double last_digit = std::pow(10, std::floor(std::log10(edge)) - 6);
-    return fmt::format("{:.7g}", rises ? shown + last_digit : shown - last_digit);
+    return rounded_up(edge, digits_of_edge);
 }
 
 std::string text_of(const std::vector<StabilityWindow>& windows) {
     std::string text;
     for (const StabilityWindow& window : windows) {
         text += fmt::format(
-            "{}{} {}", text.empty() ? "" : "; ", edge_text(window.low.inner, HUGE_VAL),
-            window.high ? "to " + edge_text(window.high->inner, -HUGE_VAL) : "and above");
+            "{}{} {}", text.empty() ? "" : "; ", lower_edge(window.low.inner),
+            window.high ? "to " + rounded_down(window.high->inner, digits_of_edge) : "and above");
     }
     return text.empty() ? "none" : text;
 }

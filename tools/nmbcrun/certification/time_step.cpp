@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "generator/exact/rounded_text.hpp"
 #include "tools/nmbcrun/certification/certificate.hpp"
 #include "tools/nmbcrun/certification/stand_ins.hpp"
 #include "tools/nmbcrun/errors.hpp"
@@ -55,13 +56,6 @@ double surface_cfl(const Scene& scene, const Boundary& boundary, const nmbc::Lat
         throw SceneError(fmt::format(R"(boundary.kind = "{}": {}; "mirror" ends any lattice)",
                                      name_of(boundary.kind), error.what()));
     }
-}
-
-/// To so many digits, rounded down: it can be given as a limit.
-std::string not_above(double value, int digits) {
-    const double last = std::pow(10, std::floor(std::log10(value)) - digits + 1);
-    const std::string nearest = fmt::format("{:.{}g}", value, digits);
-    return std::stod(nearest) > value ? fmt::format("{:.{}g}", value - last, digits) : nearest;
 }
 
 std::string why_uncertified(const Scene& scene, const Boundary& boundary) {
@@ -199,7 +193,8 @@ void require_stable_steps(const Scene& scene, const nmbc::Lattice& lattice, doub
         throw Unstable(fmt::format(
             "steps of {:.6g} (cfl = {:.3g}) are too long: between these ends steps up "
             "to {} (cfl = {}) are stable",
-            time_step, cfl, not_above(2 * stable / omega_max, 6), not_above(stable, 3)));
+            time_step, cfl, nmbcgen::rounded_down(2 * stable / omega_max, 6),
+            nmbcgen::rounded_down(stable, 3)));
     }
 }
 
