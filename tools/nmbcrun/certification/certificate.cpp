@@ -19,12 +19,6 @@
 namespace nmbcrun {
 namespace {
 
-/// A mirror between nodes under a traction, whichever that is, reflects as a free end does.
-bool is_free(const Boundary& boundary) {
-    return boundary.kind == BoundaryKind::free ||
-           (boundary.kind == BoundaryKind::mirror && boundary.given == nmbc::OnSurface::traction);
-}
-
 /// in_time: the end's table in continuous time.
 nmbcgen::LatticeEnd end_of(const Boundary& boundary, const nmbcgen::HalfSpace& in_time,
                            double time_step) {

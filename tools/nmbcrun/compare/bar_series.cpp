@@ -16,13 +16,10 @@ namespace {
 
 /// Whether u = 0 is given there; nothing where the end is none of the series'.
 std::optional<bool> is_odd(const Boundary& end) {
-    if (end.kind == BoundaryKind::free) {
-        return false;
-    }
-    if (!is_surface(end.kind) || end.value) {
+    if ((!is_free(end) && !is_surface(end.kind)) || end.value) {
         return std::nullopt;
     }
-    return end.given == nmbc::OnSurface::displacement;
+    return !is_free(end) && end.given == nmbc::OnSurface::displacement;
 }
 
 /// Beyond its outermost node [dX].

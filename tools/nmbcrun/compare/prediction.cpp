@@ -16,16 +16,10 @@ std::optional<std::function<double(double xi)>> reflected_energy_of(const Scene&
     if (is_damped(scene)) {
         return std::nullopt;
     }
+    if (is_physical(boundary.kind)) {
+        return [](double) { return 1.0; };
+    }
     switch (boundary.kind) {
-        case BoundaryKind::fixed:
-        case BoundaryKind::free:
-        case BoundaryKind::mirror:
-        case BoundaryKind::snm:
-        case BoundaryKind::sbp:
-        case BoundaryKind::kernel:
-        case BoundaryKind::cut:
-        case BoundaryKind::node_mirror:
-            return [](double) { return 1.0; };
         case BoundaryKind::exact:
             return [](double) { return 0.0; };
         case BoundaryKind::extended:

@@ -111,6 +111,11 @@ bool is_surface(BoundaryKind kind) {
            surfaces.end();
 }
 
+bool is_free(const Boundary& boundary) {
+    return boundary.kind == BoundaryKind::free ||
+           (boundary.kind == BoundaryKind::mirror && boundary.given == nmbc::OnSurface::traction);
+}
+
 nmbc::Closure closure_of(BoundaryKind kind) {
     const auto found =
         std::ranges::find(surfaces, kind, &std::pair<BoundaryKind, nmbc::Closure>::first);

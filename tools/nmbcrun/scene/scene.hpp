@@ -75,6 +75,10 @@ bool is_physical(BoundaryKind kind);
 /// Whether it is a surface with something given on it.
 bool is_surface(BoundaryKind kind);
 
+/// Whether it sends waves back as a free end does: that, or a mirror between nodes under a
+/// traction, whichever that is.
+bool is_free(const Boundary& boundary);
+
 /// How it is closed. Throws std::logic_error for a kind that is no surface.
 nmbc::Closure closure_of(BoundaryKind kind);
 
