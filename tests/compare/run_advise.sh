@@ -120,7 +120,16 @@ refused 'model.horizon must be a whole number' --set model.horizon=automatic
 refused 'must be an exact number' --set model.G=automatic
 try advise "$scratch/open.toml" --tolerance 1e-2 --set time.cfl=2
 expect_exit 1
-expect_stderr "horizon 1: the scene's steps are too long for it"
+expect_stderr "horizon 1: steps of "
+expect_stderr "(cfl = 1) are stable. Give time.cfl = 1 or less"
+# A true end may allow less than the interior.
+for given in "step=0.4:time.step = 0.272972" "cfl=0.9:time.cfl = 0.564"; do
+    try advise "${bar[@]}" --set model.G=0 --set boundary.left.kind=sbp --set "time.${given%%:*}" --tolerance 1e-2
+    expect_exit 4
+    expect_stderr "are too long: between these ends steps up to"
+    expect_stderr "are stable. Give ${given#*:} or less"
+    expect_no_stdout
+done
 
 for command in advise run; do
     try "$command" "${bar[@]}" --tolerance 1e-15

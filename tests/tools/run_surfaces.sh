@@ -249,6 +249,7 @@ refuses 2 "needs at least 8 interior nodes" body.toml --set domain.nodes=7 --set
 
 refuses 4 "between these ends steps up to" bonds.toml --set time.cfl=0.999
 refuses 4 "(cfl = 1.5) are too long: between these ends steps up to" "$pull" --set time.cfl=1.5
+expect_stderr "(cfl = 1) are stable. Give time.cfl = 1 or less"
 refuses 4 "no certificate for a surface node where several waves have one frequency" bonds.toml \
     --set model.horizon=2 --set model.influence='[1, 1]' --set model.tables='["alike.json"]'
 refuses 2 'a surface node ends chains of bonds, such as bond1d, and model.family is nopd1d: take "mirror"' "$pull" \

@@ -12,6 +12,7 @@
 #include "tools/nmbcrun/advise/search.hpp"
 #include "tools/nmbcrun/advise/stabilisations.hpp"
 #include "tools/nmbcrun/certification/time_step.hpp"
+#include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
@@ -33,12 +34,16 @@ double work_of(const Candidate& candidate) {
     return double(candidate.steps) * (4 * candidate.horizon + 1);
 }
 
-/// Whether the steps that the scene gives, if it does, are too long for its lattice.
-bool is_too_long(const Scene& scene) {
+/// In words, where the steps that the scene gives are too long for its lattice or a true end; empty
+/// where they are not, or it gives none.
+std::string objection_to_given_steps(const Scene& scene) {
+    if (!scene.step && !scene.cfl) {
+        return "";
+    }
     const nmbc::Lattice lattice = lattice_of(scene);
-    const double cfl =
-        scene.step ? *scene.step * highest_frequency(scene, lattice) / 2 : scene.cfl.value_or(0);
-    return cfl > nmbc::interior_cfl(lattice);
+    const double given =
+        scene.step ? *scene.step : 2 * *scene.cfl / highest_frequency(scene, lattice);
+    return objection_to_steps(scene, lattice, given, surface_limits(scene, lattice));
 }
 
 /// least_work: of the candidates so far, but those whose ends cost as much as an interior.
@@ -54,7 +59,8 @@ OfHorizon candidates_of(const Scene& scene, int horizon, double tolerance, doubl
     double best_G = 0;
     for (const auto& [G, cfl] : stabilisations) {
         const Scene settled = with_lattice(scene, horizon, G);
-        if (is_too_long(settled)) {
+        if (const std::string objection = objection_to_given_steps(settled); !objection.empty()) {
+            result.why_none = objection;
             continue;
         }
         Search search(
@@ -81,8 +87,6 @@ OfHorizon candidates_of(const Scene& scene, int horizon, double tolerance, doubl
         result.why_none =
             fmt::format("dispersion and steps make an error of {:.2g}, at the best G of {}",
                         least_error, best_G);
-    } else {
-        result.why_none = "the scene's steps are too long for it";
     }
     return result;
 }
@@ -120,6 +124,11 @@ Scene with_lattice(Scene scene, int horizon, double G) {
 }
 
 Candidates find_candidates(const Scene& scene, double tolerance, const Pause& pause) {
+    if (!has_open_lattice(scene)) {
+        if (const std::string objection = objection_to_given_steps(scene); !objection.empty()) {
+            throw Unstable(objection);
+        }
+    }
     Candidates result = has_open_lattice(scene)
                             ? open_lattice_candidates(scene, tolerance, pause)
                             : Search(scene, tolerance, Reference::lattice, pause).all();

@@ -182,20 +182,25 @@ SurfaceLimits surface_limits(const Scene& scene, const nmbc::Lattice& lattice) {
     return {left, scene.left == scene.right ? left : limit(scene.right)};
 }
 
-void require_stable_steps(const Scene& scene, const nmbc::Lattice& lattice, double time_step,
-                          const SurfaceLimits& surfaces) {
+std::string objection_to_steps(const Scene& scene, const nmbc::Lattice& lattice, double time_step,
+                               const SurfaceLimits& surfaces) {
     const double omega_max = highest_frequency(scene, lattice);
     const double cfl = time_step * omega_max / 2;
     constexpr double roundings = 1e-12;  // the limit was a time step on its way here
     const double beside = std::min(surfaces.left, surfaces.right) * (1 + roundings);
     const double stable = std::min(nmbc::interior_cfl(lattice), beside);
-    if (cfl > stable) {
-        throw Unstable(fmt::format(
-            "steps of {:.6g} (cfl = {:.3g}) are too long: between these ends steps up "
-            "to {} (cfl = {}) are stable",
-            time_step, cfl, nmbcgen::rounded_down(2 * stable / omega_max, 6),
-            nmbcgen::rounded_down(stable, 3)));
+    if (cfl <= stable) {
+        return "";
     }
+    const std::string longest = nmbcgen::rounded_down(2 * stable / omega_max, 6);
+    const std::string largest = nmbcgen::rounded_down(stable, 3);
+    return fmt::format(
+        "steps of {:.6g} (cfl = {:.3g}) are too long: between these ends steps up to {} (cfl = {}) "
+        "are stable{}",
+        time_step, cfl, longest, largest,
+        scene.step  ? fmt::format(". Give time.step = {} or less", longest)
+        : scene.cfl ? fmt::format(". Give time.cfl = {} or less", largest)
+                    : "");
 }
 
 AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, double omega_max,

@@ -41,10 +41,10 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
 /// The largest cfl at which the scene's ends are certified, as automatic_step() seeks it; 0: none.
 double largest_certified_cfl(const Scene& scene, const nmbc::Lattice& lattice);
 
-/// Throws Unstable where the interior, or a mode beside a true end, is not stable in such steps
-/// [time], whatever is allowed.
-void require_stable_steps(const Scene& scene, const nmbc::Lattice& lattice, double time_step,
-                          const SurfaceLimits& surfaces);
+/// In words, with the key that gives them, where the interior, or a mode beside a true end, is not
+/// stable in such steps [time], whatever is allowed; empty where both are.
+std::string objection_to_steps(const Scene& scene, const nmbc::Lattice& lattice, double time_step,
+                               const SurfaceLimits& surfaces);
 
 /// Throws SceneError where an end is matched in another time step [time], or without midpoint
 /// ghosts.
