@@ -76,7 +76,10 @@ class StoppableRun {
     /// Enters an energy, which a source has fed since the last look or not: whether it has grown
     /// tenfold since none does. That is as unstable as one that is not finite, which the energies
     /// are long before the fields. What a source gave since the last look is in this energy alone,
-    /// so that this one counts as driven.
+    /// so that this one counts as driven. Its body looks at what leapfrog keeps, too, which does
+    /// not swing, over what was put in: of a plane that is all its sources' work, part of it in
+    /// layers beside the nodes this energy is of; of a chain ends put in some, too, which nothing
+    /// tells from what an unstable end adds, and the peak while it was driven has to do.
     bool has_grown(double energy, bool is_driven);
     /// Whether this energy is ten times the largest that was entered as driven.
     bool has_grown_since_driven(double energy) const;
