@@ -2,125 +2,19 @@
 /// True ends on the outermost node: summation by parts, convex kernels (Wu 2015), the plain cut.
 #include <doctest/doctest.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <nmbc/nmbc.hpp>
-#include <nmbc/tables/tables.hpp>
-#include <stdexcept>
+#include <utility>
 #include <vector>
+
+#include "tests/runtime/edge_chains.hpp"
 
 namespace {
 
 using nmbc::Closure;
 using nmbc::OnSurface;
 using nmbc::SurfaceEnd;
-
-nmbc::Lattice constant_influence(int horizon, double G) {
-    return nmbc::make_lattice(*nmbc::find_table(nmbc::generated::tables, "nopd1d", horizon, 1, 1),
-                              G);
-}
-
-/// nopd1d of a cubic spline of radius 3 dX, at G = 0: weights 15, 2.
-nmbc::Lattice spline_lattice() {
-    const double shape = 2 * (15 + 4 * 2);
-    const double near = 15 / shape;
-    const double far = 4 / shape;
-    nmbc::Lattice lattice;
-    lattice.energy.push_back({nmbc::EnergyPart::strain, 1, {-far, -near, 0, near, far}});
-    const std::vector<double>& strain = lattice.energy[0].stencil;
-    for (std::size_t m = 0; m <= 4; ++m) {
-        double sum = 0;
-        for (std::size_t i = 0; i + m < strain.size(); ++i) {
-            sum += strain[i] * strain[i + m];
-        }
-        lattice.symbol.push_back(sum);
-    }
-    return lattice;
-}
-
-/// Where the square of a bond from I to I+k is counted.
-enum class Counted { near, far, half_at_each };
-
-/// Bonds of these weights over their sum of w_k k^2.
-nmbc::Lattice bonds_of(const std::vector<double>& weights, Counted counted = Counted::near) {
-    double modulus = 0;
-    for (std::size_t k = 1; k <= weights.size(); ++k) {
-        modulus += weights[k - 1] * double(k * k);
-    }
-    nmbc::Lattice lattice;
-    lattice.symbol.push_back(0);
-    for (std::size_t k = 1; k <= weights.size(); ++k) {
-        const double weight = weights[k - 1] / modulus;
-        std::vector<double> forth(2 * k + 1);
-        forth[k] = -1;
-        forth[2 * k] = 1;
-        const std::vector<double> back(forth.rbegin(), forth.rend());
-        const double part = counted == Counted::half_at_each ? weight / 2 : weight;
-        if (counted != Counted::far) {
-            lattice.energy.push_back({nmbc::EnergyPart::strain, part, forth});
-        }
-        if (counted != Counted::near) {
-            lattice.energy.push_back({nmbc::EnergyPart::strain, part, back});
-        }
-        lattice.symbol[0] += 2 * weight;
-        lattice.symbol.push_back(-weight);
-    }
-    return lattice;
-}
-
-/// The nearest neighbours alone, an even micromodulus, and one in which the second matters most,
-/// counted in every way.
-std::vector<nmbc::Lattice> lattices_of_bonds() {
-    std::vector<nmbc::Lattice> all;
-    for (const std::vector<double>& weights :
-         std::vector<std::vector<double>>{{1}, {1, 1, 1, 1, 0.5}, {1, 5, 0, 2}}) {
-        for (const Counted counted : {Counted::near, Counted::far, Counted::half_at_each}) {
-            all.push_back(bonds_of(weights, counted));
-        }
-    }
-    return all;
-}
-
-std::vector<nmbc::Lattice> lattices_for(Closure closure) {
-    if (closure == Closure::kernel) {
-        return {spline_lattice()};
-    }
-    std::vector<nmbc::Lattice> all = lattices_of_bonds();
-    for (int horizon = 1; horizon <= 5; ++horizon) {
-        for (const double G : {0.0, 0.8, 4.0}) {
-            all.push_back(constant_influence(horizon, G));
-        }
-    }
-    return all;
-}
-
-/// The largest eigenvalue of M^-1 K between like ends, column by column from the forces.
-double eigenvalue_between(const nmbc::EdgeEnergies& edges, const nmbc::Lattice& lattice,
-                          OnSurface given, std::size_t nodes) {
-    const std::size_t held = given == OnSurface::displacement ? 1 : 0;
-    const auto size = Eigen::Index(nodes - 2 * held);
-    Eigen::MatrixXd matrix(size, size);
-    for (Eigen::Index column = 0; column < size; ++column) {
-        std::vector<double> u(nodes);
-        u[std::size_t(column) + held] = 1;
-        const std::vector<double> force = nmbc::detail::between_edges(edges, lattice, u);
-        for (Eigen::Index row = 0; row < size; ++row) {
-            matrix(row, column) = force[std::size_t(row) + held];
-        }
-    }
-    return matrix.eigenvalues().real().maxCoeff();
-}
-
-/// In units of their own, so that none is taken for 1, and in steps that the closure allows.
-nmbc::ChainParameters parameters_of(std::size_t nodes, Closure closure,
-                                    const nmbc::Lattice& lattice) {
-    nmbc::ChainParameters p{.nodes = nodes, .spacing = 0.5, .youngs_modulus = 8, .density = 2};
-    p.time_step =
-        1.8 / std::sqrt(nmbc::largest_eigenvalue(lattice, closure, OnSurface::traction, nodes)) *
-        p.spacing / p.wave_speed();
-    return p;
-}
 
 /// X of an entry, from the left surface.
 double place(const nmbc::Chain& chain, std::size_t entry) {
@@ -327,72 +221,4 @@ TEST_CASE("what is given in time goes in as a wave, to second order in dX") {
             CHECK(errors[0] / errors[1] > 3.5);
         }
     }
-}
-
-TEST_CASE("the largest eigenvalue between true ends is a bound, 1 % above it") {
-    constexpr std::size_t nodes = 31;  // an odd number: modes even and odd about the middle
-    for (const Closure closure : {Closure::sbp, Closure::kernel, Closure::cut}) {
-        for (const nmbc::Lattice& lattice : lattices_for(closure)) {
-            for (const auto given : {OnSurface::displacement, OnSurface::traction}) {
-                CAPTURE(int(closure));
-                CAPTURE(lattice.reach());
-                CAPTURE(lattice.energy.size());
-                const double bound = nmbc::largest_eigenvalue(lattice, closure, given, nodes);
-                const double largest = eigenvalue_between(nmbc::detail::edges_of(closure, lattice),
-                                                          lattice, given, nodes);
-                CHECK(largest <= bound * (1 + 1e-13));
-                // Of the interior the bound is for chains of any length.
-                const double top = std::pow(nmbc::maximum_frequency(lattice), 2);
-                CHECK(bound < 1.0101 * std::max(largest, top));
-            }
-        }
-    }
-}
-
-TEST_CASE("steps and lattices that are refused") {
-    const nmbc::Lattice lattice = constant_influence(2, 1);
-    const SurfaceEnd end{.closure = Closure::sbp};
-    auto p = parameters_of(40, Closure::sbp, lattice);
-    p.time_step *= 1.2;
-    CHECK_THROWS_AS(nmbc::Chain(lattice, end, p), nmbc::NotCertified);
-    p.time_step = 2.01 / nmbc::maximum_frequency(lattice) * p.spacing / p.wave_speed();
-    for (const nmbc::ChainEnd& whatever :
-         {nmbc::ChainEnd(nmbc::FreeEnd{}), nmbc::ChainEnd(nmbc::FixedEnd{}),
-          nmbc::ChainEnd(SurfaceEnd{})}) {
-        CHECK_THROWS_AS(nmbc::Chain(lattice, whatever, p), nmbc::NotCertified);
-    }
-    p.time_step /= 4;
-    CHECK_NOTHROW(nmbc::Chain(lattice, end, p));
-    CHECK_THROWS_AS(nmbc::Chain(lattice, SurfaceEnd{.closure = Closure::kernel}, p),
-                    std::invalid_argument);
-    nmbc::Lattice damped = lattice;
-    damped.damping = {2, -1};
-    for (const Closure closure : {Closure::sbp, Closure::cut, Closure::kernel}) {
-        CHECK_THROWS_AS(nmbc::Chain(damped, SurfaceEnd{.closure = closure}, p),
-                        std::invalid_argument);
-    }
-    nmbc::Lattice no_energy = bonds_of({1});
-    no_energy.energy.clear();
-    nmbc::Lattice no_bond = bonds_of({1});
-    no_bond.energy[0].stencil = {0, -1, 2};
-    for (const nmbc::Lattice& other : {bonds_of({2, -0.1}), no_energy, no_bond}) {
-        for (const Closure closure : {Closure::sbp, Closure::cut}) {
-            CHECK_THROWS_AS(nmbc::Chain(other, SurfaceEnd{.closure = closure}, p),
-                            std::invalid_argument);
-        }
-    }
-    // Bonds to both neighbours that weigh unlike, and one that is not there.
-    const nmbc::Lattice stabilised = constant_influence(2, 1);
-    CHECK_NOTHROW(nmbc::Chain(stabilised, end, p));
-    for (const bool is_missing : {false, true}) {
-        nmbc::Lattice unequal = stabilised;
-        if (is_missing) {
-            unequal.energy.pop_back();
-        } else {
-            unequal.energy.back().weight *= 2;
-        }
-        CHECK_THROWS_AS(nmbc::Chain(unequal, end, p), std::invalid_argument);
-    }
-    p.nodes = 7;
-    CHECK_THROWS_AS(nmbc::Chain(lattice, end, p), std::invalid_argument);
 }
