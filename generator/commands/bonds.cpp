@@ -13,6 +13,7 @@
 #include "generator/bonds/contour_bonds.hpp"
 #include "generator/bonds/square_bonds.hpp"
 #include "generator/exact/rational.hpp"
+#include "generator/exact/rounded_text.hpp"
 #include "generator/families/bond_lattice.hpp"
 #include "generator/families/family.hpp"
 #include "generator/families/influence.hpp"
@@ -219,12 +220,6 @@ bool has_mixed_sign(const Report& report) {
 
 constexpr std::size_t widest_closed_form = 100;
 
-/// So that a step below it is below the limit.
-double rounded_down(double value) {
-    constexpr double places = 1e4;
-    return std::floor(value * places) / places;
-}
-
 }  // namespace
 
 std::optional<BondMethod> bond_method(std::string_view name) {
@@ -263,8 +258,10 @@ std::string bonds_text(const BondsTask& task) {
     if (!report.is_stable) {
         return text + "warning   this lattice has waves that grow: omega^2 is not above 0\n";
     }
-    text += fmt::format("steps     stable below dt = {:.4f} dX sqrt(rho/E): omega_max = {:.4f}\n",
-                        rounded_down(2 / report.largest_frequency), report.largest_frequency);
+    constexpr int digits_of_step = 4;
+    text += fmt::format("steps     stable below dt = {} dX sqrt(rho/E): omega_max = {:.4f}\n",
+                        rounded_down(2 / report.largest_frequency, digits_of_step),
+                        report.largest_frequency);
     if (!report.square) {
         text += fmt::format("speed     long waves, over the solid's: {:.4f}\n", report.chain_speed);
     } else {
