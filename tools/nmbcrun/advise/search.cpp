@@ -178,8 +178,7 @@ void Search::add(const std::string& name, const Boundary& boundary, const nmbc::
 }
 
 double Search::cfl_of_true_ends() const {
-    const SurfaceLimits limits = surface_limits(scene_, lattice_);
-    return std::min(limits.left, limits.right);
+    return surface_limits(scene_, lattice_).least();
 }
 
 void Search::add_ends_of_the_lattice() {

@@ -187,7 +187,7 @@ std::string objection_to_steps(const Scene& scene, const nmbc::Lattice& lattice,
     const double omega_max = highest_frequency(scene, lattice);
     const double cfl = time_step * omega_max / 2;
     constexpr double roundings = 1e-12;  // the limit was a time step on its way here
-    const double beside = std::min(surfaces.left, surfaces.right) * (1 + roundings);
+    const double beside = surfaces.least() * (1 + roundings);
     const double stable = std::min(nmbc::interior_cfl(lattice), beside);
     if (cfl <= stable) {
         return "";

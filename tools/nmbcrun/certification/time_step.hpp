@@ -2,6 +2,7 @@
 /// The time step of a scene that gives none.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <nmbc/lattice.hpp>
 #include <string>
@@ -17,6 +18,8 @@ double highest_frequency(const Scene& scene, const nmbc::Lattice& lattice);
 struct SurfaceLimits {
     double left = 0;
     double right = 0;
+
+    double least() const { return std::min(left, right); }
 };
 
 /// Of all that goes into the choice of a step, this takes longest. It does not depend on the step.

@@ -311,8 +311,7 @@ void chart(const Scene& scene, const ChartOptions& options) {
     const nmbc::Lattice lattice = lattice_of(scene);
     double limit = nmbc::interior_cfl(lattice);
     if (!is_closed(scene)) {  // closures that are compared are left out where steps are too long
-        const SurfaceLimits surfaces = surface_limits(scene, lattice);
-        limit = std::min({limit, surfaces.left, surfaces.right});
+        limit = std::min(limit, surface_limits(scene, lattice).least());
     }
     std::vector<double> steps;
     std::ranges::copy_if(cfls, std::back_inserter(steps),
