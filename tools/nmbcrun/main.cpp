@@ -38,6 +38,7 @@ struct Arguments {
     bool resume = false;
     bool plot = false;
     bool keep_checkpoint = false;
+    bool finer = false;
 };
 
 void stop_where_interrupted() {
@@ -82,8 +83,9 @@ void run_as_asked(nmbcrun::Scene scene, const Arguments& arguments) {
 nmbcgen::ExitCode plane_command(const std::string& command, nmbcrun::PlaneScene scene,
                                 const Arguments& arguments) {
     if (command == "verify") {
-        return nmbcrun::verify_plane(scene, arguments.tolerance, arguments.quiet) ? done
-                                                                                  : does_not_hold;
+        return nmbcrun::verify_plane(scene, arguments.tolerance, arguments.finer, arguments.quiet)
+                   ? done
+                   : does_not_hold;
     }
     if (command == "chart") {
         nmbcrun::chart_plane(scene, {.folder = arguments.folder,
@@ -184,6 +186,9 @@ int main(int argc, char** argv) {
                      "largest max |u - u_ref| / max |u_ref| that is right")
         ->required()
         ->check(nmbcgen::number_between(1e-16, 1e16));
+    verify->add_flag("--finer", arguments.finer,
+                     "of a plane: compare with a finer lattice, whose sides are no artificial "
+                     "ones, as where none is");
     auto* const chart = add_command(
         "chart", "cost and error of every boundary there is for a scene (docs/evidence/chart.md)");
     chart->add_option("--out", arguments.folder, "folder for the results (default results)")
@@ -226,6 +231,9 @@ int main(int argc, char** argv) {
         nmbcrun::Scene scene =
             nmbcrun::with_tables(nmbcrun::read_scene_text(text, arguments.scene, overrides));
         if (verify->parsed()) {
+            if (arguments.finer) {
+                throw nmbcrun::SceneError("--finer is for planes, and this scene is a chain");
+            }
             return nmbcrun::verify(scene, arguments.tolerance, arguments.quiet) ? done
                                                                                 : does_not_hold;
         }

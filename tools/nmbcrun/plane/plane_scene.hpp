@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <nmbc/plane_model.hpp>
 #include <optional>
 #include <string>
@@ -90,6 +91,16 @@ struct PlaneFracture {
 /// Of the files of fields.
 enum class FieldFormat { vtk, hdf5 };
 
+struct PlaneScene;
+
+/// That a scene is the body of another one on a lattice of its own (same_body()). Where forces,
+/// drives and loads act is said in the lengths and nodes of that one.
+struct PlaneOriginal {
+    std::shared_ptr<const PlaneScene> scene;
+    std::size_t ratio = 1;          ///< its dX over that of the lattice
+    std::array<double, 2> first{};  ///< place of the lattice's node 0 among its nodes, from 0
+};
+
 struct PlaneScene : AnyScene {
     unsigned radius_squared = 1;
     /// Of a bond-based lattice, by class, where E = density = dX = 1; empty: nopd2d, of which:
@@ -109,6 +120,7 @@ struct PlaneScene : AnyScene {
     std::array<PlaneSideChoice, 4> sides{};  ///< in the order of nmbc::plane_sides
     FieldFormat field_format = FieldFormat::vtk;
     std::vector<std::array<std::size_t, 2>> probes{};  ///< interior nodes, from 0
+    std::optional<PlaneOriginal> original{};           ///< of a reference; never read
 
     bool has(SideKind kind) const;
     bool is_bond_based() const { return !weights.empty(); }

@@ -12,8 +12,7 @@
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/plane/plane_body.hpp"
-#include "tools/nmbcrun/sources/nodes_within.hpp"
-#include "tools/nmbcrun/sources/two_digits.hpp"
+#include "tools/nmbcrun/plane/source_region.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -60,88 +59,6 @@ std::vector<double> shares_of_traction(const PlaneScene& scene, const nmbc::Plan
     }
     return shares;
 }
-
-/// The field's entries of the scene's nodes in a region. Throws SceneError where there are none,
-/// naming the nearest node and the half_width that reaches it.
-class Region {
-  public:
-    /// extension: as PlaneSources has it.
-    Region(const PlaneScene& scene, const nmbc::Plane& plane,
-           const std::array<std::size_t, 2>& extension)
-        : scene_(scene), plane_(plane), extension_(extension) {}
-
-    /// The region of a table of the scene: a disc.
-    std::vector<std::size_t> within(const std::string& table, const std::array<double, 2>& centre,
-                                    double radius) const {
-        return entries_where(
-            [&](double x, double y) { return std::hypot(x, y) <= radius + more(); }, table, centre,
-            [](double x, double y) {
-                return fmt::format("{:g}", two_digits(std::hypot(x, y), false));
-            });
-    }
-
-    /// Likewise, a rectangle.
-    std::vector<std::size_t> within(const std::string& table, const std::array<double, 2>& centre,
-                                    const std::array<double, 2>& half_width) const {
-        const auto reaches = [](double off, double present) {
-            return off > present ? two_digits(off, false) : present;
-        };
-        return entries_where(
-            [&](double x, double y) {
-                return std::abs(x) <= half_width[0] + more() &&
-                       std::abs(y) <= half_width[1] + more();
-            },
-            table, centre,
-            [&](double x, double y) {
-                return fmt::format("[{}, {}]", reaches(x, half_width[0]),
-                                   reaches(y, half_width[1]));
-            });
-    }
-
-  private:
-    /// A node on the edge of a region is in it.
-    double more() const {
-        constexpr double roundings = 1e-9;
-        return roundings * scene_.spacing;
-    }
-
-    /// is_within(x, y): so far from the centre along the axes. half_width(x, y): in words, one that
-    /// reaches so far.
-    template <class IsWithin, class HalfWidth>
-    std::vector<std::size_t> entries_where(const IsWithin& is_within, const std::string& table,
-                                           const std::array<double, 2>& centre,
-                                           const HalfWidth& half_width) const {
-        std::vector<std::size_t> entries;
-        for (std::size_t y = 0; y < scene_.nodes[1]; ++y) {
-            for (std::size_t x = 0; x < scene_.nodes[0]; ++x) {
-                const std::array<double, 2> X = position_of(scene_, x, y);
-                if (is_within(X[0] - centre[0], X[1] - centre[1])) {
-                    entries.push_back(plane_.entry(x + extension_[0], y + extension_[1]));
-                }
-            }
-        }
-        if (entries.empty()) {
-            const NearestNode x = nearest_node(centre[0], scene_.nodes[0], scene_.spacing);
-            const NearestNode y = nearest_node(centre[1], scene_.nodes[1], scene_.spacing);
-            if (std::max(x.off, y.off) > scene_.spacing) {
-                const auto last = position_of(scene_, scene_.nodes[0] - 1, scene_.nodes[1] - 1);
-                throw SceneError(
-                    fmt::format("{} acts on no node of the scene: its nodes are at [{:g}, {:g}] to "
-                                "[{:g}, {:g}]",
-                                table, scene_.spacing, scene_.spacing, last[0], last[1]));
-            }
-            throw SceneError(fmt::format(
-                "{0} acts on no node of the scene: the nearest is at [{1:g}, {2:g}], and "
-                "{0}.half_width = {3} would select it",
-                table, x.at, y.at, half_width(x.off, y.off)));
-        }
-        return entries;
-    }
-
-    const PlaneScene& scene_;
-    const nmbc::Plane& plane_;
-    const std::array<std::size_t, 2>& extension_;
-};
 
 }  // namespace
 
@@ -199,11 +116,13 @@ void PlaneSources::add(Source source, std::size_t component, const Entries& entr
 PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
                            const std::array<std::size_t, 2>& extension, double time_step)
     : density_(scene.density), time_step_(time_step) {
-    const Region region(scene, plane, extension);
+    const SourceRegion region(scene, plane, extension);
     if (scene.force) {
         const ForceInTime force(scene.force->history);
-        add(source_of(force, force.warnings("force", time_step, scene.end)), scene.force->component,
-            region.within("force", scene.force->centre, scene.force->half_width), "force", plane);
+        Source source = source_of(force, force.warnings("force", time_step, scene.end));
+        PickedNodes picked = region.within("force", scene.force->centre, scene.force->half_width);
+        source.shares = std::move(picked.shares);
+        add(std::move(source), scene.force->component, picked.entries, "force", plane);
     }
     for (const PlaneLoad& load : scene.loads) {
         Source source;
@@ -215,16 +134,27 @@ PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
             source = source_of(force, force.warnings(load.name, time_step));
         }
         source.given = load.given;
-        const Entries entries = load.side ? entries_at_side(scene, plane, extension, *load.side)
-                                          : region.within(load.name, load.centre, load.half_width);
-        if (load.is_traction) {
-            source.shares = shares_of_traction(scene, plane, *load.side, entries);
+        Entries entries;
+        if (load.side) {
+            entries = entries_at_side(scene, plane, extension, *load.side);
+            if (load.is_traction) {
+                source.shares = shares_of_traction(scene, plane, *load.side, entries);
+            }
+        } else {
+            PickedNodes picked = region.within(load.name, load.centre, load.half_width);
+            if (load.given == Given::force) {
+                entries = std::move(picked.entries);
+                source.shares = std::move(picked.shares);
+            } else {
+                entries = picked.whole(load.name);
+            }
         }
         add(std::move(source), load.component, entries, load.name, plane);
     }
     if (scene.drive) {
         add(source_of(*scene.drive), scene.drive->component,
-            region.within("drive", scene.drive->centre, scene.drive->half_width), "drive", plane);
+            region.within("drive", scene.drive->centre, scene.drive->half_width).whole("drive"),
+            "drive", plane);
     }
 }
 

@@ -136,7 +136,7 @@ PlaneLoad read_load(const KeyGroup& group, const std::string& name, const PlaneS
     }
     if (kind == Kind::traction || kind == Kind::pressure) {
         const PlaneSideChoice& beside = scene.sides[reader.required(group.key("side"), side)];
-        if (beside.kind != SideKind::free && !is_closed(beside.kind)) {
+        if (!ends_body(beside.kind)) {
             reader.fail(
                 group.key("side"),
                 fmt::format("has no surface: the body does not end there, or is held (side "

@@ -48,9 +48,13 @@ bool is_closed(SideKind kind) {
     return kind == SideKind::sbp || kind == SideKind::kernel;
 }
 
+bool ends_body(SideKind kind) {
+    return is_closed(kind) || kind == SideKind::free;
+}
+
 bool is_artificial(SideKind kind) {
-    return !is_closed(kind) && kind != SideKind::fixed && kind != SideKind::free &&
-           kind != SideKind::mirror && kind != SideKind::periodic;
+    return !ends_body(kind) && kind != SideKind::fixed && kind != SideKind::mirror &&
+           kind != SideKind::periodic;
 }
 
 std::string heading_of(const PlaneSideChoice& side) {

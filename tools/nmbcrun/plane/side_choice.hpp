@@ -64,6 +64,9 @@ bool has_layer(SideKind kind);
 /// Whether the body ends there on its outermost nodes, which are beyond the scene's.
 bool is_closed(SideKind kind);
 
+/// Whether the body ends there, under tractions or free: at closed and free sides.
+bool ends_body(SideKind kind);
+
 /// Whether it stands for more of the same lattice: physical sides are closed, fixed, free, mirror
 /// and periodic ones.
 bool is_artificial(SideKind kind);

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/plane/same_body.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/plane/plane_sides.hpp"
+
+namespace nmbcrun {
+namespace {
+
+/// How far beyond the scene's outermost nodes the body ends [dX]; lines: that the side adds.
+double beyond(SideKind kind, std::size_t lines, bool is_low) {
+    switch (kind) {
+        case SideKind::sbp:
+        case SideKind::kernel:
+            return double(lines);
+        case SideKind::free:
+        case SideKind::mirror:
+            return 0.5;
+        case SideKind::periodic:  // from the opposite side's outermost nodes to these
+            return is_low ? 1 : 0;
+        default:
+            return 1;
+    }
+}
+
+/// Of a force, a traction or a course that no other lattice has.
+void require_for_any_lattice(const PlaneScene& scene) {
+    if (scene.fracture) {
+        throw SceneError(
+            "physical sides are compared on a finer lattice, and there is none of a scene with a "
+            "table fracture: where bonds break depends on dX");
+    }
+    if (scene.initial && scene.initial->shape == PlaneShape::file) {
+        throw SceneError(
+            "physical sides are compared on a finer lattice, and initial.file has u at the nodes "
+            "of this one only: take another initial.shape, or start by a force or a load");
+    }
+    for (const PlaneLoad& load : scene.loads) {
+        if (!load.side || load.is_traction) {
+            continue;
+        }
+        const SideKind beside = scene.sides[*load.side].kind;
+        if (load.given == Given::force) {
+            throw SceneError(fmt::format(
+                "physical sides are compared on a finer lattice, where {} acts on a thinner line "
+                "of nodes, as a force/volume of a side: take a traction, or a rectangle",
+                load.name));
+        }
+        if (!ends_body(beside)) {
+            throw SceneError(fmt::format(
+                "physical sides are compared on a finer lattice, whose outermost nodes at a side "
+                "of kind \"{}\" are others than those that {} moves: take a rectangle",
+                name_of(beside), load.name));
+        }
+    }
+}
+
+std::array<double, 4> ends_of(const PlaneScene& scene, const std::array<std::size_t, 4>& lines) {
+    std::array<double, 4> ends{};
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        ends[i] = beyond(scene.sides[i].kind, lines[i], i % 2 == 0);
+    }
+    return ends;
+}
+
+std::array<std::size_t, 4> lines_of(const nmbc::PlaneSides& sides, std::size_t horizon) {
+    std::array<std::size_t, 4> lines{};
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        lines[i] = nmbc::detail::own_layers(sides.at(nmbc::plane_sides[i])) + horizon;
+    }
+    return lines;
+}
+
+/// Where the sources act is said in nodes of the original; the field begins in places.
+void move_start(PlaneScene& scene) {
+    if (!scene.initial) {
+        return;
+    }
+    const PlaneOriginal& from = *scene.original;
+    const double dX = from.scene->spacing;
+    for (const std::size_t axis : {0U, 1U}) {
+        scene.initial->centre[axis] += scene.spacing - dX * (1 + from.first[axis]);
+    }
+    scene.initial->wave_number /= double(from.ratio);
+}
+
+std::array<double, 2> first_of(const PlaneScene& scene) {
+    return scene.original ? scene.original->first : std::array<double, 2>{};
+}
+std::size_t ratio_of(const PlaneScene& scene) {
+    return scene.original ? scene.original->ratio : 1;
+}
+
+}  // namespace
+
+SameBody same_body(const PlaneSimulation& original, const std::array<PlaneSideChoice, 4>& sides,
+                   std::size_t ratio) {
+    const PlaneScene& from = original.scene();
+    require_for_any_lattice(from);
+    SameBody same{.scene = from, .sides = {}};
+    PlaneScene& scene = same.scene;
+    scene.sides = sides;
+    scene.spacing = from.spacing / double(ratio);
+    scene.step.reset();
+    scene.cfl.reset();
+    scene.probes.clear();
+    same.sides = sides_of(scene, true).all;
+    const auto before = ends_of(from, original.plane().layers());
+    const auto after = ends_of(scene, lines_of(same.sides, original.plane().model().horizon()));
+    scene.original = {.scene = std::make_shared<const PlaneScene>(from), .ratio = ratio};
+    for (const std::size_t axis : {0U, 1U}) {
+        const std::size_t low = 2 * axis;
+        const double length = double(from.nodes[axis]) - 1 + before[low] + before[low + 1];
+        const double nodes = double(ratio) * length - after[low] - after[low + 1] + 1;
+        if (nodes != std::floor(nodes) || nodes < 1) {
+            throw SceneError(fmt::format(
+                "the body is {:g} dX long along {}, which nodes {:g} apart do not fill between "
+                "sides of the kinds {} and {}",
+                length, axis == 0 ? 'x' : 'y', scene.spacing, name_of(sides[low].kind),
+                name_of(sides[low + 1].kind)));
+        }
+        scene.nodes[axis] = std::size_t(nodes);
+        scene.original->first[axis] = after[low] / double(ratio) - before[low];
+    }
+    move_start(scene);
+    for (PlaneLoad& load : scene.loads) {
+        load.amplitude *= load.is_traction ? double(ratio) : 1;  // of a whole cell
+    }
+    return same;
+}
+
+CommonNodes::CommonNodes(const PlaneSimulation& one, const PlaneSimulation& other)
+    : stride_(ratio_of(other.scene()) / ratio_of(one.scene())) {
+    const auto own = first_of(one.scene());
+    const auto others = first_of(other.scene());
+    for (const std::size_t axis : {0U, 1U}) {
+        const double place = double(ratio_of(other.scene())) * (own[axis] - others[axis]);
+        const double whole = std::round(place);
+        constexpr double roundings = 1e-6;
+        if (std::abs(place - whole) > roundings) {
+            throw SceneError("its nodes lie midway between those of the reference");
+        }
+        first_[axis] = std::ptrdiff_t(whole);
+    }
+}
+
+CommonNodes::Difference CommonNodes::between(const PlaneSimulation& one,
+                                             const PlaneSimulation& other) const {
+    const PlaneBody body = one.body();
+    const auto stride = std::ptrdiff_t(stride_);
+    Difference found;
+    for (std::size_t j = 0; j < body.nodes[1]; ++j) {
+        const std::ptrdiff_t y = std::ptrdiff_t(j) - std::ptrdiff_t(body.before[1]);
+        for (std::size_t i = 0; i < body.nodes[0]; ++i) {
+            const std::ptrdiff_t x = std::ptrdiff_t(i) - std::ptrdiff_t(body.before[0]);
+            const std::size_t here = one.entry(std::size_t(x), std::size_t(y));
+            const std::size_t there = other.entry(std::size_t(first_[0] + stride * x),
+                                                  std::size_t(first_[1] + stride * y));
+            for (const std::size_t a : {0U, 1U}) {
+                const double u = other.plane().displacement(a)[there];
+                const double difference = std::abs(one.plane().displacement(a)[here] - u);
+                found.other = std::max(found.other, std::abs(u));
+                if (!(difference <= found.largest)) {  // or is not a number
+                    found.largest = difference;
+                    found.node = {x + 1, y + 1};
+                }
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace nmbcrun
