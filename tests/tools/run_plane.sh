@@ -456,9 +456,6 @@ expect_exit 1
 expect_stdout_with "above the tolerance"
 try verify "$scene" --tolerance 1e-12 --quiet --set boundary.kind=extended
 expect_exit 0
-try verify "$scene" --tolerance 0.1 --set boundary.kind=free
-expect_exit 2
-expect_stderr "all sides are physical"
 
 # setting CODE TEXT KEY=VALUE..: refused, and nothing is written.
 setting() {
@@ -607,7 +604,7 @@ expect "a picture" test -s results/plane_pulse_chart.svg
 rm -r results
 try chart "$scene" "${small[@]}" --set boundary.kind=fixed
 expect_exit 2
-expect_stderr "chart compares artificial ones: there is none"
+expect_stderr "a chart compares artificial sides, or the closures of sides where the body ends, sbp, kernel and free: there is none"
 expect "no chart" test ! -e results
 try chart "$scene" "${small[@]}" --set time.end=1e9
 expect_exit 2

@@ -17,10 +17,11 @@ cost(run) = 100 * (run - 1) > least_cost ? 100 * (run - 1) : least_cost
 highest = 10.0
 lowest = 1e-6
 clip(error) = error > highest || error != error ? highest : error < lowest ? lowest : error
-kinds = "passive nmbc higdon sponge pml extended free fixed"
-array titles[8] = ["passive", "NMBC", "Higdon", "sponge", "PML", "plain lattice", "free", "fixed"]
-colours = "#000000 #0072b2 #cc79a7 #009e73 #d55e00 #666666 #bbbbbb #bbbbbb"
-shapes = "7 5 13 9 11 15 8 12"
+kinds = "passive nmbc higdon sponge pml extended free fixed sbp kernel"
+array titles[10] = ["passive", "NMBC", "Higdon", "sponge", "PML", "plain lattice", "free", "fixed", \
+    "summation by parts", "convex kernels"]
+colours = "#000000 #0072b2 #cc79a7 #009e73 #d55e00 #666666 #bbbbbb #bbbbbb #0072b2 #e69f00"
+shapes = "7 5 13 9 11 15 8 12 7 5"
 has_width(kind) = kind eq "sponge" || kind eq "pml" || kind eq "extended"
 label_of(kind, name) = has_width(kind) ? word(name, 2) : kind eq "nmbc" || kind eq "higdon" ? name : ""
 

@@ -8,33 +8,31 @@
 #include <vector>
 
 #include "generator/names/printable.hpp"
-#include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/csv.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
+#include "tools/nmbcrun/plane_compare/closed_measurement.hpp"
 #include "tools/nmbcrun/plane_compare/side_measurement.hpp"
 
 namespace nmbcrun {
 
 void chart_plane(const PlaneScene& scene, const PlaneChartOptions& options) {
-    if (std::ranges::none_of(
-            scene.sides, [](const PlaneSideChoice& side) { return is_artificial(side.kind); })) {
-        throw SceneError(
-            "all sides are physical, fixed, free, sbp, kernel, mirror or periodic, and chart "
-            "compares artificial ones: there is none");
-    }
+    const bool is_closed = std::ranges::none_of(
+        scene.sides, [](const PlaneSideChoice& side) { return is_artificial(side.kind); });
     note_interrupts();
     CsvFile csv(options.folder / (scene.name + "_chart.csv"), side_points_header);
     std::vector<SidePoint> points =
-        measure_sides(scene, side_candidates(scene), options.long_run, options.quiet);
+        is_closed ? measure_closed_sides(scene, options.quiet)
+                  : measure_sides(scene, side_candidates(scene), options.long_run, options.quiet);
     mark_front(points);
     write(points, csv);
     if (!options.quiet) {
         fmt::print(
             "step, run: over those between fixed sides, less 1; a run takes the longest stable "
-            "steps\nlong run: of {} steps from a pulse of one node in a small box; *: none is both "
-            "cheaper and better\n",
-            options.long_run);
+            "steps\n{}; *: none is both cheaper and better\n",
+            is_closed ? "error: against the same body on a finer lattice"
+                      : fmt::format("long run: of {} steps from a pulse of one node in a small box",
+                                    options.long_run));
         print(points);
     }
     fmt::print("chart        {}\n", nmbcgen::printable(csv.path().string()));

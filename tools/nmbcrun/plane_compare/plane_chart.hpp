@@ -16,8 +16,8 @@ struct PlaneChartOptions {
 };
 
 /// Writes what measure_sides() finds of every kind of side there is to FOLDER/NAME_chart.csv, draws
-/// it and prints a table.
-/// Throws as measure_sides() does, SceneError where no side is artificial, and FileError.
+/// it and prints a table; measure_closed_sides() where no side is artificial. Throws as these do,
+/// and FileError.
 void chart_plane(const PlaneScene& scene, const PlaneChartOptions& options);
 
 }  // namespace nmbcrun

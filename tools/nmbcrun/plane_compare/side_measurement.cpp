@@ -7,7 +7,6 @@
 #include <array>
 #include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,20 +25,6 @@ namespace {
 
 constexpr std::size_t tuning_runs = 21;
 constexpr std::array profiles{1.0, 2.0, 3.0};
-
-/// Calls job(), and notes why the scene refuses the sides where it does.
-template <class Job>
-void try_sides(SidePoint& point, Job job) {
-    try {
-        job();
-    } catch (const SceneError& error) {
-        point.refused = error.what();
-    } catch (const std::invalid_argument& error) {
-        point.refused = error.what();
-    } catch (const nmbc::CoefficientError& error) {
-        point.refused = error.what();
-    }
-}
 
 class SideMeasurement {
   public:

@@ -20,8 +20,10 @@ std::string choice(const PlaneSideChoice& side) {
 }  // namespace
 
 void mark_front(std::vector<SidePoint>& points) {
+    const auto absorbs = [](const SidePoint& point) { return is_artificial(point.what.side.kind); };
+    const bool any_absorbs = std::ranges::any_of(points, absorbs);
     for (SidePoint& point : points) {
-        point.on_front = is_artificial(point.what.side.kind) && point.holds() &&
+        point.on_front = (absorbs(point) || !any_absorbs) && point.holds() &&
                          std::ranges::none_of(points, [&](const SidePoint& other) {
                              return other.holds() && other.run_cost <= point.run_cost &&
                                     other.error <= point.error &&

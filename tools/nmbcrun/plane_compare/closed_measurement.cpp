@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "tools/nmbcrun/plane_compare/closed_measurement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/interrupt.hpp"
+#include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/plane/finer_run.hpp"
+#include "tools/nmbcrun/plane/same_body.hpp"
+#include "tools/nmbcrun/plane_compare/side_trial.hpp"
+#include "tools/nmbcrun/stepping/plane_stepping.hpp"
+
+namespace nmbcrun {
+namespace {
+
+/// The sides with such a one wherever the body ends.
+std::array<PlaneSideChoice, 4> closed_by(std::array<PlaneSideChoice, 4> sides, SideKind kind) {
+    for (PlaneSideChoice& side : sides) {
+        if (ends_body(side.kind)) {
+            side = {.kind = kind};
+        }
+    }
+    return sides;
+}
+
+std::vector<SidePoint> closures_of(const PlaneScene& scene) {
+    if (std::ranges::none_of(scene.sides,
+                             [](const PlaneSideChoice& side) { return ends_body(side.kind); })) {
+        throw SceneError(
+            "a chart compares artificial sides, or the closures of sides where the body ends, sbp, "
+            "kernel and free: there is none (nmbcrun verify compares with a finer lattice)");
+    }
+    if (scene.is_bond_based()) {
+        throw SceneError(
+            "a chart compares artificial sides, or the closures of sides where the body ends, and "
+            "bonds have one only, free (nmbcrun verify compares it with a finer lattice)");
+    }
+    std::vector<SidePoint> points{{.what = {"sbp", {.kind = SideKind::sbp}}}};
+    if (!scene.influence.empty()) {
+        points.push_back({.what = {"kernel", {.kind = SideKind::kernel}}});
+    }
+    points.push_back({.what = {"free", {.kind = SideKind::free}}});
+    return points;
+}
+
+/// Without what moves it, for its time alone.
+PlaneScene at_rest(PlaneScene scene) {
+    scene.initial.reset();
+    scene.force.reset();
+    scene.drive.reset();
+    scene.loads.clear();
+    return scene;
+}
+
+/// One of the closures, beside the reference.
+struct ClosureTrial {
+    SameBody body;
+    std::optional<PlaneSimulation> simulation{};
+    std::optional<CommonNodes> nodes{};
+    double largest = 0;  ///< |u_ref|
+};
+
+class ClosureMeasurement {
+  public:
+    ClosureMeasurement(const PlaneScene& scene, bool quiet)
+        : quiet_(quiet), points_(closures_of(scene)), original_(scene, quiet) {
+        trials_.resize(points_.size());
+    }
+
+    std::vector<SidePoint> run() {
+        find_steps();
+        run_beside_reference();
+        measure_costs();
+        for (const SidePoint& point : points_) {
+            if (!point.refused.empty()) {
+                fmt::print(stderr, "nmbcrun: left out: {}: {}\n", point.what.name, point.refused);
+            }
+        }
+        std::erase_if(points_, [](const SidePoint& point) { return !point.refused.empty(); });
+        return std::move(points_);
+    }
+
+  private:
+    template <class Job>
+    void on_points(const Job& job) {
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            if (points_[i].refused.empty()) {
+                try_sides(points_[i], [&] { job(points_[i], trials_[i]); });
+            }
+        }
+    }
+
+    void find_steps();
+    void run_beside_reference();
+    void measure_costs();
+
+    bool quiet_;
+    std::vector<SidePoint> points_;
+    PlaneSimulation original_;
+    std::vector<ClosureTrial> trials_{};  // of the points
+    double step_ = 0;
+};
+
+/// The shortest that any of them takes, unless the scene has its own.
+void ClosureMeasurement::find_steps() {
+    step_ = original_.plan().time_step;
+    const bool is_given = original_.scene().step || original_.scene().cfl;
+    on_points([&](SidePoint& point, ClosureTrial& trial) {
+        const auto sides = closed_by(original_.scene().sides, point.what.side.kind);
+        trial.body = same_body(original_, sides, 1);
+        const PlanePlan plan = PlaneSimulation(trial.body.scene, trial.body.sides).plan();
+        point.longest_step = plan.time_step / plan.of_stable;
+        step_ = is_given ? step_ : std::min(step_, plan.time_step);
+    });
+}
+
+void ClosureMeasurement::run_beside_reference() {
+    ReferenceRun reference = finer_run(original_, step_);
+    on_points([&](SidePoint&, ClosureTrial& trial) {
+        trial.body.scene.step = step_;
+        trial.simulation.emplace(trial.body.scene, trial.body.sides);
+        trial.nodes.emplace(*trial.simulation, reference.simulation);
+    });
+    const auto steps = steps_until(original_.scene().end, step_);
+    Progress progress(steps, quiet_);
+    double peak = reference.simulation.energies().total();
+    for (std::size_t step = 1; step <= steps; ++step) {
+        reference.advance();
+        peak = std::max(peak, reference.simulation.energies().total());
+        on_points([&](SidePoint& point, ClosureTrial& trial) {
+            trial.simulation->advance(1);
+            const auto now = trial.nodes->between(*trial.simulation, reference.simulation);
+            trial.largest = std::max(trial.largest, now.other);
+            if (!(now.largest <= point.error)) {
+                point.error = std::isfinite(now.largest) ? now.largest
+                                                         : std::numeric_limits<double>::infinity();
+            }
+        });
+        progress.update(step);
+        if (interrupted()) {
+            throw Interrupted("stopped; nothing was written");
+        }
+    }
+    on_points([&](SidePoint& point, ClosureTrial& trial) {
+        if (!(trial.largest > 0)) {
+            throw nothing_to_compare_with();
+        }
+        point.error /= trial.largest;
+        point.energy_left = trial.simulation->energies().total() / peak;
+    });
+}
+
+void ClosureMeasurement::measure_costs() {
+    PlaneScene bare = at_rest(original_.scene());
+    bare.nodes = original_.body().nodes;
+    bare.sides = closed_by(bare.sides, SideKind::fixed);
+    bare.step.reset();
+    bare.cfl.reset();
+    PlaneSimulation fixed(bare, quiet_);
+    const double bare_step = fixed.plan().time_step / fixed.plan().of_stable;
+    on_points([&](SidePoint& point, const ClosureTrial& trial) {
+        PlaneSimulation simulation(at_rest(trial.body.scene), trial.body.sides);
+        point.step_cost = relative_cost(simulation, fixed);
+        point.run_cost = point.step_cost * bare_step / point.longest_step;
+    });
+}
+
+}  // namespace
+
+std::vector<SidePoint> measure_closed_sides(const PlaneScene& scene, bool quiet) {
+    const InOneThread steps;
+    return ClosureMeasurement(scene, quiet).run();
+}
+
+}  // namespace nmbcrun
