@@ -34,7 +34,8 @@ void require_for_any_lattice(const PlaneScene& scene) {
     if (scene.fracture) {
         throw SceneError(
             "physical sides are compared on a finer lattice, and there is none of a scene with a "
-            "table fracture: where bonds break depends on dX");
+            "table fracture: where bonds break depends on dX. Compare runs of several "
+            "domain.spacing, or artificial sides");
     }
     if (scene.initial && scene.initial->shape == PlaneShape::file) {
         throw SceneError(
