@@ -183,6 +183,9 @@ expect_file out/body_chart.svg
 # It is what verify finds, in the steps of the chart.
 expect "the error that verify finds" awk -F, -v found="$(error body.toml "${spline[@]}" --set time.step=0.4)" \
     '$2 == "sbp" { exit !(($6 / found - 1) ^ 2 < 1e-6) }' <("$program" chart body.toml "${spline[@]}" --set time.step=0.4 --quiet --out out >out/log && cat out/body_chart.csv)
+try chart body.toml "${spline[@]}" --set time.step=1 --quiet --out out
+expect_exit 0
+expect_stderr "left out: kernel: steps of 1 are too long: beside it those below 0.7"
 try chart body.toml --set boundary.left.kind=mirror --set model.radius2=1 --out out
 expect_exit 0
 expect_stderr "left out: free: the body is"

@@ -124,7 +124,12 @@ void ClosureMeasurement::find_steps() {
 
 void ClosureMeasurement::run_beside_reference() {
     ReferenceRun reference = finer_run(original_, step_);
-    on_points([&](SidePoint&, ClosureTrial& trial) {
+    on_points([&](SidePoint& point, ClosureTrial& trial) {
+        if (!(step_ < point.longest_step)) {
+            throw SceneError(
+                fmt::format("steps of {:.6g} are too long: beside it those below {:.6g} are stable",
+                            step_, point.longest_step));
+        }
         trial.body.scene.step = step_;
         trial.simulation.emplace(trial.body.scene, trial.body.sides);
         trial.nodes.emplace(*trial.simulation, reference.simulation);
