@@ -186,9 +186,10 @@ int main(int argc, char** argv) {
                      "largest max |u - u_ref| / max |u_ref| that is right")
         ->required()
         ->check(nmbcgen::number_between(1e-16, 1e16));
-    verify->add_flag("--finer", arguments.finer,
-                     "of a plane: compare with a finer lattice, whose sides are no artificial "
-                     "ones, as where none is");
+    verify->add_flag(
+        "--finer", arguments.finer,
+        "of a plane: compare with a finer lattice without artificial sides, as is done "
+        "where there are none");
     auto* const chart = add_command(
         "chart", "cost and error of every boundary there is for a scene (docs/evidence/chart.md)");
     chart->add_option("--out", arguments.folder, "folder for the results (default results)")
