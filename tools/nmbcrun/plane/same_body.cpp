@@ -29,7 +29,7 @@ double beyond(SideKind kind, std::size_t lines, bool is_low) {
     }
 }
 
-/// Of a force, a traction or a course that no other lattice has.
+/// Throws SceneError of what no other lattice has.
 void require_for_any_lattice(const PlaneScene& scene) {
     if (scene.fracture) {
         throw SceneError(
