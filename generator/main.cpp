@@ -43,11 +43,10 @@ int write_one(const Request& request) {
         require_short_name(name);
         require_writable(request.folder / name);  // before what may take minutes
     }
-    const Table table = request.certified
-                            ? certified({request.specification}, request.cache).front()
-                            : derive(request.specification);
+    Table table = request.certified ? certified({request.specification}, request.cache).front()
+                                    : derive(request.specification);
     if (request.require_stable) {
-        require_stable(table);
+        table.in_plane = require_stable(table);
     }
     if (request.to_stdout) {
         print(request.format->emit(table));

@@ -2,6 +2,7 @@
 #include "generator/commands/ghost_side.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,6 +101,15 @@ std::optional<SideCondition> component_condition(const SideTask& model, const Pl
 std::string component_name(unsigned order, unsigned stride) {
     return fmt::format("NMBC{} by component{}", order,
                        stride == 1 ? "" : fmt::format(", s = {}", stride));
+}
+
+std::string samples_text() {
+    return fmt::format(
+        "{} x {} wave vectors, strips of {} layers with {} wave numbers along them, a box of {} x "
+        "{} nodes",
+        side_samples.waves, side_samples.waves + 1, fmt::join(side_samples.layers, ", "),
+        strip_wave_numbers(side_samples.wave_numbers).size(), side_samples.nodes,
+        side_samples.nodes);
 }
 
 void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice) {

@@ -27,6 +27,9 @@ struct GhostSide {
     bool grows() const { return growth > 0 || growth_with_corners > 0; }
 };
 
+/// Of sides, in words: "24 x 25 wave vectors, strips of ..".
+std::string samples_text();
+
 /// How finely sides are sampled. Strips and boxes are wider where a condition reaches across them.
 struct SideSamples {
     std::array<std::size_t, 4> layers{20, 31, 9, 5};  ///< of the strips between two like sides

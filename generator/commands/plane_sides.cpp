@@ -2,7 +2,6 @@
 #include "generator/commands/plane_sides.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <array>
 #include <atomic>
@@ -19,7 +18,6 @@
 #include "generator/families/vector_family.hpp"
 #include "generator/passive/plane_side.hpp"
 #include "generator/plane/side_reflection.hpp"
-#include "generator/plane/strip.hpp"
 #include "generator/support/on_all_cores.hpp"
 
 namespace nmbcgen {
@@ -182,12 +180,10 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
         "vanish for long waves\n"
         "  steps      times {:.2f} of those without it, beside an endless side\n\n"
         "{}\n"
-        "grade: passive is by construction. Sampled, at {} x {} wave vectors, in strips of {} "
-        "layers "
-        "with {} wave\n"
-        "  numbers along them and a box of {} x {} nodes: contractive (opposite any passive side), "
-        "paired (opposite its\n"
-        "  like), amplifies, grows (in a strip or in the box). Other strips may grow\n"
+        "grade: passive is by construction. On samples, {}:\n"
+        "  contractive (opposite any passive side), paired (opposite its like), amplifies, grows "
+        "(in a strip or in\n"
+        "  the box). Other strips may grow\n"
         "amplifies: amplitudes at one reflection between like sides, the largest; <=: a bound\n"
         "growth: rate in the strips; box: rate between four like sides, with corners "
         "[sqrt(E/density)/dX]; tau: least of\n"
@@ -198,9 +194,7 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
         passive->design.strain.size(), sides.described.description, to_string(model.g),
         widest_designed_angle(*passive),
         std::sqrt(passive->task.highest_eigenvalue / passive->highest_eigenvalue), table,
-        side_samples.waves, side_samples.waves + 1, fmt::join(side_samples.layers, ", "),
-        strip_wave_numbers(side_samples.wave_numbers).size(), side_samples.nodes,
-        side_samples.nodes, long_xi);
+        samples_text(), long_xi);
 }
 
 std::string side_reflection_csv(const SideTask& model, const std::vector<AbsorbedWave>& absorbed,

@@ -58,7 +58,7 @@ std::string text_of(const std::vector<StabilityWindow>& windows) {
 }
 
 /// Waves at normal incidence are in the table's certificate; these are the oblique ones.
-void require_stable_in_plane(const Specification& what, const ProjectedFamily& projected) {
+PlaneGrade require_stable_in_plane(const Specification& what, const ProjectedFamily& projected) {
     const SideTask model{.family = projected.family,
                          .choice = projected.model,
                          .g = what.stabilisation.value_or(0),
@@ -82,7 +82,7 @@ void require_stable_in_plane(const Specification& what, const ProjectedFamily& p
     examine(side, model, lattice);
     const std::string grade = grade_of(side);
     if (grade == "contractive" || grade == "paired") {
-        return;
+        return {grade, samples_text()};
     }
     std::string sides;
     if (family.at_edge != nullptr) {
@@ -135,12 +135,12 @@ std::string why_uncertified(const Table& table) {
             : "stable: " + how_it_fails(table, G));
 }
 
-void require_stable(const Table& table) {
+std::optional<PlaneGrade> require_stable(const Table& table) {
     if (!table.certificate->modal.empty()) {
         if (const auto projected = projected_family(table.specification.family)) {
-            require_stable_in_plane(table.specification, *projected);
+            return require_stable_in_plane(table.specification, *projected);
         }
-        return;
+        return std::nullopt;
     }
     const Specification& what = table.specification;
     std::string message = why_uncertified(table) + ". Nothing was written.";

@@ -2,6 +2,7 @@
 /// nmbcgen --require-stable.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -17,9 +18,10 @@ struct NotStable : std::runtime_error {
 /// How a table at a fixed G, whose certificate is empty, is not stable there.
 std::string why_uncertified(const Table& table);
 
-/// Throws NotStable where the modal certificate of a table at a fixed G does not cover that G, and,
-/// of a wave of a plane, where the condition grows or amplifies as a side of the plane, with its
-/// like for the other polarisation, on the samples of ghost_side.hpp.
-void require_stable(const Table& table);
+/// What it finds of a wave of a plane: the grade of the condition as a side of the plane, with its
+/// like for the other polarisation. Throws NotStable where the modal certificate of a table at a
+/// fixed G does not cover that G, and where such a side grows or amplifies on the samples of
+/// ghost_side.hpp.
+std::optional<PlaneGrade> require_stable(const Table& table);
 
 }  // namespace nmbcgen

@@ -140,6 +140,19 @@ std::string evidence_statement(const Table& table, const Certificate& certificat
                        all_proved ? "" : ", steps every 0.05 of cfl");
 }
 
+std::string plane_statement(const Table& table) {
+    if (!projected_family(table.specification.family)) {
+        return "";
+    }
+    if (!table.in_plane) {
+        return "for waves at normal incidence, oblique ones may grow. ";
+    }
+    return fmt::format(
+        "as a side of the plane, with its like for the other polarisation, in continuous time: {}, "
+        "sampled: {}; all else for waves at normal incidence. ",
+        table.in_plane->grade, table.in_plane->samples);
+}
+
 }  // namespace
 
 std::string certificate_statement(const Table& table) {
@@ -147,9 +160,7 @@ std::string certificate_statement(const Table& table) {
         return "not examined";
     }
     const Specification& what = table.specification;
-    return (projected_family(what.family) ? "for waves at normal incidence, oblique ones may grow. "
-                                          : "") +
-           (what.damping > 0 ? damped_statement() : undamped_statement()) +
+    return plane_statement(table) + (what.damping > 0 ? damped_statement() : undamped_statement()) +
            evidence_statement(table, *table.certificate) +
            (what.time_step > 0
                 ? "; matched in time steps: modal, contractive and steps are for the G at which "

@@ -120,6 +120,11 @@ Json table_object(const Table& table, Json lattice) {
         {"max_cfl_contractive", if_sought(steps_array(certificate.max_cfl_contractive))},
         {"evidence", if_sought(evidence_object(certificate, damped))},
         {"certificate", table.certificate ? Json(certificate_statement(table)) : Json(nullptr)}};
+    if (table.in_plane) {
+        object["plane"] = {{"grade", table.in_plane->grade},
+                           {"evidence", "sampled"},
+                           {"samples", table.in_plane->samples}};
+    }
     add_points(object, table);
     return object;
 }

@@ -79,6 +79,12 @@ inline bool has_stabilisation(const Model& model) {
     });
 }
 
+/// What a condition is as a side of the plane, at the table's G, in continuous time.
+struct PlaneGrade {
+    std::string grade;    ///< "contractive" or "paired"
+    std::string samples;  ///< on which: a clause
+};
+
 /// A matching boundary condition with everything it was derived from.
 struct Table {
     Specification specification;
@@ -91,6 +97,7 @@ struct Table {
     std::string source;   ///< the equations the table is taken from
     std::string proved;   ///< what prove() established about it
     std::optional<Certificate> certificate;  ///< where it is stable; none before certify()
+    std::optional<PlaneGrade> in_plane{};    ///< of a wave of a plane, where it was looked for
 };
 
 }  // namespace nmbcgen

@@ -159,6 +159,17 @@ refuses 4 "strips between such sides grow, Re s = 0.021" "${waves[@]}" --G 0
 refuses 4 "of 1200 wave vectors some are amplified, <= 1.100 times a reflection" "${waves[@]}" --G 1/10
 expect_stderr "nmbcgen recommend --family nopd2d --radius2 1 --nu 1/4 --G 1/10 shows the sides there are"
 refuses 4 "the other polarisation has no such condition" "${smallest[@]}" --polarisation P --order 2 --stdout --require-stable --G 1/5
+# What is stable says what it is as a side, and on which samples.
+try "${waves[@]}" --G 1/4 --format json
+expect_exit 0
+expect "a grade" python3 -c '
+import json, sys
+table = json.load(open(sys.argv[1]))
+assert table["plane"]["grade"] == "contractive" and table["plane"]["evidence"] == "sampled", table["plane"]
+assert table["plane"]["samples"].startswith("24 x 25 wave vectors, strips of 20, 31, 9, 5 layers with "), table["plane"]
+assert table["plane"]["samples"] in table["certificate"]' "$scratch/stdout"
+try "${waves[@]}" --G 1/4
+expect "a header has it, too" grep -q "as a side of the plane, with its like" <(tr -d '\n"' <"$scratch/stdout" | tr -s ' ')
 # Corners grow where strips do not; and a strip of 5 layers at a damping that holds in wider ones.
 refuses 4 "boxes with corners between such sides grow, Re s = 0.047" \
     "${smallest[@]}" --polarisation P --order 2 --stdout --require-stable --G 67/500

@@ -25,11 +25,11 @@ struct Quantity {
 
 constexpr const char* displacement_label = "displacement";
 constexpr const char* velocity_label = "velocity";
-constexpr const char* energy = "energy";
+constexpr const char* energy_label = "energy";
 constexpr const char* damage = "damage";
 
 std::vector<Quantity> quantities_of(const PlaneScene& scene) {
-    std::vector<Quantity> all{{displacement_label, 3}, {velocity_label, 3}, {energy, 1}};
+    std::vector<Quantity> all{{displacement_label, 3}, {velocity_label, 3}, {energy_label, 1}};
     if (scene.fracture) {
         all.push_back({damage, 1});
     }
@@ -38,7 +38,7 @@ std::vector<Quantity> quantities_of(const PlaneScene& scene) {
 
 /// Node by node, row by row.
 std::vector<double> values_of(const PlaneSimulation& simulation, const Quantity& quantity) {
-    if (quantity.name == energy) {
+    if (quantity.name == energy_label) {
         return simulation.energy_density();
     }
     const auto [nx, ny] = simulation.body().nodes;
@@ -120,7 +120,8 @@ void write_hdf5(const PlaneSimulation& simulation, const std::filesystem::path& 
         if (quantity.components > 1) {
             extents.push_back(quantity.components);
         }
-        const bool is_half_step_before = quantity.name == velocity_label || quantity.name == energy;
+        const bool is_half_step_before =
+            quantity.name == velocity_label || quantity.name == energy_label;
         const double half_step = is_half_step_before ? simulation.plan().time_step / 2 : 0;
         file.add(quantity.name, extents,
                  {{"time", fmt::format("{:.10g}", simulation.plane().time() - half_step)}});
