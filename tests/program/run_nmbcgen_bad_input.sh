@@ -124,7 +124,7 @@ refuses "'frob' is not expected: nmbcgen takes the subcommands reflect, prove, r
 refuses "'--foo' is not expected: recommend takes --help, " ", --tolerance" -- \
     recommend --horizon 1 --G 1 --foo 0.5 --bar
 refuses "'--foo' is not expected" -- bonds --foo 3
-refuses "coupling needs one of the subcommands stencil, cases, waves" -- coupling
+refuses "coupling needs one of the subcommands stencil, junction, cases, waves" -- coupling
 refuses "'foo\x1b[2J\xff' is not expected" -- --order 1 --horizon 1 $'foo\e[2J\xff'
 refuses "'nopd\x1b7d' is not a family" -- --order 1 --horizon 1 --family $'nopd\e7d'
 refuses --unknown "not expected" -- --order 1 --horizon 1 --unknown
