@@ -31,11 +31,11 @@ inline Lattice stabilised_at_1(const Lattice& damped) {
     return lattice;
 }
 
-/// tau, of a damping that is tau times the symbol of these squares. Throws std::invalid_argument
-/// for any other.
-inline double tau_of(const std::vector<double>& damping,
-                     const std::vector<Lattice::Square>& squares) {
-    std::vector<double> sigma(damping.size());
+/// tau > 0, of a damping that is tau times the symbol of these squares. Throws
+/// std::invalid_argument for any other.
+inline double tau_of(const Lattice& damped, const std::vector<Lattice::Square>& squares) {
+    const std::vector<double>& damping = damped.damping;
+    std::vector<double> sigma(damped.symbol.size());
     for (const Lattice::Square& square : squares) {
         for (std::size_t i = 0; i < square.stencil.size(); ++i) {
             for (std::size_t j = i; j < square.stencil.size() && j - i < sigma.size(); ++j) {
@@ -44,13 +44,15 @@ inline double tau_of(const std::vector<double>& damping,
         }
     }
     const double tau = damping[0] / sigma[0];
-    constexpr double roundings = 1e-12;  // of sums of some ten entries
-    for (std::size_t m = 0; m < sigma.size(); ++m) {
-        if (!(std::abs(damping[m] - tau * sigma[m]) <= roundings * std::abs(damping[0]))) {
-            throw std::invalid_argument(
-                "this end knows a damping that is tau times the symbol of the stabilisation at "
-                "G = 1, no other");
-        }
+    bool is_known = tau > 0 && damping.size() == sigma.size();
+    for (std::size_t m = 0; is_known && m < sigma.size(); ++m) {
+        constexpr double roundings = 1e-12;  // of sums of some ten entries
+        is_known = std::abs(damping[m] - tau * sigma[m]) <= roundings * damping[0];
+    }
+    if (!is_known) {
+        throw std::invalid_argument(
+            "this end knows a damping that is tau > 0 times the symbol of the stabilisation at "
+            "G = 1, no other");
     }
     return tau;
 }
@@ -59,7 +61,7 @@ inline double tau_of(const std::vector<double>& damping,
 inline EdgeDamping edge_damping(const Lattice& damped, Lattice at_1, EdgeEnergies edges_at_1) {
     const auto is_strain = [](const auto& square) { return square.part == EnergyPart::strain; };
     std::erase_if(at_1.energy, is_strain);
-    const double tau = tau_of(damped.damping, at_1.energy);
+    const double tau = tau_of(damped, at_1.energy);
     const auto keep_damped = [&](auto& squares) {
         std::erase_if(squares, is_strain);
         for (auto& square : squares) {
@@ -70,6 +72,7 @@ inline EdgeDamping edge_damping(const Lattice& damped, Lattice at_1, EdgeEnergie
     keep_damped(edges_at_1.left.squares);
     keep_damped(edges_at_1.right.squares);
     at_1.symbol = damped.damping;
+    at_1.table = nullptr;
     return {std::move(at_1), std::move(edges_at_1)};
 }
 
