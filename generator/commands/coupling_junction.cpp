@@ -39,29 +39,47 @@ struct JunctionRow {
     std::map<int, LogNumber> entries;
 };
 
+/// Of a node of a uniform bar far from its ends, by the distance of columns.
+std::map<int, LogNumber> row_inside(const Rational& length, const Medium& medium) {
+    const std::vector<LogNumber> stencil = uniform_stencil(medium.horizon / length);
+    std::map<int, LogNumber> row;
+    for (int m = 0; m < int(stencil.size()); ++m) {
+        const LogNumber entry = medium.stiffness / length * stencil[std::size_t(m)];
+        row[m] = entry;
+        row[-m] = entry;
+    }
+    return row;
+}
+
+/// Of the nodes beside the junction those whose row is not that of a node inside either bar.
 std::vector<JunctionRow> junction_rows(const Halves& halves, CouplingForm form) {
     const Rational widest = std::max(halves.left.horizon, halves.right.horizon);
     const auto within = [](const Rational& length, const Rational& of_element) {
         return (-floor(-length / of_element)).convert_to<int>();
     };
-    // Of a node's elements and of those that they reach, some are the other bar's.
+    // Of a node's elements and of those that they reach, some may be the other bar's.
     const int first = -within(widest, halves.left_length);
     const int last = within(widest, halves.right_length);
     const auto elements = [&](const Rational& of_element) {
         return static_cast<std::size_t>(within(2 * widest, of_element) + 2);
     };
-    const std::size_t before = elements(halves.left_length);
-    const Mesh mesh = mesh_of(halves, before, elements(halves.right_length));
+    const int before = int(elements(halves.left_length));
+    const Mesh mesh = mesh_of(halves, std::size_t(before), elements(halves.right_length));
+    const std::vector<ExactRow> all =
+        exact_rows(mesh, form, std::size_t(before + first), std::size_t(before + last));
+    const auto inside_left = row_inside(halves.left_length, halves.left);
+    const auto inside_right = row_inside(halves.right_length, halves.right);
     std::vector<JunctionRow> rows;
     for (int node = first; node <= last; ++node) {
         JunctionRow row{node, {}};
-        const auto number = static_cast<std::size_t>(int(before) + node);
-        for (auto& [column, entry] : exact_row(mesh, form, number)) {
-            if (entry != LogNumber{}) {
-                row.entries.emplace(int(column) - int(before), std::move(entry));
-            }
+        std::map<int, LogNumber> by_distance;
+        for (const auto& [column, entry] : all[std::size_t(node - first)]) {
+            row.entries.emplace(int(column) - before, entry);
+            by_distance.emplace(int(column) - before - node, entry);
         }
-        rows.push_back(std::move(row));
+        if (by_distance != inside_left && by_distance != inside_right) {
+            rows.push_back(std::move(row));
+        }
     }
     return rows;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "generator/exact/rational.hpp"
@@ -82,16 +83,21 @@ void for_each_part(const Mesh& mesh, CouplingForm form, const OfPair& of_pair,
     }
 }
 
-/// pair_matrix() in doubles: uniform parts of a mesh have the same pairs again and again.
-class RoundedMatrices {
+/// pair_matrix(), exact or in doubles: uniform parts of a mesh have the same pairs again and again.
+template <class Number>
+class PairMatrices {
   public:
-    explicit RoundedMatrices(CouplingForm form) : form_(form) {}
+    explicit PairMatrices(CouplingForm form) : form_(form) {}
 
-    const std::vector<double>& of(const ElementPair& pair) {
+    const std::vector<Number>& of(const ElementPair& pair) {
         const auto [place, is_new] = known_.try_emplace(pair);
         if (is_new) {
             for (const LogNumber& exact : pair_matrix(pair, form_)) {
-                place->second.push_back(nearest_double(exact));
+                if constexpr (std::is_same_v<Number, double>) {
+                    place->second.push_back(nearest_double(exact));
+                } else {
+                    place->second.push_back(exact);
+                }
             }
         }
         return place->second;
@@ -99,14 +105,14 @@ class RoundedMatrices {
 
   private:
     CouplingForm form_;
-    std::map<ElementPair, std::vector<double>> known_;
+    std::map<ElementPair, std::vector<Number>> known_;
 };
 
 }  // namespace
 
 SparseMatrix stiffness_of(const Mesh& mesh, CouplingForm form) {
     std::vector<Eigen::Triplet<double>> triplets;
-    RoundedMatrices matrices(form);
+    PairMatrices<double> matrices(form);
     for_each_part(
         mesh, form,
         [&](std::size_t element, const ElementPair& pair, const std::vector<std::size_t>& nodes) {
@@ -126,27 +132,34 @@ SparseMatrix stiffness_of(const Mesh& mesh, CouplingForm form) {
     return matrix;
 }
 
-std::map<std::size_t, LogNumber> exact_row(const Mesh& mesh, CouplingForm form, std::size_t node) {
-    std::map<std::size_t, LogNumber> row;
+std::vector<ExactRow> exact_rows(const Mesh& mesh, CouplingForm form, std::size_t first,
+                                 std::size_t last) {
+    std::vector<ExactRow> rows(last - first + 1);
+    PairMatrices<LogNumber> matrices(form);
+    const auto is_asked_for = [&](std::size_t node) { return node >= first && node <= last; };
     for_each_part(
         mesh, form,
         [&](std::size_t element, const ElementPair& pair, const std::vector<std::size_t>& nodes) {
-            if (std::ranges::find(nodes, node) == nodes.end()) {
+            if (std::ranges::none_of(nodes, is_asked_for)) {
                 return;
             }
-            const std::vector<LogNumber> matrix = pair_matrix(pair, form);
+            const std::vector<LogNumber>& matrix = matrices.of(pair);
             for (std::size_t i = 0; i < matrix.size(); ++i) {
-                if (nodes[i / nodes.size()] == node) {
-                    row[nodes[i % nodes.size()]] += mesh.media[element].stiffness * matrix[i];
+                if (const std::size_t node = nodes[i / nodes.size()]; is_asked_for(node)) {
+                    rows[node - first][nodes[i % nodes.size()]] +=
+                        mesh.media[element].stiffness * matrix[i];
                 }
             }
         },
         [&](const Entry& entry) {
-            if (entry.row == node) {
-                row[entry.column] += {entry.value, {}};
+            if (is_asked_for(entry.row)) {
+                rows[entry.row - first][entry.column] += {entry.value, {}};
             }
         });
-    return row;
+    for (ExactRow& row : rows) {
+        std::erase_if(row, [](const auto& entry) { return entry.second == LogNumber{}; });
+    }
+    return rows;
 }
 
 Eigen::VectorXd masses_of(const Mesh& mesh) {
@@ -167,10 +180,11 @@ std::vector<LogNumber> uniform_stencil(const Rational& horizon) {
     const auto elements = (floor(horizon) + 3).convert_to<std::size_t>();
     const Medium medium{1, horizon};
     std::vector<LogNumber> stencil;
-    for (auto& [node, entry] : exact_row(mesh_of({1, 1, medium, medium}, elements, elements),
-                                         CouplingForm::pairs, elements)) {
-        if (node >= elements && entry != LogNumber{}) {
-            stencil.push_back(std::move(entry));
+    const Mesh mesh = mesh_of({1, 1, medium, medium}, elements, elements);
+    const auto rows = exact_rows(mesh, CouplingForm::pairs, elements, elements);
+    for (const auto& [node, entry] : rows.front()) {
+        if (node >= elements) {
+            stencil.push_back(entry);
         }
     }
     return stencil;

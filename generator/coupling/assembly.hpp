@@ -19,8 +19,12 @@ using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// u'_right), at either of its nodes.
 SparseMatrix stiffness_of(const Mesh& mesh, CouplingForm form);
 
-/// Its row of one node, exact, by node.
-std::map<std::size_t, LogNumber> exact_row(const Mesh& mesh, CouplingForm form, std::size_t node);
+/// A row of it, exact, by column; no entry is 0.
+using ExactRow = std::map<std::size_t, LogNumber>;
+
+/// Of the nodes first .. last.
+std::vector<ExactRow> exact_rows(const Mesh& mesh, CouplingForm form, std::size_t first,
+                                 std::size_t last);
 
 /// Half of the elements beside each node [length]: the masses at density 1, all on the diagonal.
 Eigen::VectorXd masses_of(const Mesh& mesh);

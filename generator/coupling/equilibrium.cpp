@@ -42,7 +42,8 @@ std::vector<bool> held_outside(const Mesh& mesh, const Rational& from, const Rat
 /// The force of u = x on a node.
 LogNumber force_of_patch(const Mesh& mesh, CouplingForm form, std::size_t node) {
     LogNumber force;
-    for (const auto& [other, stiffness] : exact_row(mesh, form, node)) {
+    const auto rows = exact_rows(mesh, form, node, node);
+    for (const auto& [other, stiffness] : rows.front()) {
         force += mesh.nodes[other] * stiffness;
     }
     return force;

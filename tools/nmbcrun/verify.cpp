@@ -25,13 +25,14 @@ namespace {
 
 struct Outcome {
     Deviation deviation;
-    double energy_left = 0;            ///< over the reference's peak
+    double energy_left = 0;            ///< over its own peak
     double reference_energy_left = 0;  ///< likewise
 };
 
 Outcome run_both(Simulation& simulation, Simulation& reference, bool quiet) {
     Outcome outcome;
     double peak = 0;
+    double reference_peak = 0;
     Progress progress(simulation.plan().steps, quiet);
     while (!simulation.is_done()) {
         simulation.step();
@@ -39,7 +40,8 @@ Outcome run_both(Simulation& simulation, Simulation& reference, bool quiet) {
         const nmbc::Chain& chain = simulation.chain();
         progress.update(chain.steps());
         outcome.deviation.look(chain, reference.chain());
-        peak = std::max(peak, reference.energies().total());
+        peak = std::max(peak, simulation.energies().total());
+        reference_peak = std::max(reference_peak, reference.energies().total());
         if (!chain.is_finite()) {
             throw Unstable(fmt::format("the run is not finite any more at step {} (t = {:.6g})",
                                        chain.steps(), chain.time()));
@@ -49,9 +51,9 @@ Outcome run_both(Simulation& simulation, Simulation& reference, bool quiet) {
                 fmt::format("stopped at step {} of {}", chain.steps(), simulation.plan().steps));
         }
     }
-    if (peak > 0) {
+    if (peak > 0 && reference_peak > 0) {
         outcome.energy_left = simulation.energies().total() / peak;
-        outcome.reference_energy_left = reference.energies().total() / peak;
+        outcome.reference_energy_left = reference.energies().total() / reference_peak;
     }
     return outcome;
 }

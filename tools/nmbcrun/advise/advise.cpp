@@ -16,6 +16,7 @@
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/duration.hpp"
+#include "tools/nmbcrun/output/warnings.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 
 namespace nmbcrun {
@@ -235,11 +236,26 @@ double seconds_of_run(const Scene& scene) {
     return seconds() * double(simulation.plan().steps) / double(simulation.chain().steps());
 }
 
+std::vector<std::string> uncounted_closures(const Scene& scene) {
+    std::vector<std::string> warnings;
+    for (const auto& [end, side] : {std::pair(&scene.left, "left"), {&scene.right, "right"}}) {
+        if (is_closure(end->kind)) {
+            warnings.push_back(fmt::format(
+                "what the \"{}\" end on the {} errs is not in the tolerance: nmbcrun verify "
+                "measures it",
+                name_of(end->kind), side));
+        }
+    }
+    return warnings;
+}
+
 Advice watched_advice(const Scene& scene, double tolerance, Watch& watch, const Pause& pause) {
-    return advice_for(scene, tolerance, [&] {
+    Advice advice = advice_for(scene, tolerance, [&] {
         watch.look();
         pause();
     });
+    print_warnings(uncounted_closures(scene));
+    return advice;
 }
 
 }  // namespace

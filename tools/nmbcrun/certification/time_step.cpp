@@ -40,11 +40,6 @@ void shorten(AutomaticStep& step, double cfl, std::string limit) {
     }
 }
 
-/// Whether modes beside such an end can be faster than the interior's.
-bool may_shorten_steps(BoundaryKind kind) {
-    return is_surface(kind) && kind != BoundaryKind::mirror && kind != BoundaryKind::node_mirror;
-}
-
 /// Of the fastest mode beside a true end, or of the interior: omega_max over its frequency.
 double surface_cfl(const Scene& scene, const Boundary& boundary, const nmbc::Lattice& lattice) {
     constexpr double rounding = 1e-9;  // of the largest eigenvalue
@@ -84,7 +79,7 @@ AutomaticStep with_their_like(const Scene& scene, const nmbc::Lattice& lattice,
         if (boundary->kind == BoundaryKind::passive) {
             shorten(step, DesignedEnd::largest_cfl, "what passive ends are designed for");
         }
-        if (may_shorten_steps(boundary->kind)) {
+        if (is_closure(boundary->kind)) {
             shorten(step, boundary == &scene.left ? surfaces.left : surfaces.right,
                     boundary->kind == BoundaryKind::snm
                         ? "what a surface node allows"
@@ -175,8 +170,8 @@ void require_matched(const Scene& scene, double time_step) {
 
 SurfaceLimits surface_limits(const Scene& scene, const nmbc::Lattice& lattice) {
     const auto limit = [&](const Boundary& boundary) {
-        return may_shorten_steps(boundary.kind) ? surface_cfl(scene, boundary, lattice)
-                                                : nmbc::interior_cfl(lattice);
+        return is_closure(boundary.kind) ? surface_cfl(scene, boundary, lattice)
+                                         : nmbc::interior_cfl(lattice);
     };
     const double left = limit(scene.left);
     return {left, scene.left == scene.right ? left : limit(scene.right)};

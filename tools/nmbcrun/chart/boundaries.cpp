@@ -11,11 +11,13 @@ namespace {
 
 std::vector<NamedBoundary> closures_of(const Scene& scene) {
     std::vector<BoundaryKind> kinds{BoundaryKind::mirror, BoundaryKind::node_mirror};
-    if (!is_damped(scene)) {
-        const bool has_strains = scene.family.starts_with("nopd");
-        kinds.push_back(BoundaryKind::cut);
-        kinds.push_back(BoundaryKind::sbp);
-        kinds.push_back(has_strains ? BoundaryKind::kernel : BoundaryKind::snm);
+    const bool has_strains = scene.family.starts_with("nopd");
+    kinds.push_back(BoundaryKind::cut);
+    kinds.push_back(BoundaryKind::sbp);
+    if (has_strains) {
+        kinds.push_back(BoundaryKind::kernel);
+    } else if (!is_damped(scene)) {
+        kinds.push_back(BoundaryKind::snm);
     }
     std::vector<NamedBoundary> all;
     all.reserve(kinds.size());

@@ -111,6 +111,10 @@ bool is_surface(BoundaryKind kind) {
            surfaces.end();
 }
 
+bool is_closure(BoundaryKind kind) {
+    return is_surface(kind) && kind != BoundaryKind::mirror && kind != BoundaryKind::node_mirror;
+}
+
 bool is_free(const Boundary& boundary) {
     return boundary.kind == BoundaryKind::free ||
            (boundary.kind == BoundaryKind::mirror && boundary.given == nmbc::OnSurface::traction);

@@ -75,6 +75,10 @@ bool is_physical(BoundaryKind kind);
 /// Whether it is a surface with something given on it.
 bool is_surface(BoundaryKind kind);
 
+/// Whether it is a surface and no mirror: its closure errs on its own lattice, and may oscillate
+/// faster than the interior.
+bool is_closure(BoundaryKind kind);
+
 /// Whether it sends waves back as a free end does: that, or a mirror between nodes under a
 /// traction, whichever that is.
 bool is_free(const Boundary& boundary);
