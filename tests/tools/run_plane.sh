@@ -404,6 +404,69 @@ for signal in TERM KILL; do
 done
 rm -r whole
 
+# What else is in the folder of snapshots stays there; where it is in their way nothing is lost.
+beside=("$scene" --quiet --set 'domain.nodes=[30, 24]' --set 'initial.centre=[15, 12]' --set initial.width=6 --set time.end=2
+    --set output.snapshots=5)
+for format in vtk hdf5; do
+    try run "${beside[@]}" --set output.format=$format --out whole
+    expect_exit 0
+    cp -r whole again
+    mkdir again/plane_pulse_snapshots/views whole/plane_pulse_snapshots/views
+    echo "a view" | tee again/plane_pulse_snapshots/view.pvsm again/plane_pulse_snapshots/views/1 \
+        whole/plane_pulse_snapshots/view.pvsm >whole/plane_pulse_snapshots/views/1
+    try run "${beside[@]}" --set output.format=$format --out again
+    expect_exit 0
+    expect "$format: all of it beside the snapshots" diff -r whole again
+    first=$(echo again/plane_pulse_snapshots/000000000.*)
+    rm "$first"
+    mkdir "$first"
+    touch "$first/kept"
+    try run "${beside[@]}" --set output.format=$format --out again
+    expect_exit 5
+    expect_stderr "$first is in the way of again/plane_pulse_snapshots.new-"
+    expect_stderr "--resume goes on from again/plane_pulse.checkpoint"
+    expect "it stays" test -e "$first/kept" -a -e again/plane_pulse_snapshots/view.pvsm
+    rm -r "$first"
+    try run "${beside[@]}" --set output.format=$format --out again --resume
+    expect_exit 0
+    expect "$format: all of it beside the snapshots" diff -r whole again
+    # A run whose checkpoint was kept takes its snapshots back from there.
+    try run "${beside[@]}" --set output.format=$format --out again --keep-checkpoint
+    expect_exit 0
+    try run "${beside[@]}" --set output.format=$format --out again --resume
+    expect_exit 0
+    expect "$format: all of it beside the snapshots" diff -r whole again
+    rm -r whole again
+done
+# A link to another folder of theirs goes, what it leads to stays but for snapshots.
+try run "${beside[@]}" --out linked
+expect_exit 0
+mv linked/plane_pulse_snapshots elsewhere
+touch elsewhere/view.pvsm
+ln -s ../elsewhere linked/plane_pulse_snapshots
+try run "${beside[@]}" --out linked
+expect_exit 0
+expect "no link" test ! -L linked/plane_pulse_snapshots -a -s linked/plane_pulse_snapshots/000000000.vti
+expect "its file alone" test "$(ls elsewhere)" = view.pvsm
+# A file where that folder would be.
+rm -r linked/plane_pulse_snapshots elsewhere
+touch linked/plane_pulse_snapshots
+try run "${beside[@]}" --out linked
+expect_exit 5
+expect_stderr "cannot write linked/plane_pulse_snapshots: Not a directory. --resume goes on from linked/plane_pulse.checkpoint"
+rm linked/plane_pulse_snapshots
+try run "${beside[@]}" --out linked --resume
+expect_exit 0
+expect "its snapshots" test -s linked/plane_pulse_snapshots/000000000.vti
+# No run fails of what it cannot remove of others, neither on its way nor at its end.
+mkdir -p linked/plane_pulse_snapshots.new-1/000000000.vti/views
+touch linked/plane_pulse_snapshots.new-1/000000005.vti
+try run "${beside[@]}" --out linked --set output.checkpoint=1e-9
+expect_exit 0
+expect_no_stderr
+expect "what is no snapshot alone" test "$(ls linked/plane_pulse_snapshots.new-1)" = 000000000.vti
+rm -r linked
+
 # The energies so far can be read; what a run reads it does not replace, nor what is not its own.
 mkdir scenes
 cp "$scene" scenes/pushed.toml

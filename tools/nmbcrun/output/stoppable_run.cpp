@@ -136,8 +136,8 @@ void StoppableRun::store() {
     all.push_back({highlights.peak, highlights.driven_peak, highlights.drift});
     save_checkpoint(checkpoint_, {identity_, steps(), std::move(all), journals});
     files().keep(true);
-    files().remove_leftovers();
     is_stored_ = true;
+    files().remove_leftovers();
 }
 
 void StoppableRun::clean_up() {

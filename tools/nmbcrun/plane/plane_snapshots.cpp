@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "generator/support/files.hpp"
@@ -16,34 +18,96 @@ namespace {
 constexpr std::array<std::string_view, 5> endings{".pvd", ".xdmf", ".h5", "_field.vti",
                                                   "_field.h5"};
 
-bool is_snapshot(const std::string& name) {
-    constexpr std::size_t digits = 9;
-    const std::size_t dot = name.find_first_not_of("0123456789");
-    return dot != std::string::npos && dot >= digits &&
-           (name.substr(dot) == ".vti" || name.substr(dot) == ".h5");
-}
-
-/// Of a folder that has snapshots what a killed process has left unfinished; the others, too, if
-/// they are to go; and nothing else in it.
-void clear(const std::filesystem::path& folder, bool of_snapshots) {
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
-        const std::size_t unfinished = name.find(".new-");
-        if (is_snapshot(name.substr(0, unfinished)) &&
-            (of_snapshots || unfinished != std::string::npos)) {
-            std::filesystem::remove(entry.path());
-        }
+/// Throws FileError where there is an error: that one cannot do this with the file.
+void require_done(std::error_code error, std::string_view what, const std::filesystem::path& path) {
+    if (error) {
+        throw nmbcgen::FileError(
+            fmt::format("cannot {} {}: {}", what, path.string(), error.message()));
     }
 }
 
-/// With its folder, where nothing else is in that.
-void remove_snapshots(const std::filesystem::path& folder) {
-    if (!std::filesystem::is_directory(folder)) {
+/// What its name says of a file of a folder of snapshots.
+struct SnapshotFile {
+    bool is_whole = true;  // otherwise a killed process has left it unfinished
+};
+
+/// Nothing for a folder, and for what has another name than snapshots of any format.
+std::optional<SnapshotFile> snapshot_file(const std::filesystem::directory_entry& entry) {
+    constexpr std::size_t digits = 9;
+    const std::string name = entry.path().filename().string();
+    const std::string whole = name.substr(0, name.find(".new-"));
+    const std::size_t dot = whole.find_first_not_of("0123456789");
+    std::error_code ignored;
+    if (dot == std::string::npos || dot < digits ||
+        (whole.substr(dot) != ".vti" && whole.substr(dot) != ".h5") ||
+        entry.is_directory(ignored)) {
+        return std::nullopt;
+    }
+    return SnapshotFile{.is_whole = whole == name};
+}
+
+bool is_folder(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(path, ignored);
+}
+
+/// Removes of the snapshots in a folder, which may be missing, those that are to go, and nothing
+/// else in it. Gives why one of them is still there.
+template <class IsToGo>
+std::error_code clear(const std::filesystem::path& folder, IsToGo is_to_go) {
+    std::error_code problem;
+    if (!is_folder(folder)) {
+        return problem;
+    }
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const auto file = snapshot_file(*entry);
+        std::error_code stays;
+        if (file && is_to_go(*file)) {
+            std::filesystem::remove(entry->path(), stays);
+        }
+        problem = stays ? stays : problem;
+    }
+    return error ? error : problem;
+}
+
+/// With their folder, where nothing else is in that.
+std::error_code remove_snapshots(const std::filesystem::path& folder) {
+    const std::error_code problem = clear(folder, [](const SnapshotFile&) { return true; });
+    if (is_folder(folder)) {
+        std::error_code not_empty;
+        std::filesystem::remove(folder, not_empty);
+    }
+    return problem;
+}
+
+/// Moves what else is in a folder of snapshots into another one. What a link leads to stays there.
+/// Throws FileError, before it moves anything where something is in the way.
+void move_others(const std::filesystem::path& from, const std::filesystem::path& to) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(std::filesystem::symlink_status(from, error))) {
         return;
     }
-    clear(folder, true);
-    std::error_code not_empty;
-    std::filesystem::remove(folder, not_empty);
+    std::vector<std::filesystem::path> others;
+    for (std::filesystem::directory_iterator entry(from, error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (snapshot_file(*entry)) {
+            continue;
+        }
+        std::error_code ignored;
+        const std::filesystem::path there = to / entry->path().filename();
+        if (std::filesystem::exists(std::filesystem::symlink_status(there, ignored))) {
+            throw nmbcgen::FileError(
+                fmt::format("{} is in the way of {}", entry->path().string(), there.string()));
+        }
+        others.push_back(entry->path());
+    }
+    require_done(error, "read", from);
+    for (const std::filesystem::path& other : others) {
+        std::filesystem::rename(other, to / other.filename(), error);
+        require_done(error, "move", other);
+    }
 }
 
 }  // namespace
@@ -73,34 +137,31 @@ PlaneSnapshots::PlaneSnapshots(const PlaneScene& scene, std::filesystem::path fo
 
 PlaneSnapshots::~PlaneSnapshots() {
     if (!is_kept_) {
-        try {
-            remove_snapshots(growing());
-        } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): it stays then
-        }
+        remove_snapshots(growing());
     }
 }
 
 void PlaneSnapshots::begin(std::size_t step, double time_step, double bytes) {
     if (step == 0) {
         is_kept_ = false;
-        remove_snapshots(growing());
+        require_done(remove_snapshots(growing()), "clear", growing());
         return;
     }
     for (std::size_t at = 0; every_ > 0 && at <= step; at += every_) {
         snapshots_.push_back({double(at) * time_step, file_of(at)});
     }
     const std::string problem = what_lacks(growing(), bytes);
-    if (problem.empty()) {
-        if (std::filesystem::is_directory(growing())) {
-            clear(growing(), false);
+    if (!problem.empty()) {
+        const std::filesystem::path published = path("_snapshots");
+        if (is_folder(growing()) || !what_lacks(published, bytes).empty()) {
+            throw nmbcgen::FileError(problem + ": the run cannot go on from its checkpoint");
         }
-        return;
+        std::error_code error;
+        std::filesystem::rename(published, growing(), error);
+        require_done(error, "move", published);
     }
-    const std::filesystem::path published = path("_snapshots");
-    if (std::filesystem::exists(growing()) || !what_lacks(published, bytes).empty()) {
-        throw nmbcgen::FileError(problem + ": the run cannot go on from its checkpoint");
-    }
-    std::filesystem::rename(published, growing());
+    require_done(clear(growing(), [](const SnapshotFile& file) { return !file.is_whole; }), "clear",
+                 growing());
 }
 
 void PlaneSnapshots::remove_leftovers() const {
@@ -148,12 +209,21 @@ void PlaneSnapshots::take(const PlaneSimulation& simulation) {
 }
 
 void PlaneSnapshots::publish(const PlaneSimulation& simulation, bool at_end) {
-    remove_snapshots(path("_snapshots"));
+    // What else is in the folder of the earlier ones goes with the folder of these: at any time one
+    // of both folders has all of these, from which a run can go on.
+    const std::filesystem::path published = path("_snapshots");
+    std::error_code error;
+    if (!snapshots_.empty()) {
+        move_others(published, growing());
+    }
+    require_done(remove_snapshots(published), "clear", published);
     for (const std::string_view ending : endings) {
-        std::filesystem::remove(path(ending));
+        std::filesystem::remove(path(ending), error);
+        require_done(error, "remove", path(ending));
     }
     if (!snapshots_.empty()) {
-        std::filesystem::rename(growing(), path("_snapshots"));
+        std::filesystem::rename(growing(), published, error);
+        require_done(error, "write", published);
         write_series(simulation, folder_, snapshots_);
     }
     if (at_end && has_field_) {

@@ -12,7 +12,8 @@ namespace nmbcrun {
 
 /// FOLDER/NAME_snapshots/T.vti or .h5, T the step, and what opens them (write_series);
 /// NAME_field.vti or .h5, the end. Snapshots wait for their run's end in a folder of its own,
-/// NAME_snapshots.new-PROCESS. Every member throws FileError.
+/// NAME_snapshots.new-PROCESS. What else is in NAME_snapshots stays there. Every member throws
+/// FileError.
 class PlaneSnapshots {
   public:
     /// What a run of the scene replaces or removes: files, and the folder of snapshots.
@@ -37,7 +38,8 @@ class PlaneSnapshots {
 
     void take(const PlaneSimulation& simulation);
     void keep(bool kept) { is_kept_ = kept; }
-    /// Removes what other runs of this name have left in their folders.
+    /// Removes what other runs of this name have left in their folders, as far as it can: a run
+    /// does not fail of it.
     void remove_leftovers() const;
     /// In the place of what an earlier run of this name has left; at_end: the field, too.
     void publish(const PlaneSimulation& simulation, bool at_end);
