@@ -390,6 +390,22 @@ for signal in TERM KILL; do
     kill -$signal $running
     wait $running 2>/dev/null || true
     expect "$signal: stopped on the way" test -e stopped/plane_pulse.checkpoint
+    if [ $signal = KILL ]; then  # again, behind a snapshot that the checkpoint knows nothing of and an earlier end has not
+        "$program" run "$scene" --resume --out stopped "${common[@]}" --set output.checkpoint=1e9 >"$scratch/stdout" 2>&1 &
+        running=$!
+        until compgen -G 'stopped/plane_pulse_snapshots.new-*/000000600.h5' >/dev/null || ! kill -0 $running 2>/dev/null; do
+            sleep 0.01
+        done
+        kill -KILL $running
+        wait $running 2>/dev/null || true
+        cp -r stopped earlier
+        try run "$scene" --resume --out earlier "${common[@]}" --set time.end=23.94
+        expect_exit 0
+        try run "$scene" --out alone "${common[@]}" --set time.end=23.94
+        expect_exit 0
+        expect "no snapshots beyond its end" diff -r alone earlier
+        rm -r alone earlier
+    fi
     "$program" run "$scene" "${common[@]}" --out stopped --set model.G=0.5 --set time.end=4000 --set output.checkpoint=1e9 \
         >"$scratch/stdout" 2>&1 &
     running=$!

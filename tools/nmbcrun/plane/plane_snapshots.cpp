@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <charconv>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -28,22 +30,25 @@ void require_done(std::error_code error, std::string_view what, const std::files
 
 /// What its name says of a file of a folder of snapshots.
 struct SnapshotFile {
+    std::size_t step = 0;
     bool is_whole = true;  // otherwise a killed process has left it unfinished
 };
 
 /// Nothing for a folder, and for what has another name than snapshots of any format.
 std::optional<SnapshotFile> snapshot_file(const std::filesystem::directory_entry& entry) {
-    constexpr std::size_t digits = 9;
+    constexpr std::ptrdiff_t digits = 9;
     const std::string name = entry.path().filename().string();
     const std::string whole = name.substr(0, name.find(".new-"));
-    const std::size_t dot = whole.find_first_not_of("0123456789");
+    const char* const end = whole.data() + whole.size();
+    std::size_t step = 0;
+    const auto [dot, error] = std::from_chars(whole.data(), end, step);
+    const std::string_view ending(dot, std::size_t(end - dot));
     std::error_code ignored;
-    if (dot == std::string::npos || dot < digits ||
-        (whole.substr(dot) != ".vti" && whole.substr(dot) != ".h5") ||
-        entry.is_directory(ignored)) {
+    if (error != std::errc() || dot - whole.data() < digits ||
+        (ending != ".vti" && ending != ".h5") || entry.is_directory(ignored)) {
         return std::nullopt;
     }
-    return SnapshotFile{.is_whole = whole == name};
+    return SnapshotFile{.step = step, .is_whole = whole == name};
 }
 
 bool is_folder(const std::filesystem::path& path) {
@@ -160,8 +165,11 @@ void PlaneSnapshots::begin(std::size_t step, double time_step, double bytes) {
         std::filesystem::rename(published, growing(), error);
         require_done(error, "move", published);
     }
-    require_done(clear(growing(), [](const SnapshotFile& file) { return !file.is_whole; }), "clear",
-                 growing());
+    // A killed process has gone on behind its last checkpoint, this run may end before that place.
+    const auto is_behind = [&](const SnapshotFile& file) {
+        return !file.is_whole || file.step > step;
+    };
+    require_done(clear(growing(), is_behind), "clear", growing());
 }
 
 void PlaneSnapshots::remove_leftovers() const {

@@ -32,8 +32,8 @@ class PlaneSnapshots {
     PlaneSnapshots& operator=(PlaneSnapshots&&) = delete;
 
     /// With those that this run has left up to this step, which stay whatever becomes of it, or
-    /// were published when it was stopped; at step 0 anew. bytes: that a snapshot has at least.
-    /// Throws FileError where one is missing or shorter.
+    /// were published when it was stopped; later ones go; at step 0 anew. bytes: that a snapshot
+    /// has at least. Throws FileError where one is missing or shorter.
     void begin(std::size_t step, double time_step, double bytes);
 
     void take(const PlaneSimulation& simulation);
