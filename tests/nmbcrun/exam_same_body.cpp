@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -69,6 +70,19 @@ double momentum(const PlaneSimulation& simulation, std::size_t component) {
         }
     }
     return sum;
+}
+
+/// Of the body, so fast along x.
+std::size_t nodes_moved(const PlaneSimulation& simulation, double speed) {
+    const PlaneBody body = simulation.body();
+    std::size_t found = 0;
+    for (std::size_t y = 0; y < body.nodes[1]; ++y) {
+        for (std::size_t x = 0; x < body.nodes[0]; ++x) {
+            found += std::size_t(simulation.plane().velocity(0)[simulation.entry_of_body(x, y)] ==
+                                 speed);
+        }
+    }
+    return found;
 }
 
 std::string on_rectangle(const char* centre, const char* half_width) {
@@ -141,16 +155,40 @@ TEST_CASE("a field begins in the same places of the body") {
 }
 
 TEST_CASE("what is moved is moved from the outermost node to the outermost") {
-    const std::string moved =
-        "[load.pull]\nkind = 'velocity'\ncomponent = 'x'\namplitude = 3\ncentre = [6, "
-        "4]\nhalf_width = [1, 0.5]\n";
-    Bodies bodies = bodies_of(pairs[0], moved);
-    bodies.other.advance(1);
-    std::size_t found = 0;
-    for (const double v : bodies.other.plane().velocity(0)) {
-        found += std::size_t(v == 3);
+    struct Rectangle {
+        const char* centre;
+        const char* half_width;
+        std::array<std::size_t, 2> nodes;  // of the original
+    };
+    for (const Rectangle& rectangle :
+         {Rectangle{"[6, 4]", "[1, 0.5]", {5, 3}}, Rectangle{"[0.5, 0.5]", "[1, 0.5]", {3, 2}},
+          Rectangle{"[12, 9]", "[1, 0.5]", {3, 2}}}) {
+        for (const Pair& pair : pairs) {
+            CAPTURE(rectangle.centre);
+            CAPTURE(pair.x);
+            CAPTURE(pair.y);
+            CAPTURE(pair.ratio);
+            if (pair.ratio == 1) {  // all nodes lie midway
+                continue;
+            }
+            Bodies bodies = bodies_of(
+                pair, fmt::format("[load.pull]\nkind = 'velocity'\ncomponent = 'x'\namplitude = "
+                                  "3\ncentre = {}\nhalf_width = {}\n",
+                                  rectangle.centre, rectangle.half_width));
+            bodies.other.advance(1);
+            const auto finer = [&](std::size_t nodes) { return pair.ratio * (nodes - 1) + 1; };
+            CHECK(nodes_moved(bodies.other, 3) ==
+                  finer(rectangle.nodes[0]) * finer(rectangle.nodes[1]));
+        }
     }
-    CHECK(found == 9 * 5);  // of 5 x 3 nodes
+}
+
+TEST_CASE("between periodic sides all is moved that lies between nodes that are") {
+    Bodies bodies = bodies_of({"periodic", "mirror", "periodic", "mirror", 3},
+                              "[load.pull]\nkind = 'velocity'\ncomponent = 'x'\namplitude = "
+                              "3\ncentre = [6, 9]\nhalf_width = [20, 0]\n");
+    bodies.other.advance(1);
+    CHECK(nodes_moved(bodies.other, 3) == std::size_t{3} * 24);
 }
 
 TEST_CASE("a packet is one of the same length on a finer lattice") {

@@ -19,7 +19,7 @@ struct SameBody {
 /// sides, dX/2 beyond them at mirrors and free sides, up to the first ghosts of fixed ones. A force
 /// goes over linearly from one node of the original to the next, so that it is as large in all, but
 /// for volumes of closed sides that are others; what is moved is moved from the outermost of its
-/// nodes to the outermost.
+/// nodes to the outermost, and not beyond, up to a mirror.
 /// Throws SceneError where no such lattice fits the body or the scene asks for what depends on its
 /// own lattice, and as sides_of() does.
 SameBody same_body(const PlaneSimulation& original, const std::array<PlaneSideChoice, 4>& sides,

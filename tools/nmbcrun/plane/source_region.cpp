@@ -20,7 +20,7 @@ std::vector<std::size_t> PickedNodes::whole(const std::string& table) const {
     constexpr double roundings = 1e-9;
     std::vector<std::size_t> of_all;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (shares[i] > 1 - roundings) {
+        if (shares[i] > 1 - roundings && between[i]) {
             of_all.push_back(entries[i]);
         }
     }
@@ -96,10 +96,11 @@ PickedNodes SourceRegion::picked(const std::vector<bool>& chosen) const {
     PickedNodes found;
     if (own_.original) {
         const PlaneBody body = body_of(own_, plane_.layers());
-        for (const auto& [x, y, share] : shares_of(own_, body, chosen)) {
+        for (const auto& [x, y, share, is_between] : shares_of(own_, body, chosen)) {
             found.entries.push_back(
                 plane_.entry(std::size_t(x) + extension_[0], std::size_t(y) + extension_[1]));
             found.shares.push_back(share);
+            found.between.push_back(is_between);
         }
         return found;
     }

@@ -16,9 +16,11 @@ namespace nmbcrun {
 struct PickedNodes {
     std::vector<std::size_t> entries{};
     std::vector<double> shares{};  ///< what they have of a force; none: all of it
+    std::vector<bool> between{};   ///< NodeShare::is_between; none: all of them
 
-    /// Those that have all of it: what gives a course to nodes gives it to these. Throws SceneError
-    /// naming the table where there are none.
+    /// Those that have all of it and lie between the nodes chosen: what gives a course to nodes
+    /// gives it to these. Beyond them, up to a mirror, a course would hold what is free to move.
+    /// Throws SceneError naming the table where there are none.
     std::vector<std::size_t> whole(const std::string& table) const;
 };
 

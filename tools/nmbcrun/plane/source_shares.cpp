@@ -12,21 +12,23 @@ namespace {
 struct Neighbour {
     std::size_t node = 0;  ///< of the original
     double weight = 0;
+    bool is_beyond = false;  ///< its sides, and stood for by another one
 };
 
 /// The node of the original that stands for such a one, which may be beyond its sides.
-std::optional<std::size_t> node_of(const PlaneScene& original, std::size_t axis,
-                                   std::ptrdiff_t node) {
+std::optional<Neighbour> neighbour(const PlaneScene& original, std::size_t axis,
+                                   std::ptrdiff_t node, double weight) {
     const auto nodes = std::ptrdiff_t(original.nodes[axis]);
     if (node >= 0 && node < nodes) {
-        return std::size_t(node);
+        return Neighbour{std::size_t(node), weight};
     }
     switch (original.sides[2 * axis + (node < 0 ? 0 : 1)].kind) {
         case SideKind::periodic:
-            return std::size_t((node + nodes) % nodes);
+            return Neighbour{std::size_t((node + nodes) % nodes), weight};
         case SideKind::free:  // half a cell more belongs to the outermost node
         case SideKind::mirror:
-            return std::size_t(std::clamp<std::ptrdiff_t>(node, 0, nodes - 1));
+            return Neighbour{std::size_t(std::clamp<std::ptrdiff_t>(node, 0, nodes - 1)), weight,
+                             true};
         default:
             return std::nullopt;
     }
@@ -41,9 +43,9 @@ std::vector<Neighbour> neighbours_of(const PlaneScene& scene, std::size_t axis,
     const double above = place - low > roundings ? place - low : 0;
     std::vector<Neighbour> neighbours;
     for (const auto& [at, weight] : {std::pair(low, 1 - above), std::pair(low + 1, above)}) {
-        const auto found = node_of(*from.scene, axis, std::ptrdiff_t(at));
+        const auto found = neighbour(*from.scene, axis, std::ptrdiff_t(at), weight);
         if (found && weight > 0) {
-            neighbours.push_back({*found, weight});
+            neighbours.push_back(*found);
         }
     }
     return neighbours;
@@ -67,14 +69,16 @@ std::vector<NodeShare> shares_of(const PlaneScene& scene, const PlaneBody& body,
     for (std::size_t y = 0; y < body.nodes[1]; ++y) {
         for (std::size_t x = 0; x < body.nodes[0]; ++x) {
             double share = 0;
+            bool is_between = true;
             for (const Neighbour& above : neighbours[1][y]) {
                 for (const Neighbour& beside : neighbours[0][x]) {
                     share +=
                         chosen[above.node * row + beside.node] ? above.weight * beside.weight : 0;
+                    is_between = is_between && !above.is_beyond && !beside.is_beyond;
                 }
             }
             if (share > 0) {
-                shares.push_back({place(0, x), place(1, y), share});
+                shares.push_back({place(0, x), place(1, y), share, is_between});
             }
         }
     }

@@ -13,7 +13,8 @@ namespace nmbcrun {
 struct NodeShare {
     std::ptrdiff_t x = 0;
     std::ptrdiff_t y = 0;
-    double share = 0;  ///< above 0, up to 1
+    double share = 0;         ///< above 0, up to 1
+    bool is_between = false;  ///< the original's nodes, and not beyond the outermost ones
 };
 
 /// Of the nodes of a scene with an original: 1 on the chosen nodes of the original, row by row, 0
