@@ -624,7 +624,9 @@ for bad in P P:90 Q:3 P:-1 P:nan; do
     setting 2 "has \"$bad\": a wave is P or S and the angle" boundary.kind=higdon "boundary.absorb=[\"$bad\"]"
 done
 setting 2 'boundary.absorb does not count for kind "passive"' 'boundary.absorb=["P:3"]'
-setting 4 "between these sides steps below" time.step=1
+setting 4 "between these sides steps up to" time.step=1
+setting 4 ". Give time.step = 0." time.step=1
+setting 4 ". Give time.cfl = 0." time.cfl=2
 setting 2 "both step and cfl" time.step=0.01 time.cfl=0.1
 setting 2 "steps; at most 1e15" time.end=1e300
 setting 2 "at most 100000000 are allowed" boundary.kind=extended time.end=1e6

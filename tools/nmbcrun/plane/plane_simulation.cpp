@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "generator/exact/rounded_text.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/plane/plane_initial.hpp"
 #include "tools/nmbcrun/plane/plane_sides.hpp"
@@ -128,10 +129,14 @@ PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
     plan.cfl = plan.time_step / interior;
     plan.of_stable = plan.time_step / stable;
     if (!(plan.of_stable < 1)) {
+        constexpr double below = 1 - 1e-9;  // the limit itself is not stable
+        const std::string longest = nmbcgen::rounded_down(below * stable, 6);
+        const std::string largest = nmbcgen::rounded_down(below * stable / interior, 3);
         throw Unstable(fmt::format(
-            "steps of {:.6g} (cfl = {:.3g}) are too long: between these sides steps below {:.6g} "
-            "(cfl = {:.3g}) are stable",
-            plan.time_step, plan.cfl, stable, stable / interior));
+            "steps of {:.6g} (cfl = {:.3g}) are too long: between these sides steps up to {} (cfl "
+            "= {}) are stable. Give time.{} or less",
+            plan.time_step, plan.cfl, longest, largest,
+            scene.step ? "step = " + longest : "cfl = " + largest));
     }
     plan.steps = steps_until(scene.end, plan.time_step);
     return plan;
