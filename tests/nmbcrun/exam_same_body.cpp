@@ -52,7 +52,7 @@ struct Bodies {
 Bodies bodies_of(const Pair& pair, const std::string& source) {
     PlaneSimulation original(between(pair.x, pair.y, source));
     const auto sides = between(pair.finer_x, pair.finer_y, source).sides;
-    SameBody same = same_body(original, sides, pair.ratio);
+    SameBody same = same_body(original.scene(), original.plane().sides(), sides, pair.ratio);
     same.scene.step = original.plan().time_step / double(pair.ratio);
     PlaneSimulation other(same.scene, same.sides);
     return {std::move(original), std::move(other)};
@@ -201,7 +201,7 @@ TEST_CASE("a body that no nodes fill is refused") {
     auto sides = original.scene().sides;
     sides[0] = {.kind = SideKind::free};
     CHECK_THROWS_WITH_AS(
-        same_body(original, sides, 1),
+        same_body(original.scene(), original.plane().sides(), sides, 1),
         "the body is 33 dX long along x, which nodes 0.5 apart do not fill between "
         "sides of the kinds free and sbp",
         SceneError);

@@ -166,6 +166,24 @@ load=(--set load.top.side=top --set load.top.component=y --set load.top.amplitud
 refuses 2 "load.top acts on a thinner line of nodes" verify body.toml --tolerance 1 "${load[@]}" --set load.top.kind=force
 refuses 2 'side of kind "mirror" are others than those that load.top moves' verify body.toml --tolerance 1 "${load[@]}" \
     --set load.top.kind=displacement --set boundary.top.kind=mirror
+refuses 2 "--finer compares with a finer lattice, and there is none of a scene with a table fracture" verify bonds.toml \
+    --tolerance 1 --finer --set boundary.kind=extended --set fracture.critical_stretch=1
+refuses 2 "too thin for the reference, whose sbp sides have 5 lines each" verify body.toml --tolerance 1 \
+    --set boundary.kind=free --set 'domain.nodes=[3, 3]' --set 'initial.centre=[2, 2]'
+for command in "verify body.toml --tolerance 1" "chart body.toml --out refused"; do
+    read -ra words <<<"$command"
+    refuses 2 "the reference, the same body on nodes dX/2 apart, has 1.44e+08 nodes; at most" "${words[@]}" \
+        --set boundary.kind=free --set 'domain.nodes=[9000, 4000]'
+done
+# Steps that are too long: the one that is named is stable, and a hundredth more is not.
+for key in step cfl; do
+    try verify body.toml --tolerance 1 --set time.$key=3
+    expect_exit 4
+    longest=$(sed -n "s/.* Give time.$key = \(.*\) or less$/\1/p" "$scratch/stderr")
+    try verify body.toml --tolerance 1 --set time.$key="$longest"
+    expect_exit 0
+    refuses 4 "or less" verify body.toml --tolerance 1 --set time.$key="$(awk -v longest="$longest" 'BEGIN { print longest + 1e-2 }')"
+done
 # Loads on sides have their places on it.
 for kind in traction velocity displacement; do
     try verify body.toml --tolerance 1 --quiet "${load[@]}" --set load.top.kind=$kind

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/plane/finer_run.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "generator/closures/plane_summation_by_parts.hpp"
-#include "tools/nmbcrun/plane/same_body.hpp"
 
 namespace nmbcrun {
 namespace {
 
-/// Free sides beside a mirror stay what they are: half as many dX on, no node would be where one
-/// of the original is.
-bool has_sums_by_parts(const PlaneScene& scene) {
-    return !scene.is_bond_based() &&
+/// Whether a side of the scene is closed by sums by parts on a finer lattice. Where a mirror is
+/// about, free ones stay what they are: nodes are dX/3 apart then, and from a surface that is dX/2
+/// beyond the original's nodes none would be where these are.
+bool is_closed_by_parts(const PlaneScene& scene, SideKind kind) {
+    return ends_body(kind) && !scene.is_bond_based() &&
            scene.radius_squared <= nmbcgen::largest_closed_radius_squared &&
-           !(scene.has(SideKind::free) && scene.has(SideKind::mirror));
+           !(kind == SideKind::free && scene.has(SideKind::mirror));
 }
 
 }  // namespace
@@ -31,18 +29,20 @@ std::array<PlaneSideChoice, 4> without_artificial(std::array<PlaneSideChoice, 4>
     return sides;
 }
 
-ReferenceRun finer_run(const PlaneSimulation& of, double time_step) {
-    auto sides = without_artificial(of.scene().sides);
-    const bool by_parts = has_sums_by_parts(of.scene());
+SameBody finer_body(const PlaneScene& scene, const nmbc::PlaneSides& own) {
+    auto sides = without_artificial(scene.sides);
     bool is_midway = false;
     for (PlaneSideChoice& side : sides) {
-        if (by_parts && ends_body(side.kind)) {
+        if (is_closed_by_parts(scene, side.kind)) {
             side = {.kind = SideKind::sbp};
         }
         is_midway = is_midway || side.kind == SideKind::free || side.kind == SideKind::mirror;
     }
-    const std::size_t ratio = is_midway ? 3 : 2;
-    SameBody body = same_body(of, sides, ratio);
+    return same_body(scene, own, sides, is_midway ? 3 : 2);
+}
+
+ReferenceRun finer_run(SameBody body, double time_step) {
+    const std::size_t ratio = body.scene.original->ratio;
     const PlanePlan plan = PlaneSimulation(body.scene, body.sides).plan();
     constexpr double of_stable = 0.95;  // more than a scene's 0.9, as the limit differs with size
     const double allowed = of_stable * plan.time_step / plan.of_stable;

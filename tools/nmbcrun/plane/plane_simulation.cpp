@@ -50,6 +50,30 @@ std::size_t nodes_until_end(const PlaneScene& scene) {
     return std::size_t(std::min(far, double(most_nodes))) + ahead * model.horizon();
 }
 
+/// In words, of so many nodes.
+std::string too_many(const PlaneScene& scene, double nodes) {
+    const bool is_open = has_open_layer(scene);
+    if (scene.original && scene.original->ratio > 1) {
+        return fmt::format(
+            "the reference, the same body on nodes dX/{} apart, has {:.3g} nodes{}; at most {} are "
+            "allowed",
+            scene.original->ratio, nodes,
+            is_open ? fmt::format(", with those in the place of artificial sides until time.end = "
+                                  "{:g}",
+                                  scene.end)
+                    : "",
+            most_nodes);
+    }
+    return fmt::format(
+        "with the layers of its sides the plane has {:.3g} nodes; at most {} are "
+        "allowed{}",
+        nodes, most_nodes,
+        is_open ? fmt::format(". Extended sides have as many as it takes until "
+                              "time.end = {:g}, unless boundary.layer says how many",
+                              scene.end)
+                : "");
+}
+
 std::array<std::size_t, 4> extension_of(const PlaneScene& scene) {
     std::array<std::size_t, 4> layers{};
     const std::size_t enough = has_open_layer(scene) ? nodes_until_end(scene) : 0;
@@ -68,11 +92,7 @@ std::array<std::size_t, 4> extension_of(const PlaneScene& scene) {
     };
     const double nodes = along(0) * along(1);
     if (nodes > double(most_nodes)) {
-        throw SceneError(fmt::format(
-            "with the layers of its sides the plane has {:.3g} nodes; at most {} are allowed. "
-            "Extended sides have as many as it takes until time.end = {:g}, unless boundary.layer "
-            "says how many",
-            nodes, most_nodes, scene.end));
+        throw SceneError(too_many(scene, nodes));
     }
     return layers;
 }
@@ -155,6 +175,10 @@ nmbc::Plane plane_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
 }
 
 }  // namespace
+
+void require_room(const PlaneScene& scene) {
+    extension_of(scene);
+}
 
 PlaneSimulation::PlaneSimulation(const PlaneScene& scene, bool quiet)
     : PlaneSimulation(scene, sides_of(scene, quiet).all) {}

@@ -34,6 +34,10 @@ struct PlaneBalance {
     double drift = 0;
 };
 
+/// Throws SceneError where the plane has more than most_nodes with the layers of its sides and what
+/// extended ones add.
+void require_room(const PlaneScene& scene);
+
 class PlaneSimulation {
   public:
     /// Between sides_of() the scene, quiet or not. Throws as that does, std::invalid_argument as

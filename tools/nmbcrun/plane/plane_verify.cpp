@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
@@ -11,6 +13,7 @@
 #include "tools/nmbcrun/plane/finer_run.hpp"
 #include "tools/nmbcrun/plane/plane_report.hpp"
 #include "tools/nmbcrun/plane/plane_run.hpp"
+#include "tools/nmbcrun/plane/plane_sides.hpp"
 #include "tools/nmbcrun/plane/plane_simulation.hpp"
 #include "tools/nmbcrun/plane/same_body.hpp"
 
@@ -49,10 +52,15 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool finer, bool qu
         finer || std::ranges::none_of(scene.sides, [](const PlaneSideChoice& side) {
             return is_artificial(side.kind);
         });
-    PlaneSimulation simulation(scene, quiet);
+    const nmbc::PlaneSides sides = sides_of(scene, quiet).all;
+    std::optional<SameBody> body;  // before what takes memory
+    if (is_finer) {
+        body = finer_body(scene, sides);
+    }
+    PlaneSimulation simulation(scene, sides);
     const double time_step = simulation.plan().time_step;
     ReferenceRun reference =
-        is_finer ? finer_run(simulation, time_step) : endless_run(scene, time_step, quiet);
+        body ? finer_run(std::move(*body), time_step) : endless_run(scene, time_step, quiet);
     const CommonNodes nodes(simulation, reference.simulation);
     print_warnings(warnings_of(simulation));
     if (!quiet) {

@@ -31,16 +31,22 @@ double beyond(SideKind kind, std::size_t lines, bool is_low) {
 
 /// Throws SceneError of what no other lattice has.
 void require_for_any_lattice(const PlaneScene& scene) {
+    const bool is_asked_for = std::ranges::any_of(
+        scene.sides, [](const PlaneSideChoice& side) { return is_artificial(side.kind); });
+    const char* const compared = is_asked_for ? "--finer compares with a finer lattice"
+                                              : "physical sides are compared with a finer lattice";
     if (scene.fracture) {
-        throw SceneError(
-            "physical sides are compared on a finer lattice, and there is none of a scene with a "
-            "table fracture: where bonds break depends on dX. Compare runs of several "
-            "domain.spacing, or artificial sides");
+        throw SceneError(fmt::format(
+            "{}, and there is none of a scene with a table fracture: where bonds break "
+            "depends on dX. Compare runs of several domain.spacing, or {}",
+            compared,
+            is_asked_for ? "artificial sides alone, without --finer" : "artificial sides"));
     }
     if (scene.initial && scene.initial->shape == PlaneShape::file) {
         throw SceneError(
-            "physical sides are compared on a finer lattice, and initial.file has u at the nodes "
-            "of this one only: take another initial.shape, or start by a force or a load");
+            fmt::format("{}, and initial.file has u at the nodes of this one only: take another "
+                        "initial.shape, or start by a force or a load",
+                        compared));
     }
     for (const PlaneLoad& load : scene.loads) {
         if (!load.side || load.is_traction) {
@@ -49,15 +55,15 @@ void require_for_any_lattice(const PlaneScene& scene) {
         const SideKind beside = scene.sides[*load.side].kind;
         if (load.given == Given::force) {
             throw SceneError(fmt::format(
-                "physical sides are compared on a finer lattice, where {} acts on a thinner line "
-                "of nodes, as a force/volume of a side: take a traction, or a rectangle",
-                load.name));
+                "{}, where {} acts on a thinner line of nodes, as a force/volume of a side: take a "
+                "traction, or a rectangle",
+                compared, load.name));
         }
         if (!ends_body(beside)) {
             throw SceneError(fmt::format(
-                "physical sides are compared on a finer lattice, whose outermost nodes at a side "
-                "of kind \"{}\" are others than those that {} moves: take a rectangle",
-                name_of(beside), load.name));
+                "{}, whose outermost nodes at a side of kind \"{}\" are others than those that {} "
+                "moves: take a rectangle",
+                compared, name_of(beside), load.name));
         }
     }
 }
@@ -76,6 +82,30 @@ std::array<std::size_t, 4> lines_of(const nmbc::PlaneSides& sides, std::size_t h
         lines[i] = nmbc::detail::own_layers(sides.at(nmbc::plane_sides[i])) + horizon;
     }
     return lines;
+}
+
+/// The scene's nodes along an axis where the body is so long [dX of the original] and its sides
+/// take so much of it [dX of the scene]. Throws SceneError where there are no such.
+std::size_t nodes_along(const PlaneScene& scene, std::size_t axis, double length,
+                        const std::array<double, 4>& ends) {
+    const std::size_t low = 2 * axis;
+    const std::size_t high = low + 1;
+    const std::size_t ratio = scene.original->ratio;
+    const double nodes = double(ratio) * length - ends[low] - ends[high] + 1;
+    const std::string body =
+        fmt::format("the body is {:g} dX long along {}", length, axis == 0 ? 'x' : 'y');
+    if (nodes != std::floor(nodes)) {
+        throw SceneError(fmt::format(
+            "{}, which nodes {:g} apart do not fill between sides of the kinds {} and {}", body,
+            scene.spacing, name_of(scene.sides[low].kind), name_of(scene.sides[high].kind)));
+    }
+    if (nodes < 1) {  // so one of them has lines of its own
+        const std::size_t thick = ends[low] > ends[high] ? low : high;
+        throw SceneError(fmt::format("{}, too thin {} {} sides have {:g} lines each", body,
+                                     ratio > 1 ? "for the reference, whose" : "where",
+                                     name_of(scene.sides[thick].kind), ends[thick]));
+    }
+    return std::size_t(nodes);
 }
 
 /// Where the sources act is said in nodes of the original; the field begins in places.
@@ -100,35 +130,28 @@ std::size_t ratio_of(const PlaneScene& scene) {
 
 }  // namespace
 
-SameBody same_body(const PlaneSimulation& original, const std::array<PlaneSideChoice, 4>& sides,
-                   std::size_t ratio) {
-    const PlaneScene& from = original.scene();
-    require_for_any_lattice(from);
-    SameBody same{.scene = from, .sides = {}};
+SameBody same_body(const PlaneScene& original, const nmbc::PlaneSides& own,
+                   const std::array<PlaneSideChoice, 4>& sides, std::size_t ratio) {
+    require_for_any_lattice(original);
+    SameBody same{.scene = original, .sides = {}};
     PlaneScene& scene = same.scene;
     scene.sides = sides;
-    scene.spacing = from.spacing / double(ratio);
+    scene.spacing = original.spacing / double(ratio);
     scene.step.reset();
     scene.cfl.reset();
     scene.probes.clear();
     same.sides = sides_of(scene, true).all;
-    const auto before = ends_of(from, original.plane().layers());
-    const auto after = ends_of(scene, lines_of(same.sides, original.plane().model().horizon()));
-    scene.original = {.scene = std::make_shared<const PlaneScene>(from), .ratio = ratio};
+    const std::size_t horizon = nmbc::horizon_of(original.radius_squared);
+    const auto before = ends_of(original, lines_of(own, horizon));
+    const auto after = ends_of(scene, lines_of(same.sides, horizon));
+    scene.original = {.scene = std::make_shared<const PlaneScene>(original), .ratio = ratio};
     for (const std::size_t axis : {0U, 1U}) {
         const std::size_t low = 2 * axis;
-        const double length = double(from.nodes[axis]) - 1 + before[low] + before[low + 1];
-        const double nodes = double(ratio) * length - after[low] - after[low + 1] + 1;
-        if (nodes != std::floor(nodes) || nodes < 1) {
-            throw SceneError(fmt::format(
-                "the body is {:g} dX long along {}, which nodes {:g} apart do not fill between "
-                "sides of the kinds {} and {}",
-                length, axis == 0 ? 'x' : 'y', scene.spacing, name_of(sides[low].kind),
-                name_of(sides[low + 1].kind)));
-        }
-        scene.nodes[axis] = std::size_t(nodes);
+        const double length = double(original.nodes[axis]) - 1 + before[low] + before[low + 1];
+        scene.nodes[axis] = nodes_along(scene, axis, length, after);
         scene.original->first[axis] = after[low] / double(ratio) - before[low];
     }
+    require_room(scene);
     move_start(scene);
     for (PlaneLoad& load : scene.loads) {
         load.amplitude *= load.is_traction ? double(ratio) : 1;  // of a whole cell

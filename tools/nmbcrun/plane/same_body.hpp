@@ -14,16 +14,16 @@ struct SameBody {
     nmbc::PlaneSides sides;
 };
 
-/// The original's body between such sides, on a lattice of the original's spacing over `ratio` and
-/// of as many neighbours. It lies where the original's does: up to the outermost nodes of closed
-/// sides, dX/2 beyond them at mirrors and free sides, up to the first ghosts of fixed ones. A force
-/// goes over linearly from one node of the original to the next, so that it is as large in all, but
-/// for volumes of closed sides that are others; what is moved is moved from the outermost of its
-/// nodes to the outermost, and not beyond, up to a mirror.
-/// Throws SceneError where no such lattice fits the body or the scene asks for what depends on its
-/// own lattice, and as sides_of() does.
-SameBody same_body(const PlaneSimulation& original, const std::array<PlaneSideChoice, 4>& sides,
-                   std::size_t ratio);
+/// The body of a scene between its own sides, as sides_of() has them, between others instead, on a
+/// lattice of the original's spacing over `ratio` and of as many neighbours. It lies where the
+/// original's does: up to the outermost nodes of closed sides, dX/2 beyond them at mirrors and free
+/// sides, up to the first ghosts of fixed ones. A force goes over linearly from one node of the
+/// original to the next, so that it is as large in all, but for volumes of closed sides that are
+/// others; what is moved is moved from the outermost of its nodes to the outermost, and not beyond,
+/// up to a mirror. Throws SceneError where no such lattice fits the body, it has too many nodes, or
+/// the scene asks for what depends on its own lattice, and as sides_of() does.
+SameBody same_body(const PlaneScene& original, const nmbc::PlaneSides& own,
+                   const std::array<PlaneSideChoice, 4>& sides, std::size_t ratio);
 
 /// The nodes that a simulation's body shares with a body like it on another lattice.
 class CommonNodes {

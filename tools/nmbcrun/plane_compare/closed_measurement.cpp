@@ -9,11 +9,14 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
 #include "tools/nmbcrun/plane/finer_run.hpp"
+#include "tools/nmbcrun/plane/plane_sides.hpp"
 #include "tools/nmbcrun/plane/same_body.hpp"
 #include "tools/nmbcrun/plane_compare/side_trial.hpp"
 #include "tools/nmbcrun/stepping/plane_stepping.hpp"
@@ -71,7 +74,11 @@ struct ClosureTrial {
 class ClosureMeasurement {
   public:
     ClosureMeasurement(const PlaneScene& scene, bool quiet)
-        : quiet_(quiet), points_(closures_of(scene)), original_(scene, quiet) {
+        : quiet_(quiet),
+          points_(closures_of(scene)),
+          sides_(sides_of(scene, quiet).all),
+          finer_(finer_body(scene, sides_)),
+          original_(scene, sides_) {
         trials_.resize(points_.size());
     }
 
@@ -104,6 +111,8 @@ class ClosureMeasurement {
 
     bool quiet_;
     std::vector<SidePoint> points_;
+    nmbc::PlaneSides sides_;  // of the scene
+    SameBody finer_;
     PlaneSimulation original_;
     std::vector<ClosureTrial> trials_{};  // of the points
     double step_ = 0;
@@ -115,7 +124,7 @@ void ClosureMeasurement::find_steps() {
     const bool is_given = original_.scene().step || original_.scene().cfl;
     on_points([&](SidePoint& point, ClosureTrial& trial) {
         const auto sides = closed_by(original_.scene().sides, point.what.side.kind);
-        trial.body = same_body(original_, sides, 1);
+        trial.body = same_body(original_.scene(), sides_, sides, 1);
         const PlanePlan plan = PlaneSimulation(trial.body.scene, trial.body.sides).plan();
         point.longest_step = plan.time_step / plan.of_stable;
         step_ = is_given ? step_ : std::min(step_, plan.time_step);
@@ -123,7 +132,7 @@ void ClosureMeasurement::find_steps() {
 }
 
 void ClosureMeasurement::run_beside_reference() {
-    ReferenceRun reference = finer_run(original_, step_);
+    ReferenceRun reference = finer_run(std::move(finer_), step_);
     on_points([&](SidePoint& point, ClosureTrial& trial) {
         if (!(step_ < point.longest_step)) {
             throw SceneError(
