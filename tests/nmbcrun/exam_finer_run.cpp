@@ -2,7 +2,10 @@
 /// The finer lattice that closed sides are judged by: which sides it has, and what it refuses.
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "tests/nmbcrun/plane_starts.hpp"
 #include "tools/nmbcrun/errors.hpp"
@@ -81,6 +84,19 @@ TEST_CASE("what no finer lattice has is refused in the words of who asked for on
     refuse(scene,
            "--finer compares with a finer lattice, and initial.file has u at the nodes of "
            "this one only: take another initial.shape, or start by a force or a load");
+}
+
+TEST_CASE("a difference that is not a number stays so, whatever node comes next") {
+    const PlaneScene scene = plane_scene_of(nopd2d_of_2 + of_lattice + free_sides + packet);
+    const PlaneSimulation reference(scene);
+    PlaneSimulation simulation(scene);
+    std::vector<std::vector<double>> state = simulation.state();
+    state[0][simulation.entry(3, 5)] = std::numeric_limits<double>::quiet_NaN();
+    simulation.resume(0, state);
+    const auto found = CommonNodes(simulation, reference).between(simulation, reference);
+    CHECK(std::isnan(found.largest));
+    CHECK(found.node[0] == 4);
+    CHECK(found.node[1] == 6);
 }
 
 }  // namespace nmbcrun::test

@@ -184,6 +184,9 @@ for key in step cfl; do
     expect_exit 0
     refuses 4 "or less" verify body.toml --tolerance 1 --set time.$key="$(awk -v longest="$longest" 'BEGIN { print longest + 1e-2 }')"
 done
+# What overflows is told as that.
+refuses 4 "u is not finite at node" verify body.toml --tolerance 1 --quiet "${load[@]}" --set load.top.kind=traction \
+    --set load.top.amplitude=1e300 --set material.density=1e-20 --set material.youngs_modulus=1e-20
 # Loads on sides have their places on it.
 for kind in traction velocity displacement; do
     try verify body.toml --tolerance 1 --quiet "${load[@]}" --set load.top.kind=$kind

@@ -22,7 +22,8 @@ void draw_plane(const PlaneScene& scene, const std::filesystem::path& folder);
 /// Compares the scene with the same one whose artificial sides are so far off that nothing returns,
 /// and prints max |u - u_ref| over max |u_ref|: whether it is within the tolerance. Where no side
 /// is artificial, or `finer` ones are asked for, the reference is finer_run(). Throws as
-/// PlaneSimulation, finer_body() and finer_run() do.
+/// PlaneSimulation, finer_body() and finer_run() do, and Unstable where nothing moves or u is not
+/// finite.
 bool verify_plane(const PlaneScene& scene, double tolerance, bool finer, bool quiet);
 
 }  // namespace nmbcrun

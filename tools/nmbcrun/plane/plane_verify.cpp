@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -35,9 +36,16 @@ struct Comparison {
     std::array<std::ptrdiff_t, 2> where{};  ///< node, from 1
     double when = 0;
 
+    /// Throws Unstable where one of both is not finite.
     void look(const CommonNodes::Difference& now, double time) {
+        if (!std::isfinite(now.largest)) {
+            throw Unstable(
+                fmt::format("u is not finite at node ({}, {}), t = {:.4g}, or that of "
+                            "the reference is not",
+                            now.node[0], now.node[1], time));
+        }
         largest = std::max(largest, now.other);
-        if (!(now.largest <= error)) {
+        if (now.largest > error) {
             error = now.largest;
             where = now.node;
             when = time;

@@ -190,7 +190,8 @@ CommonNodes::Difference CommonNodes::between(const PlaneSimulation& one,
                 const double u = other.plane().displacement(a)[there];
                 const double difference = std::abs(one.plane().displacement(a)[here] - u);
                 found.other = std::max(found.other, std::abs(u));
-                if (!(difference <= found.largest)) {  // or is not a number
+                // Once it is not a number it stays so.
+                if (!(difference <= found.largest) && !std::isnan(found.largest)) {
                     found.largest = difference;
                     found.node = {x + 1, y + 1};
                 }
