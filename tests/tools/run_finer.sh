@@ -211,6 +211,9 @@ try chart body.toml --set boundary.left.kind=mirror --set model.radius2=1 --out 
 expect_exit 0
 expect_stderr "left out: free: the body is"
 refuses 2 "there is none" chart body.toml --set boundary.kind=mirror --out refused
+refuses 2 "no closure of this body can be compared. sbp: the body is 35.5 dX long along x" chart body.toml \
+    --set boundary.right.kind=free --out refused
+refuses 2 "--long-run is for sides that may feed energy in" chart body.toml --long-run 5000 --out refused
 expect "no chart" test ! -e refused
 
 finish

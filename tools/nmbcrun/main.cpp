@@ -88,9 +88,9 @@ nmbcgen::ExitCode plane_command(const std::string& command, nmbcrun::PlaneScene 
                    : does_not_hold;
     }
     if (command == "chart") {
-        nmbcrun::chart_plane(scene, {.folder = arguments.folder,
-                                     .long_run = arguments.long_run.value_or(20'000),
-                                     .quiet = arguments.quiet});
+        nmbcrun::chart_plane(
+            scene,
+            {.folder = arguments.folder, .long_run = arguments.long_run, .quiet = arguments.quiet});
         return done;
     }
     if (command == "advise") {
@@ -195,9 +195,10 @@ int main(int argc, char** argv) {
     chart->add_option("--out", arguments.folder, "folder for the results (default results)")
         ->check(not_empty);
     chart
-        ->add_option("--long-run", arguments.long_run,
-                     "steps that each boundary that could add energy is followed through, for its "
-                     "long-time stability (default 1000000, fewer above 500 nodes)")
+        ->add_option(
+            "--long-run", arguments.long_run,
+            "steps that each boundary that could add energy is followed through, for its "
+            "long-time stability (default 1000000, fewer above 500 nodes; of a plane 20000)")
         ->check(CLI::Range(std::size_t{4000}, std::size_t{1'000'000'000}));
     auto* const advise = add_command(
         "advise", "the smallest model that meets a tolerance (docs/how-to/meet-a-tolerance.md)");

@@ -68,7 +68,6 @@ struct ClosureTrial {
     SameBody body;
     std::optional<PlaneSimulation> simulation{};
     std::optional<CommonNodes> nodes{};
-    double largest = 0;  ///< |u_ref|
 };
 
 class ClosureMeasurement {
@@ -105,6 +104,7 @@ class ClosureMeasurement {
         }
     }
 
+    void require_points() const;
     void find_steps();
     void run_beside_reference();
     void measure_costs();
@@ -118,6 +118,19 @@ class ClosureMeasurement {
     double step_ = 0;
 };
 
+/// Throws SceneError where none is left.
+void ClosureMeasurement::require_points() const {
+    std::vector<std::string> refusals;
+    for (const SidePoint& point : points_) {
+        if (point.refused.empty()) {
+            return;
+        }
+        refusals.push_back(fmt::format("{}: {}", point.what.name, point.refused));
+    }
+    throw SceneError(
+        fmt::format("no closure of this body can be compared. {}", fmt::join(refusals, "; ")));
+}
+
 /// The shortest that any of them takes, unless the scene has its own.
 void ClosureMeasurement::find_steps() {
     step_ = original_.plan().time_step;
@@ -129,6 +142,7 @@ void ClosureMeasurement::find_steps() {
         point.longest_step = plan.time_step / plan.of_stable;
         step_ = is_given ? step_ : std::min(step_, plan.time_step);
     });
+    require_points();
 }
 
 void ClosureMeasurement::run_beside_reference() {
@@ -143,16 +157,18 @@ void ClosureMeasurement::run_beside_reference() {
         trial.simulation.emplace(trial.body.scene, trial.body.sides);
         trial.nodes.emplace(*trial.simulation, reference.simulation);
     });
+    require_points();
     const auto steps = steps_until(original_.scene().end, step_);
     Progress progress(steps, quiet_);
     double peak = reference.simulation.energies().total();
+    double largest = 0;  // |u_ref| at nodes that any of them shares with it: one unit for all
     for (std::size_t step = 1; step <= steps; ++step) {
         reference.advance();
         peak = std::max(peak, reference.simulation.energies().total());
         on_points([&](SidePoint& point, ClosureTrial& trial) {
             trial.simulation->advance(1);
             const auto now = trial.nodes->between(*trial.simulation, reference.simulation);
-            trial.largest = std::max(trial.largest, now.other);
+            largest = std::max(largest, now.other);
             if (!(now.largest <= point.error)) {
                 point.error = std::isfinite(now.largest) ? now.largest
                                                          : std::numeric_limits<double>::infinity();
@@ -163,11 +179,11 @@ void ClosureMeasurement::run_beside_reference() {
             throw Interrupted("stopped; nothing was written");
         }
     }
+    if (!(largest > 0)) {
+        throw nothing_to_compare_with();
+    }
     on_points([&](SidePoint& point, ClosureTrial& trial) {
-        if (!(trial.largest > 0)) {
-            throw nothing_to_compare_with();
-        }
-        point.error /= trial.largest;
+        point.error /= largest;
         point.energy_left = trial.simulation->energies().total() / peak;
     });
 }
