@@ -230,6 +230,15 @@ class BasicPlane {
                                           std::ptrdiff_t first_y, std::ptrdiff_t last_y) const {
         return energies_of_nodes(window_of({first_x, last_x}, {first_y, last_y}));
     }
+    /// The part of a cell dX^2 that is a node's, counted likewise: beside closed sides not all of
+    /// it.
+    double volume(std::ptrdiff_t x, std::ptrdiff_t y) const {
+        const auto* const force = std::get_if<detail::PlaneForce<Real>>(&force_);
+        const auto shift = [this](std::size_t side) {
+            return static_cast<std::ptrdiff_t>(layers_[side]);
+        };
+        return force == nullptr ? 1 : force->volume(x + shift(0), y + shift(2));
+    }
     PlaneEnergies interior_energies() const {
         return energies(0, static_cast<std::ptrdiff_t>(parameters_.nx), 0,
                         static_cast<std::ptrdiff_t>(parameters_.ny));

@@ -14,11 +14,11 @@ namespace nmbcrun::test {
 namespace {
 
 constexpr double height = 0.01;
-constexpr double centre = 100;  // node 200
+constexpr double middle = 100;  // node 200
 
 Scene started(InitialKind kind, const Pulse& pulse, double end) {
     Scene scene = bar(400, end);
-    scene.initial = Initial{kind, pulse, centre, {}};
+    scene.initial = Initial{kind, pulse, middle, {}};
     return scene;
 }
 
@@ -48,7 +48,7 @@ TEST_CASE("the shapes, at t = 0 and on every node") {
         for (const auto kind : {InitialKind::displacement, InitialKind::to_the_left}) {
             const Simulation simulation(started(kind, pulse, 10));
             CHECK(largest_error(simulation, [&](double X) {
-                      return value(pulse.shape, X - centre);
+                      return value(pulse.shape, X - middle);
                   }) < 1e-15 * height);
         }
         const Simulation pushed(started(InitialKind::velocity, pulse, 10));
@@ -57,7 +57,7 @@ TEST_CASE("the shapes, at t = 0 and on every node") {
         for (std::size_t node = 0; node < v.size(); ++node) {
             CHECK(
                 v[node] ==
-                doctest::Approx(value(pulse.shape, double(node + 1) / 2 - centre)).epsilon(1e-12));
+                doctest::Approx(value(pulse.shape, double(node + 1) / 2 - middle)).epsilon(1e-12));
         }
     }
 }

@@ -649,6 +649,21 @@ setting 2 "passive sides are designed for model.radius2 up to 25" model.radius2=
 setting 2 "domain.nodes must be" domain.nodes=10
 setting 2 "output.name must be without" "output.name='a&b'"
 
+# A field that the disk does not take leaves an earlier run's files as they were.
+field=("$scene" --quiet --set time.end=1 --set output.field=true --out full)
+try run "${field[@]}"
+expect_exit 0
+cp -r full before
+code=0
+(
+    ulimit -f 20
+    exec "$program" run "${field[@]}" --set initial.amplitude=5
+) >"$scratch/stdout" 2>"$scratch/stderr" || code=$?
+expect_exit 5
+expect_stderr "File too large"
+expect "the earlier files" diff -r before full
+rm -r before full
+
 # Times and spacings with an exponent are drawn, too.
 try run "$scene" --quiet --plot --out tiny --set initial.amplitude=1e-7 --set domain.spacing=1e-5 --set initial.centre='[75e-5, 137.5e-5]' \
     --set initial.width=60e-5 --set time.end=2e-5 --set output.snapshots=10

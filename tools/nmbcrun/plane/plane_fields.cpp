@@ -111,7 +111,7 @@ Hdf5File::Attributes described_as(const PlaneSimulation& simulation) {
         {"dX", fmt::format("{}", scene.spacing)}};
 }
 
-void write_hdf5(const PlaneSimulation& simulation, const std::filesystem::path& path) {
+nmbcgen::NewFile new_hdf5(const PlaneSimulation& simulation, const std::filesystem::path& path) {
     const PlaneScene& scene = simulation.scene();
     Hdf5File file(path);
     file.describe(described_as(simulation));
@@ -127,9 +127,16 @@ void write_hdf5(const PlaneSimulation& simulation, const std::filesystem::path& 
                  {{"time", fmt::format("{:.10g}", simulation.plane().time() - half_step)}});
         file.write(quantity.name, values_of(simulation, quantity));
     }
-    std::vector<nmbcgen::NewFile> files;
-    files.push_back(file.whole());
-    nmbcgen::publish(files);
+    return file.whole();
+}
+
+nmbcgen::NewFile new_vti(const PlaneSimulation& simulation, const std::filesystem::path& path) {
+    nmbcgen::require_replaceable(path);
+    nmbcgen::PosixFile file = nmbcgen::PosixFile::create_beside(path);
+    nmbcgen::NewFile made(file.path(), path);
+    file.write(vti_text(simulation));
+    file.sync();
+    return made;
 }
 
 std::string pvd_text(const std::vector<Snapshot>& snapshots) {
@@ -206,14 +213,17 @@ double bytes_of_fields(const PlaneSimulation& simulation) {
     return bytes;
 }
 
+nmbcgen::NewFile new_fields(const PlaneSimulation& simulation, const std::filesystem::path& path) {
+    std::error_code error;  // what cannot be made cannot be written to
+    std::filesystem::create_directories(path.parent_path(), error);
+    return simulation.scene().field_format == FieldFormat::vtk ? new_vti(simulation, path)
+                                                               : new_hdf5(simulation, path);
+}
+
 void write_fields(const PlaneSimulation& simulation, const std::filesystem::path& path) {
-    if (simulation.scene().field_format == FieldFormat::vtk) {
-        nmbcgen::write_files({{path, vti_text(simulation)}});
-    } else {
-        std::error_code error;  // what cannot be made cannot be written to
-        std::filesystem::create_directories(path.parent_path(), error);
-        write_hdf5(simulation, path);
-    }
+    std::vector<nmbcgen::NewFile> files;
+    files.push_back(new_fields(simulation, path));
+    nmbcgen::publish(files);
 }
 
 void write_series(const PlaneSimulation& simulation, const std::filesystem::path& folder,

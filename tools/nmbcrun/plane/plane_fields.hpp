@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/support/posix_file.hpp"
 #include "tools/nmbcrun/plane/plane_simulation.hpp"
 
 namespace nmbcrun {
@@ -16,7 +17,10 @@ std::string_view extension_of(FieldFormat format);
 
 /// displacement at t and velocity at t - dt/2 of the nodes of the body, three components, z = 0;
 /// energy at t - dt/2 [per volume]; damage of a scene with fracture. VTK image data, or HDF5
-/// datasets of ny x nx (x 3) in doubles. Throws FileError.
+/// datasets of ny x nx (x 3) in doubles. To be published. Throws FileError.
+nmbcgen::NewFile new_fields(const PlaneSimulation& simulation, const std::filesystem::path& path);
+
+/// Likewise, published.
 void write_fields(const PlaneSimulation& simulation, const std::filesystem::path& path);
 
 /// Of such a file, but for its head.

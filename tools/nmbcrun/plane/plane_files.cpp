@@ -117,8 +117,12 @@ void PlaneFiles::record(const PlaneSimulation& simulation, const nmbc::PlaneEner
 }
 
 void PlaneFiles::publish(const PlaneSimulation& simulation, bool at_end) {
+    std::vector<nmbcgen::NewFile> field;
+    if (at_end) {
+        field = snapshots_.new_field(simulation);
+    }
     RunFiles::publish(copies());
-    snapshots_.publish(simulation, at_end);
+    snapshots_.publish(simulation, std::move(field));
 }
 
 std::string PlaneFiles::listed() const {

@@ -300,8 +300,11 @@ nmbc::PlaneEnergies PlaneSimulation::energies() const {
 std::vector<double> PlaneSimulation::energy_density() const {
     const auto [first_x, last_x, first_y, last_y] = range_of_body();
     std::vector<double> density = plane_.energies_of_nodes(first_x, last_x, first_y, last_y);
-    for (double& energy : density) {
-        energy /= scene_.spacing * scene_.spacing;
+    std::size_t node = 0;
+    for (std::ptrdiff_t y = first_y; y < last_y; ++y) {
+        for (std::ptrdiff_t x = first_x; x < last_x; ++x) {
+            density[node++] /= plane_.volume(x, y) * scene_.spacing * scene_.spacing;
+        }
     }
     return density;
 }

@@ -216,7 +216,16 @@ void PlaneSnapshots::take(const PlaneSimulation& simulation) {
     snapshots_.push_back({simulation.plane().time(), relative});
 }
 
-void PlaneSnapshots::publish(const PlaneSimulation& simulation, bool at_end) {
+std::vector<nmbcgen::NewFile> PlaneSnapshots::new_field(const PlaneSimulation& simulation) const {
+    std::vector<nmbcgen::NewFile> files;
+    if (has_field_) {
+        files.push_back(new_fields(simulation, field()));
+    }
+    return files;
+}
+
+void PlaneSnapshots::publish(const PlaneSimulation& simulation,
+                             std::vector<nmbcgen::NewFile> field) {
     // What else is in the folder of the earlier ones goes with the folder of these: at any time one
     // of both folders has all of these, from which a run can go on.
     const std::filesystem::path published = path("_snapshots");
@@ -234,9 +243,7 @@ void PlaneSnapshots::publish(const PlaneSimulation& simulation, bool at_end) {
         require_done(error, "write", published);
         write_series(simulation, folder_, snapshots_);
     }
-    if (at_end && has_field_) {
-        write_fields(simulation, field());
-    }
+    nmbcgen::publish(field);
 }
 
 std::string PlaneSnapshots::listed() const {

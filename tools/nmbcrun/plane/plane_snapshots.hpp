@@ -41,8 +41,11 @@ class PlaneSnapshots {
     /// Removes what other runs of this name have left in their folders, as far as it can: a run
     /// does not fail of it.
     void remove_leftovers() const;
-    /// In the place of what an earlier run of this name has left; at_end: the field, too.
-    void publish(const PlaneSimulation& simulation, bool at_end);
+    /// The field, if the scene asks for it, to be published: made before anything of an earlier run
+    /// goes, it costs nothing where the disk does not take it.
+    std::vector<nmbcgen::NewFile> new_field(const PlaneSimulation& simulation) const;
+    /// In the place of what an earlier run of this name has left. field: of a run at its end.
+    void publish(const PlaneSimulation& simulation, std::vector<nmbcgen::NewFile> field);
 
     /// A line each.
     std::string listed() const;

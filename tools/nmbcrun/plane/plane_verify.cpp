@@ -83,13 +83,15 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool finer, bool qu
     constexpr std::size_t peak_every = 10;  // steps
     Progress progress(simulation.plan().steps, quiet);
     Comparison found;
-    double peak = reference.simulation.energies().total();
+    double peak = simulation.energies().total();
+    double reference_peak = reference.simulation.energies().total();
     while (!simulation.is_done()) {
         simulation.advance(1);
         reference.advance();
         found.look(nodes.between(simulation, reference.simulation), simulation.plane().time());
-        if (simulation.plane().steps() % peak_every == 0) {
-            peak = std::max(peak, reference.simulation.energies().total());
+        if (simulation.plane().steps() % peak_every == 0 || simulation.is_done()) {
+            peak = std::max(peak, simulation.energies().total());
+            reference_peak = std::max(reference_peak, reference.simulation.energies().total());
         }
         progress.update(simulation.plane().steps());
         if (interrupted()) {
@@ -106,12 +108,12 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool finer, bool qu
         "error        {:.3e} in amplitude, of max |u|, at node ({}, {}), t = {:.4g}; {} the "
         "tolerance {:g}\n",
         error, found.where[0], found.where[1], found.when, holds ? "within" : "above", tolerance);
-    if (peak > 0) {
+    if (peak > 0 && reference_peak > 0) {
         const bool is_driven = simulation.is_driven(simulation.plane().time());
         fmt::print("{:<12} {:.3e} of the peak; {} {:.3e}\n",
                    is_driven ? "energy then" : "energy left", simulation.energies().total() / peak,
                    is_finer ? "of the reference" : "without artificial sides",
-                   reference.simulation.energies().total() / peak);
+                   reference.simulation.energies().total() / reference_peak);
     }
     return holds;
 }
