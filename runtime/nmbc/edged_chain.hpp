@@ -81,6 +81,33 @@ double fastest_mode(const Lattice& lattice, std::size_t nodes, const Accelerate&
     return std::max(largest, top * top);
 }
 
+/// Whether Cholesky's decomposition of a symmetric matrix exists, of rows first .. last-1. entry(i,
+/// j), j <= i; it is 0 for i - j >= width.
+template <class Entry>
+bool is_positive_definite(std::size_t first, std::size_t last, std::size_t width,
+                          const Entry& entry) {
+    std::vector<double> L(last * width);  // entry (i, i - k) at i * width + k
+    for (std::size_t i = first; i < last; ++i) {
+        double* const row = &L[i * width];
+        const std::size_t band = std::min(i - first, width - 1);
+        for (std::size_t k = band + 1; k-- > 0;) {
+            const std::size_t j = i - k;
+            double left = entry(i, j);
+            for (std::size_t m = k + 1; m <= band; ++m) {
+                left -= row[m] * L[j * width + m - k];
+            }
+            if (k > 0) {
+                row[k] = left / L[j * width];
+            } else if (left > 0) {
+                row[0] = std::sqrt(left);
+            } else {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 /// A chain between two edges.
 struct EdgedChain {
     const EdgeEnergies& edges;
@@ -140,30 +167,11 @@ inline bool EdgedChain::is_stable_below(double bound) const {
                : from_right < of_right.size() ? of_right[from_right]
                                               : 1;
     };
-    const std::size_t width = K.columns;
     const std::size_t first = is_held ? 1 : 0;
-    std::vector<double> L(nodes * width);  // entry (i, i - k) at i * width + k
-    for (std::size_t i = first; i + first < nodes; ++i) {
-        double* const row = &L[i * width];
-        const std::size_t band = std::min(i - first, width - 1);
-        for (std::size_t k = band + 1; k-- > 0;) {
-            const std::size_t j = i - k;
-            double entry = -of_lattice(k) - change(i, j) - change(nodes - 1 - i, nodes - 1 - j);
-            for (std::size_t m = k + 1; m <= band; ++m) {
-                entry -= row[m] * L[j * width + m - k];
-            }
-            if (k > 0) {
-                row[k] = entry / L[j * width];
-                continue;
-            }
-            entry += bound * mass(i);
-            if (!(entry > 0)) {
-                return false;
-            }
-            row[0] = std::sqrt(entry);
-        }
-    }
-    return true;
+    return is_positive_definite(first, nodes - first, K.columns, [&](std::size_t i, std::size_t j) {
+        return (i == j ? bound * mass(i) : 0) - of_lattice(i - j) - change(i, j) -
+               change(nodes - 1 - i, nodes - 1 - j);
+    });
 }
 
 }  // namespace nmbc::detail
