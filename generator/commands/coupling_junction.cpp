@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "generator/commands/coupling.hpp"
@@ -16,6 +17,9 @@ namespace nmbcgen {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::pair<CouplingForm, const char*> named_forms[] = {{CouplingForm::pairs, "pairs"},
+                                                                {CouplingForm::rows, "rows"}};
 
 std::string exact_text(const LogNumber& number) {
     constexpr std::size_t readable = 1500;
@@ -116,8 +120,7 @@ std::string junction_text(const Halves& halves) {
         "units       k/h; nodes from the one where the bars meet, 0\n",
         coupling_source, to_string(halves.right_length), horizon_text(halves.left),
         horizon_text(halves.right));
-    for (const auto& [form, name] :
-         {std::pair(CouplingForm::pairs, "pairs"), {CouplingForm::rows, "rows"}}) {
+    for (const auto& [form, name] : named_forms) {
         text += fmt::format("\n{:<8}column\n", name);
         for (const JunctionRow& row : junction_rows(halves, form)) {
             for (const auto& [column, entry] : row.entries) {
@@ -133,8 +136,7 @@ std::string junction_json(const Halves& halves) {
     Json json{{"coupling", "junction"},
               {"horizons", {to_string(halves.left.horizon), to_string(halves.right.horizon)}},
               {"lengths", {to_string(halves.left_length), to_string(halves.right_length)}}};
-    for (const auto& [form, name] :
-         {std::pair(CouplingForm::pairs, "pairs"), {CouplingForm::rows, "rows"}}) {
+    for (const auto& [form, name] : named_forms) {
         Json rows = Json::array();
         for (const JunctionRow& row : junction_rows(halves, form)) {
             Json entries = Json::array();

@@ -92,6 +92,20 @@ std::string on_rectangle(const char* centre, const char* half_width) {
         centre, half_width);
 }
 
+/// The source gives both bodies the same momentum in a step: at rest before, no other forces act.
+void check_push(const Pair& pair, const std::string& source, std::size_t component) {
+    CAPTURE(pair.x);
+    CAPTURE(pair.y);
+    CAPTURE(pair.ratio);
+    Bodies bodies = bodies_of(pair, source);
+    bodies.original.advance(1);
+    bodies.other.advance(1);
+    const double pushed = momentum(bodies.original, component);
+    CHECK(pushed > 0);
+    CHECK(momentum(bodies.other, component) * double(pair.ratio) ==
+          doctest::Approx(pushed).epsilon(1e-12));
+}
+
 }  // namespace
 
 TEST_CASE("a force is as large on another lattice, at sides and in corners, too") {
@@ -102,16 +116,7 @@ TEST_CASE("a force is as large on another lattice, at sides and in corners, too"
                       "'gaussian'\namplitude = 2\ntime = 3\nduration = 9\n")}) {
         for (const Pair& pair : pairs) {
             CAPTURE(force);
-            CAPTURE(pair.x);
-            CAPTURE(pair.y);
-            CAPTURE(pair.ratio);
-            Bodies bodies = bodies_of(pair, force);
-            bodies.original.advance(1);  // at rest before, so that no other forces act
-            bodies.other.advance(1);
-            const double pushed = momentum(bodies.original, 1);
-            CHECK(pushed > 0);
-            CHECK(momentum(bodies.other, 1) * double(pair.ratio) ==
-                  doctest::Approx(pushed).epsilon(1e-12));
+            check_push(pair, force, 1);
         }
     }
 }
@@ -121,16 +126,7 @@ TEST_CASE("a traction is as large on another lattice") {
         "[load.pull]\nkind = 'traction'\nside = 'top'\ncomponent = 'x'\namplitude = 7\n";
     for (const Pair& pair : pairs) {
         if (ends_body(between(pair.x, pair.y, bump).sides[3].kind)) {
-            CAPTURE(pair.x);
-            CAPTURE(pair.y);
-            CAPTURE(pair.ratio);
-            Bodies bodies = bodies_of(pair, pull);
-            bodies.original.advance(1);
-            bodies.other.advance(1);
-            const double pulled = momentum(bodies.original, 0);
-            CHECK(pulled > 0);
-            CHECK(momentum(bodies.other, 0) * double(pair.ratio) ==
-                  doctest::Approx(pulled).epsilon(1e-12));
+            check_push(pair, pull, 0);
         }
     }
 }
