@@ -698,7 +698,7 @@ expect "fixed and free sides are on no front" awk -F, \
     '($2 == "fixed" || $2 == "free") && $11 == 1 { exit 1 }' results/plane_pulse_chart.csv
 expect "a picture" test -s results/plane_pulse_chart.svg
 rm -r results
-try chart "$scene" "${small[@]}" --set boundary.kind=fixed
+try chart "$scene" --set boundary.kind=fixed --out results
 expect_exit 2
 expect_stderr "a chart compares artificial sides, or the closures of sides where the body ends, sbp, kernel and free: there is none"
 expect "no chart" test ! -e results
