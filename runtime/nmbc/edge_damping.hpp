@@ -7,6 +7,7 @@
 #include <nmbc/edge_energy.hpp>
 #include <nmbc/lattice.hpp>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace nmbc::detail {
@@ -26,9 +27,7 @@ inline Lattice stabilised_at_1(const Lattice& damped) {
             "this end of a damped lattice needs the squares that are damped, and a lattice made by "
             "hand has none");
     }
-    Lattice lattice = make_lattice(*damped.table, 1);
-    lattice.damping.clear();
-    return lattice;
+    return make_lattice(*damped.table, 1);
 }
 
 /// tau > 0, of a damping that is tau times the symbol of these squares. Throws

@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <nmbc/kernels.hpp>
 #include <nmbc/plane_closed_rows.hpp>
-#include <nmbc/plane_kernels_beside.hpp>
+#include <nmbc/plane_kernels.hpp>
 #include <nmbc/plane_nodes.hpp>
 #include <nmbc/plane_potential.hpp>
+#include <nmbc/plane_row_numbers.hpp>
+#include <nmbc/plane_sweeps.hpp>
 #include <utility>
 #include <vector>
 
@@ -34,7 +36,8 @@ class PlaneForce {
         : nodes_(std::move(nodes)),
           horizon_(nodes_.horizon()),
           pitch_(nodes_.pitch()),
-          stress_pitch_(nodes_.x().nodes() + 2 * horizon_) {
+          stress_pitch_(nodes_.x().nodes() + 2 * horizon_),
+          sweeps_(sweeps_of<Real>(nodes_.model())) {
         const CorrespondenceModel& model = nodes_.model();
         const double A = whole_shape(model);
         const double k = model.bulk;
@@ -50,9 +53,12 @@ class PlaneForce {
                    .across = static_cast<Real>(k - mu + beta),
                    .shear = static_cast<Real>(mu),
                    .turned = static_cast<Real>(mu - beta)};
-        choose_kernels();
-        find_row_numbers();
-        find_closed_rows();
+        if (sweeps_.exist()) {
+            rows_ = PlaneRows<Real>(nodes_);
+        }
+        if (nodes_.closed_layers() > 0) {
+            closed_rows_ = ClosedRows(nodes_);
+        }
     }
 
     const PlaneAxis& axis(std::size_t number) const {
@@ -149,17 +155,6 @@ class PlaneForce {
         return 2 * horizon_ + 1;
     }
 
-    void find_row_numbers();
-    void find_closed_rows() {
-        if (nodes_.closed_layers() > 0) {
-            closed_rows_ = ClosedRows(nodes_);
-        }
-    }
-    PlaneRowNumbers<Real> row_numbers(std::ptrdiff_t y) const;
-    const PlaneRowNumbers<Real>& numbers_of(std::ptrdiff_t y) const {
-        return row_numbers_[row_kinds_[static_cast<std::size_t>(y + horizon_)]];
-    }
-
     /// T of a node near a side that is cut off.
     std::array<Real, 4> stress(std::ptrdiff_t x, std::ptrdiff_t y, PlaneField<const Real> u) const {
         const PlaneNeighbours& near = nodes_.neighbours(x, y);
@@ -249,8 +244,7 @@ class PlaneForce {
     /// Where nodes are left at an end, they are a strip, or more.
     PlaneRange plain_part(const PlaneRange& x, const PlaneRange& y, const PlaneRange& columns,
                           std::ptrdiff_t row, std::ptrdiff_t strip) const {
-        const bool is_plain =
-            stress_row_ != nullptr && row >= y.first && row < y.last && x.first < x.last;
+        const bool is_plain = sweeps_.exist() && row >= y.first && row < y.last && x.first < x.last;
         if (!is_plain) {
             return {columns.last, columns.last};
         }
@@ -263,7 +257,7 @@ class PlaneForce {
     /// Of a row's T.
     PlaneRange plain_stress(std::ptrdiff_t y) const {
         return plain_part(nodes_.x().plain_stress(), nodes_.y().plain_stress(),
-                          nodes_.x().with_energy(), y, stress_strip_nodes_);
+                          nodes_.x().with_energy(), y, sweeps_.stress_strip_nodes);
     }
 
     /// Of a row's forces; the pull is there where T is plain.
@@ -271,74 +265,24 @@ class PlaneForce {
         const PlaneRange all{0, nodes_.x().nodes()};
         const PlaneRange stress = plain_stress(y);
         const PlaneRange force = plain_part(nodes_.x().plain_force(), nodes_.y().plain_force(), all,
-                                            y, kick_strip_nodes_);
+                                            y, sweeps_.kick_strip_nodes);
         const PlaneRange both{std::max(force.first, stress.first),
                               std::min(force.last, stress.last)};
         return both.first < both.last ? both : PlaneRange{all.last, all.last};
     }
-
-    static constexpr std::size_t largest_reach = 3;  ///< of the kernels
-
-    template <int RadiusSquared>
-    void use_kernels() {
-        static_assert(PlaneShape<RadiusSquared>::reach <= int(largest_reach));
-        using Shape = PlaneShape<RadiusSquared>;
-        stress_row_ = stress_row<Shape, Real>;
-        kick_row_ = kick_row<Shape, Real>;
-        stress_row_beside_ = stress_row_beside<Shape, Real, 0>;
-        stress_strip_ = stress_row_beside<Shape, Real, stress_strip<Shape>>;
-        stress_strip_nodes_ = stress_strip<Shape>;
-        kick_row_beside_ = kick_row_beside<Shape, Real, 0>;
-        kick_strip_ = kick_row_beside<Shape, Real, kick_strip<Shape>>;
-        kick_strip_nodes_ = kick_strip<Shape>;
-    }
-    void choose_kernels();
 
     PlaneNodes nodes_;
     std::ptrdiff_t horizon_;
     std::ptrdiff_t pitch_;
     std::ptrdiff_t stress_pitch_;
     PlaneCoefficients<Real> coefficients_;
-    decltype(&stress_row<PlaneShape<1>, Real>) stress_row_ = nullptr;
-    decltype(&kick_row<PlaneShape<1>, Real>) kick_row_ = nullptr;
-    decltype(&stress_row_beside<PlaneShape<1>, Real, 0>) stress_row_beside_ = nullptr;
-    decltype(&stress_row_beside<PlaneShape<1>, Real, 0>) stress_strip_ = nullptr;
-    decltype(&kick_row_beside<PlaneShape<1>, Real, 0>) kick_row_beside_ = nullptr;
-    decltype(&kick_row_beside<PlaneShape<1>, Real, 0>) kick_strip_ = nullptr;
-    std::ptrdiff_t stress_strip_nodes_ = 0;
-    std::ptrdiff_t kick_strip_nodes_ = 0;
+    PlaneSweeps<Real> sweeps_;
     PlaneModuli<Real> moduli_{};
-    std::vector<PlaneRowNumbers<Real>> row_numbers_{};  // of rows that differ
-    std::vector<std::size_t> row_kinds_{};              // which of them a row has, from -horizon on
-    std::vector<Real> column_weights_{};                // Vs along x, from -2 horizon on
-    std::vector<Real> row_weights_{};                   // s Vs along y, likewise
-    ClosedRows closed_rows_{};                          // none where no side is closed
+    PlaneRows<Real> rows_{};    // of the sweeps
+    ClosedRows closed_rows_{};  // none where no side is closed
     /// T and the pull of some rows, one ring for each piece.
     std::vector<std::vector<Real>> rings_;
 };
-
-template <class Real>
-void PlaneForce<Real>::choose_kernels() {
-    if (!nodes_.model().influence.empty()) {
-        return;  // its sums are not those of columns
-    }
-    switch (nodes_.model().radius_squared) {
-        case 1:
-            return use_kernels<1>();
-        case 2:
-            return use_kernels<2>();
-        case 4:
-            return use_kernels<4>();
-        case 5:
-            return use_kernels<5>();
-        case 8:
-            return use_kernels<8>();
-        case 9:
-            return use_kernels<9>();
-        default:
-            return;  // node by node, which takes some ten times as long
-    }
-}
 
 template <class Real>
 void PlaneForce<Real>::find_stress(std::ptrdiff_t y, PlaneField<const Real> u,
@@ -357,11 +301,11 @@ void PlaneForce<Real>::find_stress(std::ptrdiff_t y, PlaneField<const Real> u,
     }
     const std::array<const Real*, 2> row_of_u{u[0] + y * pitch_, u[1] + y * pitch_};
     const auto beside = [&](const PlaneRange& nodes) {
-        if (stress_row_beside_ != nullptr && nodes.first < nodes.last) {
-            const auto& sweep = nodes.last - nodes.first == stress_strip_nodes_
-                                    ? stress_strip_
-                                    : stress_row_beside_;
-            sweep(moduli_, numbers_of(y), nodes, row_of_u, pitch_, T);
+        if (sweeps_.exist() && nodes.first < nodes.last) {
+            const auto& sweep = nodes.last - nodes.first == sweeps_.stress_strip_nodes
+                                    ? sweeps_.stress_strip
+                                    : sweeps_.stress_beside;
+            sweep(moduli_, rows_.numbers(y), nodes, row_of_u, pitch_, T);
             return;
         }
         for (std::ptrdiff_t x = nodes.first; x < nodes.last; ++x) {
@@ -374,7 +318,7 @@ void PlaneForce<Real>::find_stress(std::ptrdiff_t y, PlaneField<const Real> u,
     const PlaneRange plain = plain_stress(y);
     beside({columns.first, plain.first});
     if (plain.first < plain.last) {
-        stress_row_(coefficients_, plain, row_of_u, pitch_, T);
+        sweeps_.stress_row(coefficients_, plain, row_of_u, pitch_, T);
     }
     beside({plain.last, columns.last});
 }
@@ -387,13 +331,13 @@ void PlaneForce<Real>::kick_rows(double scale, const PlaneRange& rows, PlaneFiel
     for (std::ptrdiff_t y = rows.first - horizon_; y < rows.first + horizon_; ++y) {
         find_stress(y, u, ring);
     }
-    std::array<std::array<const Real*, 2 * largest_reach + 1>, 6> stresses{};
+    std::array<std::array<const Real*, 2 * PlaneSweeps<Real>::largest_reach + 1>, 6> stresses{};
     std::array<const Real* const*, 6> T{};
     std::ranges::transform(stresses, T.begin(), [](const auto& part) { return part.data(); });
     for (std::ptrdiff_t y = rows.first; y < rows.last; ++y) {
         before_row(y + 2 * horizon_);
         find_stress(y + horizon_, u, ring);
-        for (std::ptrdiff_t j = -horizon_; j <= horizon_ && kick_row_ != nullptr; ++j) {
+        for (std::ptrdiff_t j = -horizon_; j <= horizon_ && sweeps_.exist(); ++j) {
             for (std::size_t part = 0; part < T.size(); ++part) {
                 stresses[part][static_cast<std::size_t>(j + horizon_)] =
                     row(std::as_const(ring), part, y + j);
@@ -402,11 +346,11 @@ void PlaneForce<Real>::kick_rows(double scale, const PlaneRange& rows, PlaneFiel
         const std::array<const Real*, 2> row_of_u{u[0] + y * pitch_, u[1] + y * pitch_};
         const std::array<Real*, 2> row_of_v{v[0] + y * pitch_, v[1] + y * pitch_};
         const auto beside = [&](const PlaneRange& nodes) {
-            if (kick_row_beside_ != nullptr && nodes.first < nodes.last && closed_rows_.empty()) {
-                const auto& sweep =
-                    nodes.last - nodes.first == kick_strip_nodes_ ? kick_strip_ : kick_row_beside_;
-                sweep(numbers_of(y), static_cast<Real>(scale),
-                      column_weights_.data() + 2 * horizon_, row_weights_.data() + y + horizon_,
+            if (sweeps_.exist() && nodes.first < nodes.last && closed_rows_.empty()) {
+                const auto& sweep = nodes.last - nodes.first == sweeps_.kick_strip_nodes
+                                        ? sweeps_.kick_strip
+                                        : sweeps_.kick_beside;
+                sweep(rows_.numbers(y), static_cast<Real>(scale), rows_.across(), rows_.along(y),
                       nodes, row_of_u, pitch_, T, row_of_v);
                 return;
             }
@@ -417,78 +361,9 @@ void PlaneForce<Real>::kick_rows(double scale, const PlaneRange& rows, PlaneFiel
         const PlaneRange plain = plain_force(y);
         beside({0, plain.first});
         if (plain.first < plain.last) {
-            kick_row_(static_cast<Real>(scale), plain, T, row_of_v);
+            sweeps_.kick_row(static_cast<Real>(scale), plain, T, row_of_v);
         }
         beside({plain.last, nodes_.x().nodes()});
-    }
-}
-
-template <class Real>
-PlaneRowNumbers<Real> PlaneForce<Real>::row_numbers(std::ptrdiff_t y) const {
-    PlaneRowNumbers<Real> numbers;
-    const auto xs = nodes_.x().with_energy();
-    const auto ys = nodes_.y().with_energy();
-    const bool has_energy = y >= ys.first && y < ys.last;
-    for (std::ptrdiff_t x = -horizon_; x < nodes_.x().nodes() + horizon_; ++x) {
-        const PlaneNeighbours* const near =
-            has_energy && x >= xs.first && x < xs.last ? &nodes_.neighbours(x, y) : nullptr;
-        const PlaneWeights own = nodes_.weights(x, y);
-        const auto weight = [&](std::ptrdiff_t i, std::ptrdiff_t j) {
-            return nodes_.model().stabilisation * nodes_.x().stabilisation(i) *
-                   nodes_.y().stabilisation(j);
-        };
-        double lost = 2 * weight(x, y);
-        if (near != nullptr) {
-            for (const auto& bond : near->bonds) {
-                lost += weight(x, y) + weight(x + bond.x, y + bond.y);
-            }
-        }
-        const auto add = [](std::vector<Real>& list, double value) {
-            list.push_back(static_cast<Real>(value));
-        };
-        for (std::size_t i = 0; i < 3; ++i) {
-            add(numbers.inverse_shape[i], near == nullptr ? 0 : near->inverse_shape[i]);
-        }
-        add(numbers.moment[0], near == nullptr ? 0 : near->sum_x);
-        add(numbers.moment[1], near == nullptr ? 0 : near->sum_y);
-        add(numbers.strain, own.strain);
-        add(numbers.stabilisation, weight(x, y));
-        add(numbers.own, lost);
-        for (std::size_t a = 0; a < 2; ++a) {
-            add(numbers.inverse_mass[a], 1 / own.mass[a]);
-        }
-    }
-    return numbers;
-}
-
-/// Rows far from the sides across y are alike.
-template <class Real>
-void PlaneForce<Real>::find_row_numbers() {
-    if (stress_row_ == nullptr) {
-        return;
-    }
-    for (std::ptrdiff_t x = -2 * horizon_; x < nodes_.x().nodes() + 2 * horizon_; ++x) {
-        column_weights_.push_back(static_cast<Real>(nodes_.x().stabilisation(x)));
-    }
-    for (std::ptrdiff_t y = -2 * horizon_; y < nodes_.y().nodes() + 2 * horizon_; ++y) {
-        row_weights_.push_back(
-            static_cast<Real>(nodes_.model().stabilisation * nodes_.y().stabilisation(y)));
-    }
-    const auto plain = nodes_.y().plain_force();
-    std::size_t alike = 0;
-    bool has_alike = false;
-    for (std::ptrdiff_t y = -horizon_; y < nodes_.y().nodes() + horizon_; ++y) {
-        const bool is_alike = y >= plain.first && y < plain.last;
-        if (is_alike && has_alike) {
-            row_kinds_.push_back(alike);
-            continue;
-        }
-        row_kinds_.push_back(row_numbers_.size());
-        if (is_alike) {
-            alike = row_numbers_.size();
-            has_alike = true;
-        }
-        row_numbers_.push_back(row_numbers(y));
     }
 }
 

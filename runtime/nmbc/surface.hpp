@@ -272,45 +272,76 @@ inline EdgeEnergies edges_of(Closure closure, const Lattice& lattice) {
     throw std::logic_error("this end has no edge of its own");
 }
 
-/// None where nothing is damped.
-inline std::optional<EdgeDamping> damping_of(Closure closure, const Lattice& lattice) {
-    if (lattice.damping.empty()) {
-        return std::nullopt;
+/// A closure with an energy of its own, at both ends.
+struct EdgedEnds {
+    EdgeEnergies edges;
+    std::optional<EdgeDamping> damping;  ///< none where nothing is damped
+};
+
+inline EdgedEnds edged_ends(Closure closure, const Lattice& lattice) {
+    EdgedEnds ends{edges_of(closure, lattice), std::nullopt};
+    if (!lattice.damping.empty()) {
+        Lattice at_1 = stabilised_at_1(lattice);
+        EdgeEnergies edges = edges_of(closure, at_1);
+        ends.damping = edge_damping(lattice, std::move(at_1), std::move(edges));
     }
-    Lattice at_1 = stabilised_at_1(lattice);
-    EdgeEnergies edges = edges_of(closure, at_1);
-    return edge_damping(lattice, std::move(at_1), std::move(edges));
+    return ends;
+}
+
+/// 1 % more than estimates say.
+inline constexpr double eigenvalue_margin = 1.01;
+
+/// Nodes that show the largest eigenvalue of a chain as well as all: in a longer one, what decays
+/// from one end is gone at the other.
+inline std::size_t enough_nodes(std::size_t nodes, std::size_t least, std::size_t most) {
+    return std::clamp(nodes, least, std::max(least, most));
+}
+
+/// largest_eigenvalue() between such ends.
+inline double eigenvalue_bound(const EdgedEnds& ends, const Lattice& lattice, OnSurface given,
+                               std::size_t nodes) {
+    const std::size_t n = lattice.reach();
+    const std::size_t least = 2 * ends.edges.left.mass.size() + 1;
+    EdgedChain chain{ends.edges, lattice, ends.damping, given == OnSurface::displacement,
+                     enough_nodes(nodes, least, 6 * n + 8)};
+    double bound = eigenvalue_margin * chain.fastest();
+    chain.nodes = enough_nodes(nodes, least, 40 * n);
+    while (!chain.is_stable_below(bound)) {
+        bound *= eigenvalue_margin;
+    }
+    return bound;
+}
+
+/// likewise, between surface nodes.
+inline double eigenvalue_bound(const GhostRows& surface_nodes, const Lattice& lattice,
+                               std::size_t nodes) {
+    const std::size_t n = lattice.reach();
+    return eigenvalue_margin *
+           fastest_eigenvalue(lattice, surface_nodes, enough_nodes(nodes, n, 6 * n + 8));
+}
+
+/// Throws NotCertified of steps that are too long for it.
+inline void require_step_below(double eigenvalue_bound, const ChainParameters& p) {
+    const double longest = 2 / std::sqrt(eigenvalue_bound);
+    const double step = p.time_step * p.wave_speed() / p.spacing;
+    if (!(step <= longest)) {
+        throw NotCertified("a chain with this true end is stable in steps up to " +
+                           std::to_string(longest) + " dX/c, and the step is " +
+                           std::to_string(step) + " dX/c");
+    }
 }
 
 }  // namespace detail
 
 inline double largest_eigenvalue(const Lattice& lattice, Closure closure, OnSurface given,
                                  std::size_t nodes) {
-    const std::size_t n = lattice.reach();
-    constexpr double margin = 1.01;
     if (detail::is_mirror(closure)) {  // half of a longer chain
-        return margin * std::pow(maximum_frequency(lattice), 2);
+        return detail::eigenvalue_margin * std::pow(maximum_frequency(lattice), 2);
     }
-    // In a longer chain what decays from one end is gone at the other.
-    const auto short_enough = [&](std::size_t least, std::size_t most) {
-        return std::clamp(nodes, least, std::max(least, most));
-    };
-    if (!ends_on_node(closure)) {
-        return margin * detail::fastest_eigenvalue(lattice,
-                                                   detail::surface_node_rows(lattice, given),
-                                                   short_enough(n, 6 * n + 8));
+    if (closure == Closure::surface_node) {
+        return detail::eigenvalue_bound(detail::surface_node_rows(lattice, given), lattice, nodes);
     }
-    const EdgeEnergies edges = detail::edges_of(closure, lattice);
-    const std::size_t least = 2 * edges.left.mass.size() + 1;
-    const auto damping = detail::damping_of(closure, lattice);
-    detail::EdgedChain chain{edges, lattice, damping, given == OnSurface::displacement,
-                             short_enough(least, 6 * n + 8)};
-    double bound = margin * chain.fastest();
-    chain.nodes = short_enough(least, 40 * n);
-    while (!chain.is_stable_below(bound)) {
-        bound *= margin;
-    }
-    return bound;
+    return detail::eigenvalue_bound(detail::edged_ends(closure, lattice), lattice, given, nodes);
 }
 
 template <class Real>
@@ -323,23 +354,19 @@ std::unique_ptr<BoundaryCondition<Real>> SurfaceEnd::make(
             detail::mirror_rows(lattice, given, through_node), unit_of(p), p.time_step, value,
             value ? std::nullopt : detail::mirror_energy(lattice, given, through_node));
     }
-    if (closure == Closure::surface_node && !lattice.damping.empty()) {
-        throw std::invalid_argument("a surface node needs a lattice without damping");
-    }
-    const double longest = 2 / std::sqrt(largest_eigenvalue(lattice, closure, given, p.nodes));
-    const double step = p.time_step * p.wave_speed() / p.spacing;
-    if (!(step <= longest)) {
-        throw NotCertified("a chain with this true end is stable in steps up to " +
-                           std::to_string(longest) + " dX/c, and the step is " +
-                           std::to_string(step) + " dX/c");
-    }
     if (closure == Closure::surface_node) {
-        return std::make_unique<detail::SurfaceCondition<Real>>(
-            detail::surface_node_rows(lattice, given), unit_of(p), p.time_step, value);
+        if (!lattice.damping.empty()) {
+            throw std::invalid_argument("a surface node needs a lattice without damping");
+        }
+        const detail::GhostRows rows = detail::surface_node_rows(lattice, given);
+        detail::require_step_below(detail::eigenvalue_bound(rows, lattice, p.nodes), p);
+        return std::make_unique<detail::SurfaceCondition<Real>>(rows, unit_of(p), p.time_step,
+                                                                value);
     }
-    return std::make_unique<detail::EdgeCondition<Real>>(
-        detail::edges_of(closure, lattice), lattice, detail::damping_of(closure, lattice), p, given,
-        value);
+    detail::EdgedEnds ends = detail::edged_ends(closure, lattice);
+    detail::require_step_below(detail::eigenvalue_bound(ends, lattice, given, p.nodes), p);
+    return std::make_unique<detail::EdgeCondition<Real>>(std::move(ends.edges), lattice,
+                                                         std::move(ends.damping), p, given, value);
 }
 
 }  // namespace nmbc
