@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <map>
 #include <nmbc/bond_force.hpp>
 #include <nmbc/bond_states.hpp>
 #include <nmbc/coefficients.hpp>
@@ -16,6 +14,7 @@
 #include <nmbc/plane_ghosts.hpp>
 #include <nmbc/plane_model.hpp>
 #include <nmbc/plane_potential.hpp>
+#include <nmbc/plane_requirements.hpp>
 #include <nmbc/plane_sides.hpp>
 #include <nmbc/plane_state.hpp>
 #include <optional>
@@ -36,9 +35,9 @@ class BasicPlane {
     /// At rest, at t = 0. Throws std::invalid_argument where a parameter is not positive and
     /// finite, sides do not go together, or the body is too thin for them.
     BasicPlane(const PlaneModel& model, const PlaneSides& sides, const PlaneParameters& parameters)
-        : model_(with_beta(model, sides)),
+        : model_(detail::model_between(sides, model)),
           sides_(sides),
-          parameters_(checked(parameters)),
+          parameters_(detail::checked(parameters)),
           ghosts_(model.reach()),
           layers_{layers_of(sides.left), layers_of(sides.right), layers_of(sides.bottom),
                   layers_of(sides.top)},
@@ -232,13 +231,7 @@ class BasicPlane {
     }
     /// The part of a cell dX^2 that is a node's, counted likewise: beside closed sides not all of
     /// it.
-    double volume(std::ptrdiff_t x, std::ptrdiff_t y) const {
-        const auto* const force = std::get_if<detail::PlaneForce<Real>>(&force_);
-        const auto shift = [this](std::size_t side) {
-            return static_cast<std::ptrdiff_t>(layers_[side]);
-        };
-        return force == nullptr ? 1 : force->volume(x + shift(0), y + shift(2));
-    }
+    double volume(std::ptrdiff_t x, std::ptrdiff_t y) const;
     PlaneEnergies interior_energies() const {
         return energies(0, static_cast<std::ptrdiff_t>(parameters_.nx), 0,
                         static_cast<std::ptrdiff_t>(parameters_.ny));
@@ -255,55 +248,11 @@ class BasicPlane {
     };
 
     /// Of nodes counted from the interior's first one, those counted from the body's.
-    Window window_of(const detail::PlaneAxis::Range& x, const detail::PlaneAxis::Range& y) const {
-        const auto range = [](const detail::PlaneAxis::Range& nodes, std::size_t layers,
-                              std::size_t all) {
-            const auto before = static_cast<std::ptrdiff_t>(layers);
-            if (nodes.first >= nodes.last || nodes.first < -before ||
-                nodes.last + before > static_cast<std::ptrdiff_t>(all)) {
-                throw std::invalid_argument(
-                    "energies: the nodes must be a range within the plane and its layers");
-            }
-            return detail::PlaneAxis::Range{nodes.first + before, nodes.last + before};
-        };
-        return {range(x, layers_[0], nx_), range(y, layers_[2], ny_)};
-    }
-
-    /// With the null Lagrangian of its passive sides; bonds have none.
-    static PlaneModel with_beta(const PlaneModel& model, const PlaneSides& sides) {
-        detail::require_made_for(sides, model);
-        const auto* const correspondence = std::get_if<CorrespondenceModel>(&model.law());
-        if (correspondence == nullptr) {
-            detail::checked_null_lagrangian(sides, 0, 0);
-            return model;
-        }
-        const auto is_modulus = [](double value) { return value > 0 && std::isfinite(value); };
-        if (correspondence->radius_squared == 0 || !is_modulus(correspondence->bulk) ||
-            !is_modulus(correspondence->shear) ||
-            !(correspondence->stabilisation >= 0 && std::isfinite(correspondence->stabilisation))) {
-            throw std::invalid_argument(
-                "a plane needs a model with positive moduli, such as nopd2d() makes");
-        }
-        CorrespondenceModel with = correspondence->influence.empty()
-                                       ? *correspondence
-                                       : with_influence(*correspondence, correspondence->influence);
-        with.null_lagrangian =
-            detail::checked_null_lagrangian(sides, correspondence->null_lagrangian, 2 * with.shear);
-        return with;
-    }
+    Window window_of(const detail::PlaneAxis::Range& x, const detail::PlaneAxis::Range& y) const;
 
     /// Its forces on velocities, where there are any.
     std::optional<detail::PlaneForce<Real>> damping_of(
-        const std::variant<CorrespondenceModel, BondModel>& law) const {
-        const auto* const correspondence = std::get_if<CorrespondenceModel>(&law);
-        if (correspondence == nullptr || correspondence->damping == 0) {
-            return std::nullopt;
-        }
-        return std::get<detail::PlaneForce<Real>>(
-            force_of(CorrespondenceModel{.radius_squared = correspondence->radius_squared,
-                                         .stabilisation = correspondence->damping,
-                                         .influence = correspondence->influence}));
-    }
+        const std::variant<CorrespondenceModel, BondModel>& law) const;
 
     using Force = std::variant<detail::PlaneForce<Real>, detail::BondForce<Real>>;
     Force force_of(const std::variant<CorrespondenceModel, BondModel>& law) const {
@@ -318,23 +267,6 @@ class BasicPlane {
         detail::closure_of(sides_, nullptr);
         return detail::BondForce<Real>(std::get<BondModel>(law), {std::move(x), std::move(y)},
                                        pitch);
-    }
-
-    static const PlaneParameters& checked(const PlaneParameters& p) {
-        const auto is_positive = [](double value) { return value > 0 && std::isfinite(value); };
-        if (!is_positive(p.spacing) || !is_positive(p.youngs_modulus) || !is_positive(p.density) ||
-            !is_positive(p.time_step)) {
-            throw std::invalid_argument(
-                "spacing, Young's modulus, density and time step must be positive and finite");
-        }
-        if (p.nx == 0 || p.ny == 0) {
-            throw std::invalid_argument("a plane needs interior nodes along both axes");
-        }
-        constexpr double most = 1e15;
-        if (static_cast<double>(p.nx) * static_cast<double>(p.ny) > most) {
-            throw std::length_error("so many nodes fit in no memory");
-        }
-        return p;
     }
 
     /// A passive side's own layers, and those that they act on; those of a sponge.

@@ -9,11 +9,29 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <nmbc/correspondence_model.hpp>
 #include <nmbc/plane.hpp>
+#include <nmbc/plane_force.hpp>
+#include <nmbc/plane_model.hpp>
+#include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace nmbc {
+
+template <class Real>
+std::optional<detail::PlaneForce<Real>> BasicPlane<Real>::damping_of(
+    const std::variant<CorrespondenceModel, BondModel>& law) const {
+    const auto* const correspondence = std::get_if<CorrespondenceModel>(&law);
+    if (correspondence == nullptr || correspondence->damping == 0) {
+        return std::nullopt;
+    }
+    return std::get<detail::PlaneForce<Real>>(
+        force_of(CorrespondenceModel{.radius_squared = correspondence->radius_squared,
+                                     .stabilisation = correspondence->damping,
+                                     .influence = correspondence->influence}));
+}
 
 /// Of so much time, from v as it is.
 template <class Real>

@@ -4,11 +4,38 @@
 
 #include <cstddef>
 #include <nmbc/plane.hpp>
+#include <nmbc/plane_force.hpp>
 #include <nmbc/plane_potential.hpp>
+#include <stdexcept>
 #include <variant>
 #include <vector>
 
 namespace nmbc {
+
+template <class Real>
+typename BasicPlane<Real>::Window BasicPlane<Real>::window_of(
+    const detail::PlaneAxis::Range& x, const detail::PlaneAxis::Range& y) const {
+    const auto range = [](const detail::PlaneAxis::Range& nodes, std::size_t layers,
+                          std::size_t all) {
+        const auto before = static_cast<std::ptrdiff_t>(layers);
+        if (nodes.first >= nodes.last || nodes.first < -before ||
+            nodes.last + before > static_cast<std::ptrdiff_t>(all)) {
+            throw std::invalid_argument(
+                "energies: the nodes must be a range within the plane and its layers");
+        }
+        return detail::PlaneAxis::Range{nodes.first + before, nodes.last + before};
+    };
+    return {range(x, layers_[0], nx_), range(y, layers_[2], ny_)};
+}
+
+template <class Real>
+double BasicPlane<Real>::volume(std::ptrdiff_t x, std::ptrdiff_t y) const {
+    const auto* const force = std::get_if<detail::PlaneForce<Real>>(&force_);
+    const auto shift = [this](std::size_t side) {
+        return static_cast<std::ptrdiff_t>(layers_[side]);
+    };
+    return force == nullptr ? 1 : force->volume(x + shift(0), y + shift(2));
+}
 
 template <class Real>
 typename BasicPlane<Real>::HalfStep BasicPlane<Real>::at_half_step() const {

@@ -12,7 +12,6 @@
 #include <nmbc/lattice.hpp>
 #include <nmbc/surface.hpp>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
@@ -34,6 +33,7 @@
 #include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/processor_clock.hpp"
 #include "tools/nmbcrun/output/work.hpp"
+#include "tools/nmbcrun/refusal.hpp"
 #include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
@@ -137,22 +137,6 @@ class Measurement {
     void leave_out_refused();
     void measure_costs(Work& work);
 
-    /// Calls job(), and notes why the scene refuses the boundary where it does.
-    template <class Job>
-    static void try_boundary(Point& point, Job job) {
-        try {
-            job();
-        } catch (const SceneError& error) {
-            point.refused = error.what();
-        } catch (const std::invalid_argument& error) {
-            point.refused = error.what();
-        } catch (const nmbc::CoefficientError& error) {
-            point.refused = error.what();
-        } catch (const Unstable& error) {
-            point.refused = error.what();
-        }
-    }
-
     Scene scene_;
     std::size_t long_run_;
     std::vector<double> steps_;
@@ -218,7 +202,7 @@ void Measurement::tune_layers(Work& work) {
         Point& point = *layers[i];
         Boundary& boundary = point.what.boundary;
         const Advance advance = work.of(tuning_work(point));
-        try_boundary(point, [&] {
+        point.refused = refusal_of([&] {
             boundary =
                 boundary.kind == BoundaryKind::extended
                     ? narrowest_silent(in_steps(shown_), same_steps_.at({shown_, false}), advance)
@@ -241,7 +225,7 @@ void Measurement::run_trials(Work& work) {
         if (!point.refused.empty()) {
             return;
         }
-        try_boundary(point, [&] {
+        point.refused = refusal_of([&] {
             point.trial = run_trial(ended(point), same_steps_.at({point.cfl, is_on_node(point)}),
                                     fine_.at(is_on_node(point)), work.of(trial_work(point)));
             if (!adds_no_energy(point.what.boundary.kind)) {

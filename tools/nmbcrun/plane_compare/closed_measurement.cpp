@@ -19,6 +19,7 @@
 #include "tools/nmbcrun/plane/plane_sides.hpp"
 #include "tools/nmbcrun/plane/same_body.hpp"
 #include "tools/nmbcrun/plane_compare/side_trial.hpp"
+#include "tools/nmbcrun/refusal.hpp"
 #include "tools/nmbcrun/stepping/plane_stepping.hpp"
 
 namespace nmbcrun {
@@ -99,7 +100,7 @@ class ClosureMeasurement {
     void on_points(const Job& job) {
         for (std::size_t i = 0; i < points_.size(); ++i) {
             if (points_[i].refused.empty()) {
-                try_sides(points_[i], [&] { job(points_[i], trials_[i]); });
+                points_[i].refused = refusal_of([&] { job(points_[i], trials_[i]); });
             }
         }
     }

@@ -18,6 +18,7 @@
 #include "tools/nmbcrun/plane/plane_sides.hpp"
 #include "tools/nmbcrun/plane/plane_simulation.hpp"
 #include "tools/nmbcrun/plane_compare/side_trial.hpp"
+#include "tools/nmbcrun/refusal.hpp"
 #include "tools/nmbcrun/stepping/plane_stepping.hpp"
 
 namespace nmbcrun {
@@ -72,7 +73,7 @@ class SideMeasurement {
     void on_points(const std::function<void(std::size_t)>& job) {
         nmbcgen::on_all_cores(points_.size(), [&](std::size_t i) {
             if (points_[i].refused.empty()) {
-                try_sides(points_[i], [&] { job(i); });
+                points_[i].refused = refusal_of([&] { job(i); });
             }
         });
     }

@@ -3,13 +3,10 @@
 #pragma once
 
 #include <cmath>
-#include <nmbc/coefficients.hpp>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/csv.hpp"
 #include "tools/nmbcrun/plane_compare/side_candidates.hpp"
 
@@ -31,20 +28,6 @@ struct SidePoint {
         return !may_grow(what.side.kind) ? "proved" : grows ? "grows" : "steady";
     }
 };
-
-/// Calls job(), and notes why the scene refuses the sides where it does.
-template <class Job>
-void try_sides(SidePoint& point, Job job) {
-    try {
-        job();
-    } catch (const SceneError& error) {
-        point.refused = error.what();
-    } catch (const std::invalid_argument& error) {
-        point.refused = error.what();
-    } catch (const nmbc::CoefficientError& error) {
-        point.refused = error.what();
-    }
-}
 
 /// Marks the points that no other one that holds beats in both run cost and error: of artificial
 /// sides, where there are any.
