@@ -2,6 +2,7 @@
 /// nmbcgen: exact mathematics to text. The stages are in pipeline.hpp.
 #include <fmt/format.h>
 
+#include <csignal>
 #include <functional>
 #include <iostream>
 #include <new>
@@ -268,6 +269,7 @@ int report_failure() {
 }  // namespace nmbcgen
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told of as on a full disk
     try {
         const auto parsed = nmbcgen::parse_command_line(argc, argv);
         if (const int* exit_code = std::get_if<int>(&parsed)) {

@@ -167,7 +167,8 @@ CLI::App* add_closure(CLI::App& app, Request& request) {
     const auto require_known = [](const std::string& text) {
         if (text != "snm" && text != "sbp") {
             throw std::invalid_argument(
-                fmt::format("'{}' is not a closure; allowed: snm, sbp", text.substr(0, 60)));
+                fmt::format("'{}' is no closure whose rows are derived; allowed: snm, sbp",
+                            text.substr(0, 60)));
         }
         return text;
     };
@@ -257,6 +258,10 @@ CLI::App* add_influence(CLI::App& app, Request& request) {
         Rational eps = parse_rational(text);
         if (eps == 0) {
             throw std::invalid_argument("the smoothing length must be above 0");
+        }
+        if (nearest_double(eps) > largest_smoothing) {
+            throw std::invalid_argument(
+                fmt::format("the smoothing length must be at most {} dX", largest_smoothing));
         }
         return eps;
     };

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "generator/exact/rational.hpp"
+#include "generator/exact/real.hpp"
 #include "generator/families/family.hpp"
 #include "generator/families/vector_family.hpp"
 
@@ -31,9 +32,13 @@ Rational two_over_factorial(unsigned n) {
     return result;
 }
 
+/// Both terms agree in some 6 times as many digits as delta/eps is small by.
 double value_of(const WithLog& number, const PowerInfluence& influence) {
-    const double log = std::log1p(nearest_double(influence.horizon / influence.smoothing));
-    return nearest_double(number.rational) + nearest_double(number.of_log) * log;
+    const auto real_of = [](const Rational& exact) {
+        return Real(Integer(numerator(exact))) / Real(Integer(denominator(exact)));
+    };
+    const Real log = log1p(real_of(influence.horizon / influence.smoothing));
+    return Real(real_of(number.rational) + real_of(number.of_log) * log).convert_to<double>();
 }
 
 /// sum_k k^n w_k

@@ -24,6 +24,8 @@ struct PowerInfluence {
 
 inline constexpr unsigned largest_power = 1000;
 inline constexpr unsigned largest_power_horizon = 100;
+/// Further on p does nothing: constant influence.
+inline constexpr double largest_smoothing = 1e9;
 
 /// I(p, n) = int_0^delta xi^n (xi + eps)^-p dxi, in units of eps^(n+1-p).
 WithLog moment(const PowerInfluence& influence, unsigned n);

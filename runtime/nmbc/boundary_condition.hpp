@@ -61,7 +61,7 @@ class BoundaryCondition {
                              double /*duration*/) {}
 
     /// Of an end beyond which there is no energy: what its outermost nodes have of their own.
-    virtual const EdgeEnergy* own_energy(End /*end*/) const { return nullptr; }
+    virtual const EdgeEnergy* own_energy() const { return nullptr; }
 
     /// Of a damped lattice, in every step before forces act: `change`, what the lattice's own
     /// damping changes v by in so long [time], becomes what the end's does at such nodes. v is half

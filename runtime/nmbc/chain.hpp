@@ -12,6 +12,7 @@
 #include <nmbc/kernels.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/leapfrog.hpp>
+#include <nmbc/mirror_images.hpp>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -42,7 +43,7 @@ class BasicChain {
     /// the ends do when they are made.
     BasicChain(Lattice lattice, const BasicChainEnd<Real>& left, const BasicChainEnd<Real>& right,
                const ChainParameters& parameters)
-        : lattice_(std::move(lattice)),
+        : lattice_(detail::with_mirror_images(std::move(lattice))),
           parameters_(checked(parameters)),
           left_(left.make(lattice_, parameters_)),
           right_(right.make(lattice_, parameters_)),
@@ -74,6 +75,7 @@ class BasicChain {
     BasicChain(Lattice lattice, const BasicChainEnd<Real>& both, const ChainParameters& parameters)
         : BasicChain(std::move(lattice), both, both, parameters) {}
 
+    /// With a mirror image of every square: each node has half of each of its bonds.
     const Lattice& lattice() const { return lattice_; }
     const ChainParameters& parameters() const { return parameters_; }
     /// The lattice's energy as energies() sums it.
@@ -91,7 +93,7 @@ class BasicChain {
     }
     /// Of the interior nodes next to an end that has it for them; nullptr: they have the lattice's.
     const EdgeEnergy* edge_energy(End end) const {
-        return (end == End::left ? left_ : right_)->own_energy(end);
+        return (end == End::left ? left_ : right_)->own_energy();
     }
     double time() const { return static_cast<double>(steps_) * parameters_.time_step; }
     std::size_t steps() const { return steps_; }

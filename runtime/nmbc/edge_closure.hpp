@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <nmbc/edge_energy.hpp>
 #include <nmbc/lattice.hpp>
+#include <nmbc/mirror_images.hpp>
 #include <nmbc/node_line.hpp>
 #include <stdexcept>
 #include <utility>
@@ -95,8 +96,8 @@ inline Correspondence correspondence_of(const Lattice& lattice) {
     is_known = is_known && std::ranges::count(ends, 1) == 0;
     if (!is_known) {
         throw std::invalid_argument(
-            "this end is for lattices like nopd1d, of one strain a node, and, if it is sbp or "
-            "cut, of bonds");
+            "this end is for lattices of one strain a node, such as nopd1d; sbp and cut are for "
+            "bonds, too");
     }
     return found;
 }
@@ -149,30 +150,25 @@ inline bool has_bonds_alone(const Lattice& lattice) {
            });
 }
 
-/// The bonds of nodes next to an edge that stay inside of the body. The squares of a chain of bonds
-/// need not be mirror images: node 0 is the outermost one at this end.
-inline EdgeEnergy cut_bonds(const Lattice& lattice, End end) {
+/// The bonds of nodes next to an edge that stay inside of the body.
+inline EdgeEnergy cut_bonds(const Lattice& lattice) {
     EdgeEnergy edge{.mass = std::vector<double>(lattice.reach(), 1.0)};
-    for (const auto& [part, weight, stencil] : lattice.energy) {
+    for (const auto& [part, weight, stencil] : with_mirror_images(lattice).energy) {
         if (!(weight >= 0)) {
             throw std::invalid_argument(
                 "this end is for bonds none of which weighs less than 0: its energy is a sum of "
                 "squares");
         }
-        std::vector<double> inwards = stencil;
-        if (end == End::right) {
-            std::ranges::reverse(inwards);
-        }
-        const std::size_t middle = inwards.size() / 2;
-        const auto there = std::ranges::find_if(inwards, [](double entry) { return entry != 0; });
-        const auto first = static_cast<std::size_t>(there - inwards.begin());
+        const std::size_t middle = stencil.size() / 2;
+        const auto there = std::ranges::find_if(stencil, [](double entry) { return entry != 0; });
+        const auto first = static_cast<std::size_t>(there - stencil.begin());
         for (std::size_t node = 0; node < edge.mass.size(); ++node) {
             if (node + first < middle) {
                 continue;  // it ends outside
             }
             std::vector<double> own(node + middle + 1);
-            for (std::size_t i = first; i < inwards.size(); ++i) {
-                own[node + i - middle] = inwards[i];
+            for (std::size_t i = first; i < stencil.size(); ++i) {
+                own[node + i - middle] = stencil[i];
             }
             edge.squares.push_back({node, part, weight, std::move(own)});
         }
@@ -251,11 +247,11 @@ inline EdgeNode sbp_node(const Correspondence& own, const std::vector<double>& m
 
 /// The plain cut: families end where the nodes do, and strains are of the neighbours that are left;
 /// of bonds, those inside of the body stay. Too soft: a bar that is strained evenly does not rest.
-/// end: at which the edge is. Throws std::invalid_argument for bonds of negative weight, and for
+/// Throws std::invalid_argument for bonds of negative weight, and for
 /// squares that are neither those of bonds, weight (u_{I+k} - u_I)^2, nor of correspondence.
-inline EdgeEnergy cut_edge(const Lattice& lattice, End end) {
+inline EdgeEnergy cut_edge(const Lattice& lattice) {
     if (detail::has_bonds_alone(lattice)) {
-        return detail::cut_bonds(lattice, end);
+        return detail::cut_bonds(lattice);
     }
     const detail::Correspondence own = detail::correspondence_of(lattice);
     std::vector<detail::EdgeNode> nodes;
@@ -269,12 +265,12 @@ inline EdgeEnergy cut_edge(const Lattice& lattice, End end) {
 /// 1 = 0, Q x = V 1, with the lattice's own strain further in, and of all such Q the one whose
 /// entries between the n outermost nodes differ least from the lattice's, by the sum of squares.
 /// `nmbcgen closure sbp` has it in exact numbers. Of bonds, those between nearest neighbours bear
-/// what the ones that are cut off would, and the outermost node has half a mass. end: at which the
-/// edge is. Throws std::invalid_argument for bonds of negative weight, for squares that are neither
-/// those of bonds nor of correspondence, and where a V is not positive.
-inline EdgeEnergy sbp_edge(const Lattice& lattice, End end) {
+/// what the ones that are cut off would, and the outermost node has half a mass. Throws
+/// std::invalid_argument for bonds of negative weight, for squares that are neither those of bonds
+/// nor of correspondence, and where a V is not positive.
+inline EdgeEnergy sbp_edge(const Lattice& lattice) {
     if (detail::has_bonds_alone(lattice)) {
-        EdgeEnergy edge = detail::cut_bonds(lattice, end);
+        EdgeEnergy edge = detail::cut_bonds(lattice);
         edge.mass.front() = 0.5;
         const std::vector<double> lost = detail::lost_stresses(lattice);
         for (std::size_t node = 0; node + 1 < lost.size(); ++node) {

@@ -117,29 +117,26 @@ template <class Real>
 class EdgeCondition final : public BoundaryCondition<Real> {
   public:
     /// damping: of a damped lattice.
-    EdgeCondition(EdgeEnergies edges, const Lattice& lattice,
+    EdgeCondition(EdgeEnergy edge, const Lattice& lattice,
                   const std::optional<EdgeDamping>& damping, const ChainParameters& p,
                   OnSurface given, std::function<double(double)> value)
-        : edges_(std::move(edges)),
+        : edge_(std::move(edge)),
           ghosts_(lattice.reach()),
-          change_(stiffness_of(edges_.left, lattice), edges_.left.mass, lattice.symbol,
+          change_(stiffness_of(edge_, lattice), edge_.mass, lattice.symbol,
                   std::pow(p.wave_speed() / p.spacing, 2)),
           time_step_(p.time_step),
           given_(given),
-          load_(1 / (p.density * p.spacing * edges_.left.mass.at(0))),
+          load_(1 / (p.density * p.spacing * edge_.mass.at(0))),
           value_(std::move(value)) {
         if (damping) {
-            damping_change_.emplace(stiffness_of(damping->edges.left, damping->lattice),
-                                    edges_.left.mass, damping->lattice.symbol,
-                                    p.wave_speed() / p.spacing);
+            damping_change_.emplace(stiffness_of(damping->edge, damping->lattice), edge_.mass,
+                                    damping->lattice.symbol, p.wave_speed() / p.spacing);
         }
     }
 
     std::size_t least_interior_nodes() const override { return change_.columns(); }
 
-    const EdgeEnergy* own_energy(End end) const override {
-        return end == End::left ? &edges_.left : &edges_.right;
-    }
+    const EdgeEnergy* own_energy() const override { return &edge_; }
 
     void start(NodeLine<Real> u, NodeLine<Real> v, std::size_t step) override {
         if (given_ == OnSurface::displacement) {
@@ -187,7 +184,7 @@ class EdgeCondition final : public BoundaryCondition<Real> {
   private:
     double at(double time) const { return value_ ? value_(time) : 0; }
 
-    EdgeEnergies edges_;
+    EdgeEnergy edge_;
     std::size_t ghosts_;
     EdgeChange change_;                         // of the accelerations by u
     std::optional<EdgeChange> damping_change_;  // and by v

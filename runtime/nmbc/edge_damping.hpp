@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <nmbc/edge_energy.hpp>
 #include <nmbc/lattice.hpp>
+#include <nmbc/mirror_images.hpp>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -15,8 +16,8 @@ namespace nmbc::detail {
 /// A damped lattice's damping as if it were an energy: what it takes in so long [dX/c] is twice
 /// that of these squares at the velocities.
 struct EdgeDamping {
-    Lattice lattice;     ///< its symbol is tau sigma, its squares those of the stabilisation
-    EdgeEnergies edges;  ///< what these squares are next to the edges
+    Lattice lattice;  ///< its symbol is tau sigma, its squares those of the stabilisation
+    EdgeEnergy edge;  ///< what these squares are next to an edge
 };
 
 /// The lattice at G = 1, whose stabilisation is what is damped. Throws std::invalid_argument where
@@ -27,7 +28,7 @@ inline Lattice stabilised_at_1(const Lattice& damped) {
             "this end of a damped lattice needs the squares that are damped, and a lattice made by "
             "hand has none");
     }
-    return make_lattice(*damped.table, 1);
+    return with_mirror_images(make_lattice(*damped.table, 1));
 }
 
 /// tau > 0, of a damping that is tau times the symbol of these squares. Throws
@@ -56,8 +57,8 @@ inline double tau_of(const Lattice& damped, const std::vector<Lattice::Square>& 
     return tau;
 }
 
-/// edges_at_1: of stabilised_at_1(). Throws as tau_of().
-inline EdgeDamping edge_damping(const Lattice& damped, Lattice at_1, EdgeEnergies edges_at_1) {
+/// edge_at_1: of stabilised_at_1(). Throws as tau_of().
+inline EdgeDamping edge_damping(const Lattice& damped, Lattice at_1, EdgeEnergy edge_at_1) {
     const auto is_strain = [](const auto& square) { return square.part == EnergyPart::strain; };
     std::erase_if(at_1.energy, is_strain);
     const double tau = tau_of(damped, at_1.energy);
@@ -68,11 +69,10 @@ inline EdgeDamping edge_damping(const Lattice& damped, Lattice at_1, EdgeEnergie
         }
     };
     keep_damped(at_1.energy);
-    keep_damped(edges_at_1.left.squares);
-    keep_damped(edges_at_1.right.squares);
+    keep_damped(edge_at_1.squares);
     at_1.symbol = damped.damping;
     at_1.table = nullptr;
-    return {std::move(at_1), std::move(edges_at_1)};
+    return {std::move(at_1), std::move(edge_at_1)};
 }
 
 }  // namespace nmbc::detail

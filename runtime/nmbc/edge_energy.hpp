@@ -3,10 +3,8 @@
 /// and squares of energy, of their own; beside a mirror they have half of the whole chain's.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <nmbc/lattice.hpp>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -32,40 +30,11 @@ struct EdgeEnergy {
     std::vector<Square> squares{};  ///< all that these nodes have, in the place of the lattice's
 };
 
-/// Of the same kind at both ends: mirror images, but for lattices whose squares are not.
-struct EdgeEnergies {
-    EdgeEnergy left;
-    EdgeEnergy right;
-};
-
 namespace detail {
 
-/// Whether each square of the energy has its mirror image among them, as those of nopd1d do. A bond
-/// that is counted at one of its ends alone has none.
-inline bool has_mirrored_squares(const Lattice& lattice) {
-    const auto mirrored = [](std::vector<double> stencil, double sign) {
-        std::reverse(stencil.begin(), stencil.end());
-        for (double& entry : stencil) {
-            entry *= sign;
-        }
-        return stencil;
-    };
-    return std::all_of(lattice.energy.begin(), lattice.energy.end(), [&](const auto& one) {
-        return std::any_of(lattice.energy.begin(), lattice.energy.end(), [&](const auto& other) {
-            return other.part == one.part && other.weight == one.weight &&
-                   (other.stencil == mirrored(one.stencil, 1) ||
-                    other.stencil == mirrored(one.stencil, -1));
-        });
-    });
-}
-
 /// What the nodes beside a mirror have of the whole chain's energy, which is twice theirs while
-/// nothing is given. None where squares have no mirror images.
-inline std::optional<EdgeEnergy> mirror_energy(const Lattice& lattice, OnSurface given,
-                                               bool through_node) {
-    if (!has_mirrored_squares(lattice)) {
-        return std::nullopt;
-    }
+/// nothing is given. The lattice's squares have mirror images.
+inline EdgeEnergy mirror_energy(const Lattice& lattice, OnSurface given, bool through_node) {
     EdgeEnergy energy;
     if (!through_node) {
         return energy;

@@ -28,29 +28,27 @@ void add_force(double weight, const std::vector<double>& stencil, const Place& p
 }
 
 /// M^-1 K u of a chain between two edges.
-inline std::vector<double> between_edges(const EdgeEnergies& edges, const Lattice& lattice,
+inline std::vector<double> between_edges(const EdgeEnergy& edge, const Lattice& lattice,
                                          const std::vector<double>& u) {
     const std::size_t nodes = u.size();
-    const std::size_t edge = edges.left.mass.size();
+    const std::size_t own = edge.mass.size();
     std::vector<double> force(nodes);
-    for (const EdgeEnergy::Square& square : edges.left.squares) {
+    for (const EdgeEnergy::Square& square : edge.squares) {
         add_force(
             square.weight, square.stencil, [](std::size_t i) { return i; }, u, force);
-    }
-    for (const EdgeEnergy::Square& square : edges.right.squares) {
         add_force(
             square.weight, square.stencil, [=](std::size_t i) { return nodes - 1 - i; }, u, force);
     }
     for (const auto& [part, weight, stencil] : lattice.energy) {
-        for (std::size_t node = edge; node + edge < nodes; ++node) {
+        for (std::size_t node = own; node + own < nodes; ++node) {
             const std::size_t first = node - stencil.size() / 2;
             add_force(
                 weight, stencil, [=](std::size_t i) { return first + i; }, u, force);
         }
     }
-    for (std::size_t node = 0; node < edge; ++node) {
-        force[node] /= edges.left.mass[node];
-        force[nodes - 1 - node] /= edges.right.mass[node];
+    for (std::size_t node = 0; node < own; ++node) {
+        force[node] /= edge.mass[node];
+        force[nodes - 1 - node] /= edge.mass[node];
     }
     return force;
 }
@@ -110,7 +108,7 @@ bool is_positive_definite(std::size_t first, std::size_t last, std::size_t width
 
 /// A chain between two edges.
 struct EdgedChain {
-    const EdgeEnergies& edges;
+    const EdgeEnergy& edge;
     const Lattice& lattice;
     const std::optional<EdgeDamping>& damping;
     bool is_held = false;  ///< u = 0 on the outermost nodes
@@ -125,7 +123,7 @@ struct EdgedChain {
         };
         return fastest_mode(lattice, nodes, [&](std::vector<double>& u) {
             hold(u);
-            u = between_edges(edges, lattice, u);
+            u = between_edges(edge, lattice, u);
             hold(u);
         });
     }
@@ -139,10 +137,9 @@ struct EdgedChain {
 };
 
 inline bool EdgedChain::is_stable_below(double bound) const {
-    // Whichever node a square is counted at, both ends are one body's: K is its own mirror image.
-    const EdgeStiffness K = stiffness_of(edges.left, lattice);
+    const EdgeStiffness K = stiffness_of(edge, lattice);
     const EdgeStiffness C =
-        damping ? stiffness_of(damping->edges.left, damping->lattice) : EdgeStiffness{};
+        damping ? stiffness_of(damping->edge, damping->lattice) : EdgeStiffness{};
     const double rate = std::sqrt(bound);
     const auto entry_of = [](const std::vector<double>& symbol, std::size_t distance) {
         return distance < symbol.size() ? symbol[distance] : 0;
@@ -160,12 +157,8 @@ inline bool EdgedChain::is_stable_below(double bound) const {
                    : 0;
     };
     const auto mass = [&](std::size_t node) {
-        const std::vector<double>& of_left = edges.left.mass;
-        const std::vector<double>& of_right = edges.right.mass;
-        const std::size_t from_right = nodes - 1 - node;
-        return node < of_left.size()          ? of_left[node]
-               : from_right < of_right.size() ? of_right[from_right]
-                                              : 1;
+        const std::size_t depth = std::min(node, nodes - 1 - node);
+        return depth < edge.mass.size() ? edge.mass[depth] : 1;
     };
     const std::size_t first = is_held ? 1 : 0;
     return is_positive_definite(first, nodes - first, K.columns, [&](std::size_t i, std::size_t j) {

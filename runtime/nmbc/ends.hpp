@@ -90,9 +90,7 @@ class FreeCondition final : public BoundaryCondition<Real> {
     void after_kick(NodeLine<const Real> /*u*/, NodeLine<Real> v, std::size_t /*step*/) override {
         mirror(v);
     }
-    const EdgeEnergy* own_energy(End /*end*/) const override {
-        return energy_ ? &*energy_ : nullptr;
-    }
+    const EdgeEnergy* own_energy() const override { return &energy_; }
 
   private:
     void mirror(NodeLine<Real> field) const {
@@ -102,7 +100,7 @@ class FreeCondition final : public BoundaryCondition<Real> {
     }
 
     std::size_t ghosts_;
-    std::optional<EdgeEnergy> energy_;
+    EdgeEnergy energy_;
 };
 
 template <class Real>

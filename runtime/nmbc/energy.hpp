@@ -22,9 +22,8 @@ struct Energies {
     double stabilisation = 0;  ///< dX sum (E G / n^4) |z|^2 / 2 over the bonds, z of (34)
     /// Kinetic energy plus the potential one with u^k and u^{k+1} in its two places. Leapfrog
     /// keeps it exactly in a chain without ends, or between two free ones, or mirrors on which
-    /// nothing is given, of a lattice whose squares have mirror images, as nopd1d has (beside a
-    /// fixed end, the strain of the ghost nodes is missing); `total` is above it by O(dt^2), and
-    /// swings.
+    /// nothing is given (beside a fixed end, the strain of the ghost nodes is missing); `total` is
+    /// above it by O(dt^2), and swings.
     double staggered = 0;
     /// Taken out at these nodes by the damping force since the start, with the scheme's own
     /// velocities: between free ends, `staggered` falls by exactly as much as `damped` rises. Other

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <nmbc/lattice.hpp>
+#include <nmbc/mirror_images.hpp>
 #include <span>
 #include <utility>
 #include <vector>
@@ -46,13 +47,6 @@ inline FoldedSquare folded(const Lattice::Square& square, double weight, Fold fo
         }
     }
     return result;
-}
-
-/// Whether one stencil is the other one read backwards, times this sign.
-inline bool is_image(const Lattice::Square& a, const Lattice::Square& b, double sign) {
-    return a.part == b.part && a.weight == b.weight &&
-           std::equal(a.stencil.begin(), a.stencil.end(), b.stencil.rbegin(), b.stencil.rend(),
-                      [=](double left, double right) { return left == sign * right; });
 }
 
 /// Makes one square of two whose roots are multiples of each other, up to roundings; whether they

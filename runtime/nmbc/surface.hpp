@@ -18,6 +18,7 @@
 #include <nmbc/edge_energy.hpp>
 #include <nmbc/edged_chain.hpp>
 #include <nmbc/lattice.hpp>
+#include <nmbc/mirror_images.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -42,8 +43,9 @@ enum class Closure {
     kernel,  ///< convex kernels (kernel_edge): of correspondence, of a cubic spline's influence
     cut,     ///< families end where the nodes do (cut_edge): of correspondence and of bonds
     /// A mirror through the outermost node: ghost f has 2 u_s - u_f, or u_f + 2 f dX e, nodes
-    /// counted from 0. Half of this node's energy counts, the body's, where nothing is given in a
-    /// lattice whose squares have mirror images; else all of it.
+    /// counted from 0. Half of this node's energy counts, the body's, where nothing is given; else
+    /// all
+    /// of it, so that the energy is not even while a wave is there.
     node_mirror,
 };
 
@@ -173,9 +175,7 @@ class SurfaceCondition final : public BoundaryCondition<Real> {
 
     std::size_t least_interior_nodes() const override { return columns_; }
 
-    const EdgeEnergy* own_energy(End /*end*/) const override {
-        return energy_ ? &*energy_ : nullptr;
-    }
+    const EdgeEnergy* own_energy() const override { return energy_ ? &*energy_ : nullptr; }
 
     void start(NodeLine<Real> u, NodeLine<Real> v, std::size_t step) override {
         const double time = static_cast<double>(step) * time_step_;
@@ -254,16 +254,14 @@ inline bool is_mirror(Closure closure) {
     return closure == Closure::mirror || closure == Closure::node_mirror;
 }
 
-inline EdgeEnergies edges_of(Closure closure, const Lattice& lattice) {
+inline EdgeEnergy closure_edge(Closure closure, const Lattice& lattice) {
     switch (closure) {
         case Closure::cut:
-            return {cut_edge(lattice, End::left), cut_edge(lattice, End::right)};
+            return cut_edge(lattice);
         case Closure::sbp:
-            return {sbp_edge(lattice, End::left), sbp_edge(lattice, End::right)};
-        case Closure::kernel: {
-            const EdgeEnergy edge = kernel_edge(lattice);
-            return {edge, edge};
-        }
+            return sbp_edge(lattice);
+        case Closure::kernel:
+            return kernel_edge(lattice);
         case Closure::mirror:
         case Closure::surface_node:
         case Closure::node_mirror:
@@ -272,20 +270,20 @@ inline EdgeEnergies edges_of(Closure closure, const Lattice& lattice) {
     throw std::logic_error("this end has no edge of its own");
 }
 
-/// A closure with an energy of its own, at both ends.
-struct EdgedEnds {
-    EdgeEnergies edges;
+/// A closure with an energy of its own.
+struct Edge {
+    EdgeEnergy energy;
     std::optional<EdgeDamping> damping;  ///< none where nothing is damped
 };
 
-inline EdgedEnds edged_ends(Closure closure, const Lattice& lattice) {
-    EdgedEnds ends{edges_of(closure, lattice), std::nullopt};
+inline Edge edge_with_damping(Closure closure, const Lattice& lattice) {
+    Edge edge{closure_edge(closure, lattice), std::nullopt};
     if (!lattice.damping.empty()) {
         Lattice at_1 = stabilised_at_1(lattice);
-        EdgeEnergies edges = edges_of(closure, at_1);
-        ends.damping = edge_damping(lattice, std::move(at_1), std::move(edges));
+        EdgeEnergy edge_at_1 = closure_edge(closure, at_1);
+        edge.damping = edge_damping(lattice, std::move(at_1), std::move(edge_at_1));
     }
-    return ends;
+    return edge;
 }
 
 /// 1 % more than estimates say.
@@ -297,12 +295,12 @@ inline std::size_t enough_nodes(std::size_t nodes, std::size_t least, std::size_
     return std::clamp(nodes, least, std::max(least, most));
 }
 
-/// largest_eigenvalue() between such ends.
-inline double eigenvalue_bound(const EdgedEnds& ends, const Lattice& lattice, OnSurface given,
+/// largest_eigenvalue() between two such ends.
+inline double eigenvalue_bound(const Edge& edge, const Lattice& lattice, OnSurface given,
                                std::size_t nodes) {
     const std::size_t n = lattice.reach();
-    const std::size_t least = 2 * ends.edges.left.mass.size() + 1;
-    EdgedChain chain{ends.edges, lattice, ends.damping, given == OnSurface::displacement,
+    const std::size_t least = 2 * edge.energy.mass.size() + 1;
+    EdgedChain chain{edge.energy, lattice, edge.damping, given == OnSurface::displacement,
                      enough_nodes(nodes, least, 6 * n + 8)};
     double bound = eigenvalue_margin * chain.fastest();
     chain.nodes = enough_nodes(nodes, least, 40 * n);
@@ -341,7 +339,8 @@ inline double largest_eigenvalue(const Lattice& lattice, Closure closure, OnSurf
     if (closure == Closure::surface_node) {
         return detail::eigenvalue_bound(detail::surface_node_rows(lattice, given), lattice, nodes);
     }
-    return detail::eigenvalue_bound(detail::edged_ends(closure, lattice), lattice, given, nodes);
+    const Lattice whole = detail::with_mirror_images(lattice);
+    return detail::eigenvalue_bound(detail::edge_with_damping(closure, whole), whole, given, nodes);
 }
 
 template <class Real>
@@ -352,7 +351,8 @@ std::unique_ptr<BoundaryCondition<Real>> SurfaceEnd::make(
         const bool through_node = closure == Closure::node_mirror;
         return std::make_unique<detail::SurfaceCondition<Real>>(
             detail::mirror_rows(lattice, given, through_node), unit_of(p), p.time_step, value,
-            value ? std::nullopt : detail::mirror_energy(lattice, given, through_node));
+            value ? std::nullopt
+                  : std::optional(detail::mirror_energy(lattice, given, through_node)));
     }
     if (closure == Closure::surface_node) {
         if (!lattice.damping.empty()) {
@@ -363,10 +363,10 @@ std::unique_ptr<BoundaryCondition<Real>> SurfaceEnd::make(
         return std::make_unique<detail::SurfaceCondition<Real>>(rows, unit_of(p), p.time_step,
                                                                 value);
     }
-    detail::EdgedEnds ends = detail::edged_ends(closure, lattice);
-    detail::require_step_below(detail::eigenvalue_bound(ends, lattice, given, p.nodes), p);
-    return std::make_unique<detail::EdgeCondition<Real>>(std::move(ends.edges), lattice,
-                                                         std::move(ends.damping), p, given, value);
+    detail::Edge edge = detail::edge_with_damping(closure, lattice);
+    detail::require_step_below(detail::eigenvalue_bound(edge, lattice, given, p.nodes), p);
+    return std::make_unique<detail::EdgeCondition<Real>>(std::move(edge.energy), lattice,
+                                                         std::move(edge.damping), p, given, value);
 }
 
 }  // namespace nmbc

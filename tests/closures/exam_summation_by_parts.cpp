@@ -130,7 +130,7 @@ TEST_CASE("the runtime finds the operators that are derived here") {
                 strain[n - k] = -strain[n + k];
             }
             lattice.energy.push_back({nmbc::EnergyPart::strain, 1, strain});
-            const nmbc::EdgeEnergy edge = nmbc::sbp_edge(lattice, nmbc::End::left);
+            const nmbc::EdgeEnergy edge = nmbc::sbp_edge(lattice);
             REQUIRE(edge.mass.size() == n);
             REQUIRE(edge.squares.size() == n);
             for (std::size_t i = 0; i < n; ++i) {

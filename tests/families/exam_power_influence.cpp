@@ -68,6 +68,15 @@ TEST_CASE("p = 0 is Cin(k delta) = x^2/4 - x^4/96 + x^6/4320 - ..") {
                 delta * delta * delta * delta / 1080, 0);
 }
 
+TEST_CASE("eps to infinity: the coefficients become those of p = 0") {
+    const PowerInfluence influence{3, 1'000'000'000, 5};
+    constexpr double ratio = 5e-9;  // delta/eps; p times it is left out
+    CHECK(dispersion_coefficient(influence, 3) ==
+          doctest::Approx(ratio * ratio / 24).epsilon(3 * ratio).scale(0));
+    CHECK(dispersion_coefficient(influence, 5) ==
+          doctest::Approx(std::pow(ratio, 4) / 1080).epsilon(3 * ratio).scale(0));
+}
+
 TEST_CASE("delta to infinity: I(p, n) is the beta function B(n + 1, p - n - 1)") {
     // What lies beyond delta = 10^9 eps is below 10^-18 of it.
     const PowerInfluence influence{9, Rational(1, 10000000), 100};

@@ -8,12 +8,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "tests/nmbcrun/plane_starts.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/plane/plane_body.hpp"
 
 namespace nmbcrun::test {
 namespace {
@@ -139,6 +142,42 @@ TEST_CASE("between closed sides all that a load puts in is in the body") {
         const double left = simulation.energies().staggered;
         CHECK(left > 0);
         CHECK(left == doctest::Approx(simulation.balance().work).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("under tractions that balance it an even stress rests from the first step on") {
+    constexpr double stress = 7;
+    constexpr double strain = stress / 12;  // E of the lattice
+    for (const unsigned radius_squared : {1U, 4U}) {
+        CAPTURE(radius_squared);
+        const std::string text =
+            model_of_radius(radius_squared) + of_lattice +
+            "[boundary]\nkind = 'sbp'\n"
+            "[load.left]\nside = 'left'\nkind = 'traction'\ncomponent = 'x'\n"
+            "amplitude = -7\n"
+            "[load.right]\nside = 'right'\nkind = 'traction'\ncomponent = 'x'\n"
+            "amplitude = 7\n";
+        const PlaneScene at_rest = plane_scene_of(text);
+        const PlaneBody body = body_of(at_rest, PlaneSimulation(at_rest, true).plane().layers());
+        const auto file = file_named("exam_even_stress.csv");
+        std::ofstream csv(file);
+        csv << "x,y,ux,uy\n";
+        for (std::size_t j = 0; j < body.nodes[1]; ++j) {
+            for (std::size_t i = 0; i < body.nodes[0]; ++i) {
+                const double x = at_rest.spacing * (1 + double(i) - double(body.before[0]));
+                const double y = at_rest.spacing * (1 + double(j) - double(body.before[1]));
+                csv << fmt::format("{},{},{},{}\n", x, y, strain * x, -0.25 * strain * y);
+            }
+        }
+        csv.close();
+        PlaneSimulation simulation(started_from(text, file), true);
+        const std::vector<double> start(simulation.plane().displacement(0).begin(),
+                                        simulation.plane().displacement(0).end());
+        simulation.advance(100);
+        for (std::size_t entry = 0; entry < start.size(); ++entry) {
+            CHECK(std::abs(simulation.plane().displacement(0)[entry] - start[entry]) < 1e-12);
+        }
+        std::filesystem::remove(file);
     }
 }
 

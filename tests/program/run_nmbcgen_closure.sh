@@ -48,7 +48,7 @@ for i, row in enumerate(rows):
         assert row[j] + rows[j][i] == (-1 if i == j == 0 else 0)' "$scratch/stdout"
 
 refuses 2 "METHOD is required" closure
-refuses 2 "'mirror' is not a closure; allowed: snm, sbp" closure mirror --horizon 2
+refuses 2 "'mirror' is no closure whose rows are derived; allowed: snm, sbp" closure mirror --horizon 2
 refuses 2 "--corrected is not of closure sbp" closure sbp --horizon 2 --corrected
 refuses 2 "--weights is not of closure snm" closure snm --horizon 2 --weights 1,1
 refuses 2 "--weights: 3 weights, where horizon 2 needs 2" closure sbp --horizon 2 --weights 1,1,1

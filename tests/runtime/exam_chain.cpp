@@ -66,7 +66,7 @@ TEST_CASE("energies are the sums of the lattice's squares") {
         for (std::size_t node = 0; node < 150; ++node) {
             const double v = chain.velocity()[chain.first_interior() + node];
             staggered += 0.5 * v * v / 2;
-            for (const auto& [part, weight, stencil] : lattice.energy) {
+            for (const auto& [part, weight, stencil] : chain.lattice().energy) {
                 const std::size_t first = chain.first_interior() + node - stencil.size() / 2;
                 const double now = nmbc::detail::apply(stencil, &chain.displacement()[first]);
                 const double rate = nmbc::detail::apply(stencil, &chain.velocity()[first]);

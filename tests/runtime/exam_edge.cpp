@@ -142,8 +142,8 @@ TEST_CASE(
         entry = -entry;
     }
     for (const Closure closure : {Closure::sbp, Closure::cut}) {
-        const auto edge = nmbc::detail::edges_of(closure, spline_lattice()).left;
-        const auto other = nmbc::detail::edges_of(closure, turned).left;
+        const auto edge = nmbc::detail::closure_edge(closure, spline_lattice());
+        const auto other = nmbc::detail::closure_edge(closure, turned);
         REQUIRE(edge.squares.size() == other.squares.size());
         for (std::size_t i = 0; i < edge.squares.size(); ++i) {
             CHECK(edge.squares[i].stencil == other.squares[i].stencil);
@@ -152,7 +152,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the strain of nopd1d at n = 1 is no bond from I - 1 to I + 1") {
-    const nmbc::EdgeEnergy edge = nmbc::cut_edge(constant_influence(1, 0), nmbc::End::left);
+    const nmbc::EdgeEnergy edge = nmbc::cut_edge(constant_influence(1, 0));
     REQUIRE(edge.squares.size() == 1);
     CHECK(edge.squares[0].stencil == std::vector<double>{-1, 1});
 }

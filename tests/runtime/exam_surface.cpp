@@ -8,6 +8,7 @@
 #include <nmbc/tables/nopd1d_n2_order1.hpp>
 #include <vector>
 
+#include "tests/runtime/edge_chains.hpp"
 #include "tests/support/snm_bonds.hpp"
 
 namespace {
@@ -96,23 +97,27 @@ TEST_CASE("a mirror through a node makes one half of a longer chain, too") {
 }
 
 TEST_CASE("a body between mirrors keeps its energy while nothing is given") {
-    const nmbc::Lattice lattice = nmbc::make_lattice(nmbc::generated::nopd1d_n2_order1, 1);
-    for (const auto closure : {Closure::mirror, Closure::node_mirror}) {
-        for (const auto given : {OnSurface::displacement, OnSurface::traction}) {
-            nmbc::Chain chain(lattice, SurfaceEnd{closure, given, {}},
-                              parameters_of(30, 0.9, lattice));
-            std::vector<double> u(chain.nodes());
-            std::vector<double> v(chain.nodes());
-            for (std::size_t i = 0; i < u.size(); ++i) {
-                u[i] = std::sin(double(i * i));
-                v[i] = std::cos(double(i * i));
-            }
-            chain.start(u, v);
-            const double start = nmbc::energies(chain).staggered;
-            for (int row = 0; row < 10; ++row) {
-                chain.advance(100);
-                // Roundings of a thousand steps.
-                CHECK(nmbc::energies(chain).staggered == doctest::Approx(start).epsilon(1e-12));
+    std::vector<nmbc::Lattice> lattices = lattices_of_bonds();
+    lattices.push_back(nmbc::make_lattice(nmbc::generated::nopd1d_n2_order1, 1));
+    const SurfaceEnd unlike{Closure::node_mirror, OnSurface::traction, {}};
+    for (const nmbc::Lattice& lattice : lattices) {
+        for (const auto closure : {Closure::mirror, Closure::node_mirror}) {
+            for (const auto given : {OnSurface::displacement, OnSurface::traction}) {
+                nmbc::Chain chain(lattice, SurfaceEnd{closure, given, {}}, unlike,
+                                  parameters_of(30, 0.5, lattice));
+                std::vector<double> u(chain.nodes());
+                std::vector<double> v(chain.nodes());
+                for (std::size_t i = 0; i < u.size(); ++i) {
+                    u[i] = std::sin(double(i * i));
+                    v[i] = std::cos(double(i * i));
+                }
+                chain.start(u, v);
+                const double start = nmbc::energies(chain).staggered;
+                for (int row = 0; row < 10; ++row) {
+                    chain.advance(100);
+                    // Roundings of a thousand steps.
+                    CHECK(nmbc::energies(chain).staggered == doctest::Approx(start).epsilon(1e-12));
+                }
             }
         }
     }

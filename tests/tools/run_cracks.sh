@@ -157,7 +157,7 @@ refused 2 "which is outside of the plane" --set 'fracture.cracks=[[0, 1, 8e-3, 1
 refused 2 "from a point to itself" --set 'fracture.cracks=[[1e-3, 1e-3, 1e-3, 1e-3]]'
 refused 2 "must be a list of four numbers each, [[X1, Y1, X2, Y2], ..], not [1, 2]" --set 'fracture.cracks=[[1, 2]]'
 refused 2 "which holds no node" --set 'fracture.keep=[[0, 0, 0.1e-3, 1]]'
-refused 2 "model.alpha has 2 numbers; 6 are needed, none of them 0: of the bonds (1, 0), (1, 1), (2, 0), (2, 1), (2, 2), (3, 0)" --set 'model.alpha=[1, 1]'
+refused 2 "model.alpha has length 2; 6 is needed, a number other than 0 for each of the bonds (1, 0), (1, 1), (2, 0), (2, 1), (2, 2), (3, 0)" --set 'model.alpha=[1, 1]'
 refused 2 "model.alpha and model.weights say the same: give one" --set 'model.weights=[1, 1, 1, 1, 1, 1]'
 refused 2 "the square of a whole number, not 8, which takes weights" --set model.radius2=8 --set 'model.alpha=[1, 1, 1, 1, 1]'
 refused 2 "whose first point is not the lower left one" --set 'fracture.keep=[[1e-2, 1e-2, 0, 0]]'

@@ -174,7 +174,7 @@ expect_stderr 'sides of kind "sbp" are for model.radius2 up to 25, not 26'
 sed 's/nopd2d/bond2d/; /^nu\|^G/d; s/^radius2.*/radius2 = 2\nweights = [1, 1]/' pulled.toml >bonds.toml
 try run bonds.toml --quiet --out refused
 expect_exit 2
-expect_stderr 'a side of kind "sbp" is for nopd2d: bonds have no gradients'
+expect_stderr 'a side of kind "sbp" is for nopd2d: of bonds, an even strain'
 try run bonds.toml --quiet --out refused --set boundary.kind=kernel
 expect_exit 2
 expect_stderr 'a side of kind "kernel" is for nopd2d: bonds have no gradients'
@@ -560,7 +560,7 @@ setting 2 "--set domain.nodes: initial.centre puts it outside of the plane, whos
 refuses 2 "--set domain.nodes: output.probes has [31, 59], but the nodes are at 1 to 3 along x" run "$2/tools/scenes/plane_box.toml" --set 'domain.nodes=[3, 3]'
 setting 2 'model.influence must be "constant" or "spline"' 'model.influence="cubic"'
 setting 2 "of a radius squared of 2, 8, 13, 20, .." 'model.influence="spline"' model.radius2=9
-setting 2 "model.influence has 2 numbers; 3 are needed, of bonds whose lengths squared are 1, 2, 4" 'model.influence=[1, 2]' model.radius2=4
+setting 2 "model.influence has length 2; 3 is needed, a number for each squared length of bonds, 1, 2, 4" 'model.influence=[1, 2]' model.radius2=4
 setting 2 "model.influence" 'model.influence=[1, 0, 1]' model.radius2=4
 setting 2 "model.influence has numbers that are more than 1e+300 times others" 'model.influence=[1e-200, 1, 1e200]' model.radius2=4
 setting 2 "passive sides are designed for constant influence" 'model.influence="spline"' model.radius2=2
@@ -597,7 +597,7 @@ drive=('drive={amplitude = 1, component = "x", centre = [5.5, 0.5], half_width =
 setting 2 "drive acts on no node of the scene: the nearest is at [6, 1], and drive.half_width = [0.5, 4] would select it" "${drive[@]}"
 setting 2 "drive acts on no node of the scene: its nodes are at [1, 1] to [150, 275]" "${drive[@]}" 'drive.centre=[-1, 2]'
 setting 2 'must be "nopd2d"' model.family=nopd1d
-setting 2 "must be a list [x, y], not one of 3 numbers" "domain.nodes=[1, 2, 3]"
+setting 2 "must be a list [x, y], not one of length 3" "domain.nodes=[1, 2, 3]"
 setting 2 "two whole numbers" "domain.nodes=[1.5, 2]"
 setting 2 "whose product is at most 100000000" "domain.nodes=[100000, 100000]"
 setting 2 'boundary.left.kind must be "passive", "fixed", "free"' boundary.left.kind=open

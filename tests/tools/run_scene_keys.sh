@@ -192,6 +192,7 @@ source_of 5 "nowhere.csv: No such file" "${force[@]}" force.history=csv force.fi
 wave=(incoming.shape=gaussian incoming.amplitude=1 incoming.width=9 incoming.arrival=5 incoming.end=left)
 source_of 2 'incoming.end must be "left" or "right", not "both"' "${wave[@]}" incoming.end=both
 source_of 2 "incoming.arrival must be a number not below 0" "${wave[@]}" incoming.arrival=-1
+source_of 2 'is where the body ends, by kind "sbp": waves come in through artificial ends' "${wave[@]}" boundary.left.kind=sbp
 source_of 2 "at most 100000 are taken" "${wave[@]}" incoming.arrival=1e9 time.end=1e10
 source_of 2 "a damped lattice has no wave that comes from afar" "${wave[@]}" model.damping=1/20 \
     boundary.order=2 boundary.stride=4

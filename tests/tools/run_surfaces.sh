@@ -242,7 +242,7 @@ for kind in sbp cut node_mirror; do
     expect_exit 0
     expect "$kind: a ledger that closes" awk '/^ledger drift/ { exit !($3 < 1e-13) }' "$scratch/stdout"
 done
-refuses 2 'boundary.kind = "kernel": this end is for lattices like nopd1d, of one strain a node, and, if it is sbp or cut, of bonds; "mirror" ends any lattice' \
+refuses 2 'boundary.kind = "kernel": this end is for lattices of one strain a node, such as nopd1d; sbp and cut are for bonds, too; "mirror" ends any lattice' \
     bonds.toml --set boundary.left.kind=kernel
 refuses 2 'preload is not known beside an end of kind "sbp"' body.toml --set preload.strain=0.01
 refuses 2 "needs at least 8 interior nodes" body.toml --set domain.nodes=7 --set initial.centre=4

@@ -2,7 +2,9 @@
 /// What can be wrong with a run, by the exit code it ends with.
 #pragma once
 
+#include <nmbc/coefficients.hpp>
 #include <stdexcept>
+#include <string>
 
 #include "generator/support/posix_file.hpp"
 
@@ -36,5 +38,22 @@ struct Interrupted : std::runtime_error {
 };
 
 using nmbcgen::FileError;  // (5)
+
+/// Calls job(). Why the scene refuses what it tries, in words; empty: it does not.
+template <class Job>
+std::string refusal_of(Job job) {
+    try {
+        job();
+    } catch (const SceneError& error) {
+        return error.what();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    } catch (const nmbc::CoefficientError& error) {
+        return error.what();
+    } catch (const Unstable& error) {
+        return error.what();
+    }
+    return "";
+}
 
 }  // namespace nmbcrun

@@ -33,7 +33,6 @@
 #include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/processor_clock.hpp"
 #include "tools/nmbcrun/output/work.hpp"
-#include "tools/nmbcrun/refusal.hpp"
 #include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
@@ -239,9 +238,18 @@ void Measurement::run_trials(Work& work) {
 void Measurement::leave_out_refused() {
     std::set<std::string> told;
     std::set<std::string> without_cost;
+    std::set<std::string> left;  // in some steps
+    for (const Point& point : points_) {
+        if (point.refused.empty()) {
+            left.insert(point.what.name);
+        }
+    }
     for (const Point& point : points_) {
         if (!point.refused.empty() && told.insert(point.what.name).second) {
-            fmt::print(stderr, "nmbcrun: left out: {}: {}\n", point.what.name, point.refused);
+            fmt::print(
+                stderr, "nmbcrun: left out{}: {}: {}\n",
+                left.contains(point.what.name) ? fmt::format(" at cfl = {:g}", point.cfl) : "",
+                point.what.name, point.refused);
         }
         if (!point.refused.empty() && point.cfl == shown_) {
             without_cost.insert(point.what.name);

@@ -56,8 +56,9 @@ void read_bonds(SceneReader& reader, PlaneScene& scene) {
     if (given.size() != classes.size() || std::ranges::count(given, 0.0) > 0) {
         reader.fail(
             alpha.empty() ? "model.weights" : "model.alpha",
-            fmt::format("has {} numbers; {} are needed, none of them 0: of the bonds {}",
-                        given.size(), classes.size(), nmbc::detail::list_of_bonds(classes)));
+            fmt::format(
+                "has length {}; {} is needed, a number other than 0 for each of the bonds {}",
+                given.size(), classes.size(), nmbc::detail::list_of_bonds(classes)));
     }
     try {
         if (!alpha.empty()) {
@@ -78,9 +79,10 @@ std::vector<double> read_plane_influence(SceneReader& reader, unsigned radius_sq
         std::vector<double> numbers = reader.numbers(key, positive);
         const auto lengths = nmbc::squared_lengths(radius_squared);
         if (reader.has(key) && numbers.size() != lengths.size()) {
-            reader.fail(key, fmt::format("has {} numbers; {} are needed, of bonds whose lengths "
-                                         "squared are {}",
-                                         numbers.size(), lengths.size(), fmt::join(lengths, ", ")));
+            reader.fail(key,
+                        fmt::format("has length {}; {} is needed, a number for each squared length "
+                                    "of bonds, {}",
+                                    numbers.size(), lengths.size(), fmt::join(lengths, ", ")));
         }
         constexpr double widest = 1e300;  // over their mean, no number is 0
         if (!numbers.empty() && std::ranges::max(numbers) / widest > std::ranges::min(numbers)) {

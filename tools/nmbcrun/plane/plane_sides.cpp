@@ -88,8 +88,8 @@ nmbc::HigdonSide higdon_side_of(const PlaneScene& scene, const PlaneSideChoice& 
 nmbc::PlaneSide sbp_side_of(const PlaneScene& scene) {
     if (scene.is_bond_based()) {
         throw SceneError(
-            "a side of kind \"sbp\" is for nopd2d: bonds have no gradients to sum by parts. Take "
-            "\"mirror\" where the body is symmetric, or \"free\", which is too soft");
+            "a side of kind \"sbp\" is for nopd2d: of bonds, an even strain is not at rest in its "
+            "corners. Take \"mirror\" where the body is symmetric, or \"free\", which is too soft");
     }
     if (scene.radius_squared == 1) {
         const std::vector<double> half{0.5};

@@ -199,6 +199,9 @@ PlaneSimulation::PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides
         plane_.start_staggered();
     } else {
         plane_.start();
+        if (scene_.initial) {  // a body at rest begins to move when it is loaded
+            sources_.push(plane_, 0, -plan_.time_step / 2);
+        }
     }
     if (scene_.has(SideKind::pml)) {
         std::array<nmbc::LossLayer, 4> layers;

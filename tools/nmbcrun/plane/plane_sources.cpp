@@ -169,6 +169,20 @@ void PlaneSources::start(const nmbc::Plane& plane, double work) {
     }
 }
 
+void PlaneSources::push(nmbc::Plane& plane, double time, double duration) const {
+    for (const Source& source : sources_) {
+        if (source.given != Given::force) {
+            continue;
+        }
+        const double change = duration * source.at(time) / density_;
+        for (std::size_t i = 0; i < source.nodes.size(); ++i) {
+            const Moved& node = moved_[source.nodes[i]];
+            plane.velocity(node.component)[node.entry] +=
+                source.shares.empty() ? change : change * source.shares[i];
+        }
+    }
+}
+
 void PlaneSources::operator()(nmbc::Plane& plane, double time) {
     const auto velocity = [&](const Moved& node) -> double& {
         return plane.velocity(node.component)[node.entry];
@@ -176,15 +190,7 @@ void PlaneSources::operator()(nmbc::Plane& plane, double time) {
     for (Moved& node : moved_) {
         node.kicked = velocity(node);
     }
-    for (const Source& source : sources_) {
-        if (source.given == Given::force) {
-            const double push = time_step_ * source.at(time - time_step_) / density_;
-            for (std::size_t i = 0; i < source.nodes.size(); ++i) {
-                velocity(moved_[source.nodes[i]]) +=
-                    source.shares.empty() ? push : push * source.shares[i];
-            }
-        }
-    }
+    push(plane, time - time_step_, time_step_);
     // What follows a course does so whatever force acts on it.
     for (const Source& source : sources_) {
         const double middle = time - time_step_ / 2;

@@ -24,6 +24,9 @@ class PlaneSources {
     PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
                  const std::array<std::size_t, 2>& extension, double time_step);
 
+    /// Of forces at this time, in so long.
+    void push(nmbc::Plane& plane, double time, double duration) const;
+
     /// time: the end of the step.
     void operator()(nmbc::Plane& plane, double time);
 

@@ -19,7 +19,6 @@
 #include "tools/nmbcrun/plane/plane_sides.hpp"
 #include "tools/nmbcrun/plane/same_body.hpp"
 #include "tools/nmbcrun/plane_compare/side_trial.hpp"
-#include "tools/nmbcrun/refusal.hpp"
 #include "tools/nmbcrun/stepping/plane_stepping.hpp"
 
 namespace nmbcrun {

@@ -253,6 +253,15 @@ void require_sources_in_run(const SceneReader& reader, const Scene& scene) {
         require_in_run(reader, "boundary.right.value", *scene.right.value, scene.end);
     }
     if (scene.incoming) {
+        const bool from_left = scene.incoming->end == nmbc::End::left;
+        const BoundaryKind kind = from_left ? scene.left.kind : scene.right.kind;
+        if (is_physical(kind)) {
+            reader.fail_beside("incoming.end",
+                               from_left ? "boundary.left.kind" : "boundary.right.kind",
+                               fmt::format("is where the body ends, by kind \"{}\": waves come in "
+                                           "through artificial ends",
+                                           name_of(kind)));
+        }
         const double way = widths_of_pulse * scene.incoming->pulse.width / wave_speed(scene);
         require_begun(reader, "incoming.arrival", scene.incoming->arrival - way, scene.end);
     }

@@ -128,7 +128,7 @@ std::optional<std::array<double, 2>> SceneReader::pair(std::string_view key, con
     }
     const std::vector<double> values = numbers(key, bounds);
     if (values.size() != 2) {
-        fail(key, fmt::format("must be a list [x, y], not one of {} numbers", values.size()));
+        fail(key, fmt::format("must be a list [x, y], not one of length {}", values.size()));
     }
     return std::array{values[0], values[1]};
 }

@@ -68,10 +68,9 @@ nmbc::SurfaceEnd surface_of(const Scene& scene, const Boundary& boundary) {
                         "{}: take \"mirror\"",
                         scene.family));
     }
-    if (ends_on_node(closure_of(boundary.kind)) && (scene.incoming || scene.preload)) {
+    if (ends_on_node(closure_of(boundary.kind)) && scene.preload) {
         throw SceneError(fmt::format(
-            R"({} beside an end of kind "{}": take "mirror", or give what is on the surface)",
-            scene.preload ? "preload is not known" : "incoming waves are not known",
+            R"(preload is not known beside an end of kind "{}": take "mirror", or give a traction)",
             name_of(boundary.kind)));
     }
     nmbc::SurfaceEnd surface{closure_of(boundary.kind), boundary.given, {}};
