@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "generator/dense/decompositions.hpp"
+#include "generator/dense/portable_math.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 
@@ -68,7 +69,7 @@ void EdgeSquares::add(MatrixXd& stiffness, const std::vector<Square>& squares, I
         const auto [first, last] = std::ranges::minmax(square.terms, {}, &Square::Term::layer);
         Eigen::VectorXcd row = Eigen::VectorXcd::Zero(components * (last.layer - first.layer + 1));
         for (const Square::Term& term : square.terms) {
-            const Complex phase = std::polar(1.0, wave_number * term.along);
+            const Complex phase = portable::unit(wave_number * term.along);
             for (Index a = 0; a < components; ++a) {
                 row(components * (term.layer - first.layer) + a) +=
                     term.factors[std::size_t(a)] * phase * (a == 1 ? Complex(0, -1) : Complex(1));

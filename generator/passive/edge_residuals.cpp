@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "generator/dense/decompositions.hpp"
+#include "generator/dense/portable_math.hpp"
 #include "generator/exact/rational.hpp"
 
 namespace nmbcgen {
@@ -73,7 +74,8 @@ VectorXd EdgeResiduals::start(double heavier) const {
         for (Index layer = 0; layer < layers_; ++layer) {
             const double share = double(std::max<Index>(0, layers_ - 2 - layer)) /
                                  double(std::max<Index>(1, layers_ - 2));
-            values.push_back(share * std::log(heavier) + (layer == 0 ? std::log(outermost) : 0));
+            values.push_back(share * portable::log(heavier) +
+                             (layer == 0 ? portable::log(outermost) : 0));
         }
     };
     add_logarithms(0.5);
@@ -100,7 +102,7 @@ EdgeNumbers<double> EdgeResiduals::numbers(const VectorXd& parameters) const {
     const auto weights = [&] {
         std::vector<double> result;
         for (Index layer = 0; layer < layers_; ++layer) {
-            result.push_back(std::exp(parameters(at++)));
+            result.push_back(portable::exp(parameters(at++)));
         }
         return result;
     };
@@ -123,7 +125,7 @@ EdgeNumbers<double> EdgeResiduals::numbers(const VectorXd& parameters) const {
     set_scales(numbers, task_.is_exact_head_on);
     if (task_.largest_beta != 0) {
         numbers.null_lagrangian =
-            nearest_double(task_.largest_beta) * (1 + std::sin(parameters(at++))) / 2;
+            nearest_double(task_.largest_beta) * (1 + portable::sin(parameters(at++))) / 2;
     }
     return numbers;
 }
@@ -208,8 +210,8 @@ Linearised EdgeResiduals::at(const VectorXd& parameters) const {
     Edge now{.numbers = numbers(parameters), .edge = {}, .beta_slope = 0};
     now.edge = edge_in_doubles(now.numbers, speeds_);
     if (task_.largest_beta != 0) {
-        now.beta_slope =
-            nearest_double(task_.largest_beta) * std::cos(parameters(parameters.size() - 1)) / 2;
+        now.beta_slope = nearest_double(task_.largest_beta) *
+                         portable::cos(parameters(parameters.size() - 1)) / 2;
     }
     Index at = 0;
     for (std::size_t i = 0; i < waves_.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "generator/dense/portable_math.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/families/projected.hpp"
 #include "generator/families/vector_family.hpp"
@@ -31,7 +32,7 @@ std::vector<WeightedWave> weighted(const DesignedWaves& which, const PlaneLattic
                 // Where waves stand, or go backwards, their angle is not that of their energy.
                 const double slow = 0.2 * (is_P ? lattice.speed_P : lattice.speed_S);
                 if (mode.group_velocity > slow) {
-                    const double cosine = std::cos(angle * std::numbers::pi / 180);
+                    const double cosine = portable::cos(angle * std::numbers::pi / 180);
                     waves.push_back(
                         {wave, cosine * std::sqrt(cosine) / std::max(xi, which.longest)});
                 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "generator/dense/decompositions.hpp"
+#include "generator/dense/portable_math.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/lattice/force_constants.hpp"
@@ -57,9 +58,9 @@ DynamicalMatrix dynamical_matrix(const std::vector<PlaneBond>& bonds,
     for (const auto& [offset, stiffness, damping] : bonds) {
         const double turn = offset[0] * wave_vector.x() + offset[1] * wave_vector.y();
         // A shift has no energy, so sum Phi = 0, and cos t - 1 keeps the digits of long waves.
-        matrix.value -= 2 * std::pow(std::sin(turn / 2), 2) * stiffness;
-        matrix.by_x -= std::sin(turn) * offset[0] * stiffness;
-        matrix.by_y -= std::sin(turn) * offset[1] * stiffness;
+        matrix.value -= 2 * std::pow(portable::sin(turn / 2), 2) * stiffness;
+        matrix.by_x -= portable::sin(turn) * offset[0] * stiffness;
+        matrix.by_y -= portable::sin(turn) * offset[1] * stiffness;
     }
     return matrix;
 }
@@ -90,7 +91,8 @@ LateralChain lateral_chain(const PlaneLattice& lattice, double wave_number) {
         // odd in y, the others even.
         const double turn = bond.offset[1] * wave_number;
         Eigen::Matrix2d phase;
-        phase << std::cos(turn), std::sin(turn), -std::sin(turn), std::cos(turn);
+        phase << portable::cos(turn), portable::sin(turn), -portable::sin(turn),
+            portable::cos(turn);
         const auto layer = std::size_t(bond.offset[0] + reach);
         chain.stiffness[layer] += bond.stiffness.cwiseProduct(phase);
         chain.damping[layer] += bond.damping.cwiseProduct(phase);

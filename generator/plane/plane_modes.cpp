@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "generator/dense/decompositions.hpp"
+#include "generator/dense/portable_math.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -56,7 +57,7 @@ double group_velocity(const LateralChain& chain, double omega, Complex z,
     Complex sum = 0;
     const auto reach = int(chain.reach());
     for (int r = -reach; r <= reach; ++r) {
-        sum += Complex(0, r) * std::pow(z, r) *
+        sum += Complex(0, r) * portable::power(z, r) *
                shape.dot(chain.stiffness[std::size_t(r + reach)] * shape);
     }
     return -sum.real() / (2 * omega);
@@ -64,7 +65,7 @@ double group_velocity(const LateralChain& chain, double omega, Complex z,
 
 /// Of the travelling wave exp(+-i xi I).
 Index column_of(const std::vector<PlaneMode>& outgoing, double xi) {
-    const Complex own = std::polar(1.0, xi);
+    const Complex own = portable::unit(xi);
     const auto distance = [&](const PlaneMode& mode) {
         return mode.travels() ? std::min(std::abs(mode.z - own), std::abs(mode.z - 1.0 / own)) : 2;
     };
@@ -131,7 +132,7 @@ Eigen::MatrixXcd in_flux_metric(Eigen::MatrixXcd amplitudes,
 ArrivingWave arriving_wave(const PlaneLattice& lattice, bool is_P, double xi, double angle) {
     constexpr double aside = 1e-4;
     for (const double turned : {angle, angle - aside, angle + aside}) {
-        const Eigen::Vector2d wave_vector(xi * std::cos(turned), xi * std::sin(turned));
+        const Eigen::Vector2d wave_vector(xi * portable::cos(turned), xi * portable::sin(turned));
         const SymmetricEigenpairs waves =
             symmetric_eigenpairs(dynamical_matrix(lattice.bonds, wave_vector).value);
         const Eigen::Vector2d overlap = (waves.vectors.transpose() * wave_vector).cwiseAbs();
@@ -153,7 +154,7 @@ double omega_squared(const LateralChain& chain, double xi) {
     double sum = 0;
     const auto reach = int(chain.reach());
     for (int r = -reach; r <= reach; ++r) {
-        sum += chain.stiffness[std::size_t(r + reach)](0, 0) * std::cos(r * xi);
+        sum += chain.stiffness[std::size_t(r + reach)](0, 0) * portable::cos(r * xi);
     }
     return sum;
 }
@@ -170,7 +171,7 @@ ArrivingWave arriving_wave(const LateralChain& chain, double xi) {
     wave.column = column_of(wave.outgoing, xi);
     // Of long waves the eigenvalue loses digits, next to that of the wave in the other direction.
     PlaneMode& mode = wave.outgoing[std::size_t(wave.column)];
-    mode.z = std::polar(1.0, std::copysign(xi, mode.z.imag()));
+    mode.z = portable::unit(std::copysign(xi, mode.z.imag()));
     mode.group_velocity = group_velocity(chain, wave.omega, mode.z, mode.shape);
     return wave;
 }
