@@ -67,13 +67,18 @@ PlaneGrade require_stable_in_plane(const Specification& what, const ProjectedFam
     if (family.dimensions == 3) {
         throw NotStable(fmt::format(
             "sides of the cubic lattice of {} are not examined for oblique waves: what is "
-            "certified "
-            "is the chain that waves at normal incidence see. Nothing was written; without "
+            "certified is the chain that waves at normal incidence see. Nothing was written; without "
             "--require-stable the table is.",
             model.family));
     }
-    const PlaneLattice lattice =
-        plane_lattice(family.describe(model.choice), model.g, what.damping);
+    if (what.damping != 0) {  // tau is in units of one polarisation, and the plane has both
+        throw NotStable(
+            "conditions of damped lattices are not examined for oblique waves: what is certified "
+            "is the chain that waves at normal incidence see. nmbcgen recommend has the damping "
+            "with which undamped conditions do not grow. Nothing was written; without "
+            "--require-stable the table is.");
+    }
+    const PlaneLattice lattice = plane_lattice(family.describe(model.choice), model.g, 0);
     const auto condition = component_condition(model, lattice, what);
     if (!condition) {
         throw NotStable("the other polarisation has no such condition. Nothing was written.");

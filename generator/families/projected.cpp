@@ -20,7 +20,7 @@ Model projected_model(const ProjectedFamily& projected) {
             fmt::format("{} waves along x in {}", is_P ? "P" : "S", model.description);
         model.source += fmt::format("; at normal incidence; c is the speed of long {} waves{}",
                                     is_P ? "P" : "S",
-                                    has_stabilisation(model) ? ", its G is the plane's g" : "");
+                                    has_stabilisation(model) ? ", its G is the plane's g = G/pi" : "");
         return model;
     } catch (const NoProjection& reason) {
         throw NoSuchModel(reason.what());

@@ -124,3 +124,21 @@ TEST_CASE("round trips between sides of (81), delta = 1") {
         CHECK((found.paired > 1 + 1e-6) == (one.most > 1));
     }
 }
+
+TEST_CASE("of long scalar waves NMBC1 sends back (1 - cos)/(1 + cos)") {
+    for (const double degrees : {20.0, 40.0, 60.0, 80.0}) {
+        CAPTURE(degrees);
+        constexpr double xi = 0.02;
+        const double across = 2 * std::sin(xi * std::cos(radians(degrees)) / 2);
+        const double along = 2 * std::sin(xi * std::sin(radians(degrees)) / 2);
+        const Eigen::MatrixXd one = Eigen::MatrixXd::Ones(1, 1);
+        const LateralChain chain{.stiffness = {-one, (2 + along * along) * one, -one},
+                                 .damping = {}};
+        const double omega = std::hypot(across, along);
+        const auto R = side_reflection(outgoing_plane_modes(chain, omega),
+                                       SideCondition{{absorbs(1), absorbs(1)}}, 1, omega);
+        const double cosine = std::cos(radians(degrees));
+        CHECK(std::abs(R(0, 0)) ==
+              doctest::Approx((1 - cosine) / (1 + cosine)).epsilon(2 * xi * xi));  // of xi = 0
+    }
+}

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "generator/plane/strip.hpp"
 #include "tests/support/nopd2d.hpp"
@@ -94,4 +95,31 @@ TEST_CASE("two-speed Higdon") {
     CHECK_FALSE(grows(4, 0, .1));
     CHECK(grows(9, 0, .2));
     CHECK_FALSE(grows(9, 1, .2));  // thought to grow at any tau
+}
+
+TEST_CASE(
+    "the growth of (81) falls as 1/N with the layers of a strip: waves grow, no mode of a side") {
+    for (const auto& [radius_squared, wave_number] :
+         {std::pair(1U, 1.57), std::pair(4U, 1.14), std::pair(9U, 0.94)}) {
+        const PlaneLattice lattice = lattice_of_paper(radius_squared, 0);
+        const auto growth_of = [&](std::size_t N) {
+            return growth_in_strip(lateral_chain(lattice, wave_number),
+                                   published_condition(lattice), N);
+        };
+        CAPTURE(radius_squared);
+        // A round trip is N layers and what the sides take of it.
+        CHECK(growth_of(20) / growth_of(40) > 1.5);
+        CHECK(growth_of(20) / growth_of(40) < 2);
+    }
+}
+
+TEST_CASE("without decay a product of two factors has a state that grows like t, with it none") {
+    const PlaneLattice lattice = lattice_of_paper(1, 1);
+    const auto largest = [&](double shift) {
+        return largest_growth_in_strip(lattice, higdon_condition(lattice, shift), layers,
+                                       wave_numbers);
+    };
+    constexpr double of_a_double_root = 1e-6;  // about the root of its roundings
+    CHECK(std::abs(largest(0)) < of_a_double_root);
+    CHECK(largest(0.002) < strip_roundings);
 }

@@ -97,14 +97,18 @@ std::array<std::size_t, 4> extension_of(const PlaneScene& scene) {
     return layers;
 }
 
+/// What the longest step is of.
+const char* limit_of(const PlaneScene& scene) {
+    const bool may_feed = std::ranges::any_of(
+        scene.sides, [](const PlaneSideChoice& side) { return may_grow(side.kind); });
+    return may_feed ? "what the lattice allows, whatever its sides feed in"
+                    : "what is stable between these sides";
+}
+
 /// Steps below `stable` that are short enough for what moves the scene.
 void choose_step(const PlaneScene& scene, double stable, PlanePlan& plan) {
     plan.time_step = of_stable_by_default * stable;
-    const bool may_feed = std::ranges::any_of(
-        scene.sides, [](const PlaneSideChoice& side) { return may_grow(side.kind); });
-    plan.limit = fmt::format("{} of what {}", of_stable_by_default,
-                             may_feed ? "the lattice allows, whatever its sides feed in"
-                                      : "is stable between these sides");
+    plan.limit = fmt::format("{} of {}", of_stable_by_default, limit_of(scene));
     constexpr double part = 0.3;
     if (const auto longest = longest_step_of_loads(scene);
         longest && part * *longest < plan.time_step) {
@@ -153,9 +157,9 @@ PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
         const std::string longest = nmbcgen::rounded_down(below * stable, 6);
         const std::string largest = nmbcgen::rounded_down(below * stable / interior, 3);
         throw Unstable(fmt::format(
-            "steps of {:.6g} (cfl = {:.3g}) are too long: between these sides steps up to {} (cfl "
-            "= {}) are stable. Give time.{} or less",
-            plan.time_step, plan.cfl, longest, largest,
+            "steps of {:.6g} (cfl = {:.3g}) are too long: {} is {} (cfl = {}). Give time.{} or "
+            "less",
+            plan.time_step, plan.cfl, limit_of(scene), longest, largest,
             scene.step ? "step = " + longest : "cfl = " + largest));
     }
     plan.steps = steps_until(scene.end, plan.time_step);
