@@ -67,7 +67,8 @@ PlaneGrade require_stable_in_plane(const Specification& what, const ProjectedFam
     if (family.dimensions == 3) {
         throw NotStable(fmt::format(
             "sides of the cubic lattice of {} are not examined for oblique waves: what is "
-            "certified is the chain that waves at normal incidence see. Nothing was written; without "
+            "certified is the chain that waves at normal incidence see. Nothing was written; "
+            "without "
             "--require-stable the table is.",
             model.family));
     }
