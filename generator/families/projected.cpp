@@ -18,9 +18,9 @@ Model projected_model(const ProjectedFamily& projected) {
             project(find_vector_family(projected.family).describe(projected.model), is_P ? 0 : 1);
         model.description =
             fmt::format("{} waves along x in {}", is_P ? "P" : "S", model.description);
-        model.source += fmt::format("; at normal incidence; c is the speed of long {} waves{}",
-                                    is_P ? "P" : "S",
-                                    has_stabilisation(model) ? ", its G is the plane's g = G/pi" : "");
+        model.source += fmt::format(
+            "; at normal incidence; c is the speed of long {} waves{}", is_P ? "P" : "S",
+            has_stabilisation(model) ? ", its G is the plane's g = G/pi" : "");
         return model;
     } catch (const NoProjection& reason) {
         throw NoSuchModel(reason.what());
