@@ -32,7 +32,7 @@ Rational two_over_factorial(unsigned n) {
     return result;
 }
 
-/// Both terms agree in some 6 times as many digits as delta/eps is small by.
+/// Both terms agree in n + 1 times as many digits as delta/eps has zeros: in 54 of 120 at most.
 double value_of(const WithLog& number, const PowerInfluence& influence) {
     const auto real_of = [](const Rational& exact) {
         return Real(Integer(numerator(exact))) / Real(Integer(denominator(exact)));

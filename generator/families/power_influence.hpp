@@ -24,7 +24,7 @@ struct PowerInfluence {
 
 inline constexpr unsigned largest_power = 1000;
 inline constexpr unsigned largest_power_horizon = 100;
-/// Further on p does nothing: constant influence.
+/// With a larger one the influence is constant to nine digits, whatever p is.
 inline constexpr double largest_smoothing = 1e9;
 
 /// I(p, n) = int_0^delta xi^n (xi + eps)^-p dxi, in units of eps^(n+1-p).

@@ -43,7 +43,7 @@ class BasicChain {
     /// the ends do when they are made.
     BasicChain(Lattice lattice, const BasicChainEnd<Real>& left, const BasicChainEnd<Real>& right,
                const ChainParameters& parameters)
-        : lattice_(detail::with_mirror_images(std::move(lattice))),
+        : lattice_(with_mirror_images(std::move(lattice))),
           parameters_(checked(parameters)),
           left_(left.make(lattice_, parameters_)),
           right_(right.make(lattice_, parameters_)),

@@ -9,7 +9,6 @@
 #include <nmbc/edge_energy.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/mirror_images.hpp>
-#include <nmbc/node_line.hpp>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -62,7 +61,8 @@ inline void turn_to_even_strain(std::vector<double>& strain) {
 }
 
 /// Throws std::invalid_argument for another kind of lattice.
-inline Correspondence correspondence_of(const Lattice& lattice) {
+inline Correspondence correspondence_of(const Lattice& any) {
+    const Lattice lattice = with_mirror_images(any);
     const std::size_t n = lattice.reach() / 2;
     Correspondence found;
     bool is_known = n > 0 && lattice.reach() == 2 * n;
@@ -93,7 +93,8 @@ inline Correspondence correspondence_of(const Lattice& lattice) {
             }
         }
     }
-    is_known = is_known && std::ranges::count(ends, 1) == 0;
+    is_known =
+        is_known && std::ranges::all_of(ends, [](int count) { return count == 0 || count == 2; });
     if (!is_known) {
         throw std::invalid_argument(
             "this end is for lattices of one strain a node, such as nopd1d; sbp and cut are for "
@@ -247,8 +248,9 @@ inline EdgeNode sbp_node(const Correspondence& own, const std::vector<double>& m
 
 /// The plain cut: families end where the nodes do, and strains are of the neighbours that are left;
 /// of bonds, those inside of the body stay. Too soft: a bar that is strained evenly does not rest.
-/// Throws std::invalid_argument for bonds of negative weight, and for
-/// squares that are neither those of bonds, weight (u_{I+k} - u_I)^2, nor of correspondence.
+/// The squares that it replaces are those of with_mirror_images(lattice), as of the other edges.
+/// Throws std::invalid_argument for bonds of negative weight, and for squares that are neither
+/// those of bonds, weight (u_{I+k} - u_I)^2, nor of correspondence.
 inline EdgeEnergy cut_edge(const Lattice& lattice) {
     if (detail::has_bonds_alone(lattice)) {
         return detail::cut_bonds(lattice);

@@ -32,14 +32,10 @@ struct EdgeEnergy {
 
 namespace detail {
 
-/// What the nodes beside a mirror have of the whole chain's energy, which is twice theirs while
+/// What the node on a mirror has of the whole chain's energy, which is twice the body's while
 /// nothing is given. The lattice's squares have mirror images.
-inline EdgeEnergy mirror_energy(const Lattice& lattice, OnSurface given, bool through_node) {
-    EdgeEnergy energy;
-    if (!through_node) {
-        return energy;
-    }
-    energy.mass = {0.5};
+inline EdgeEnergy node_mirror_energy(const Lattice& lattice, OnSurface given) {
+    EdgeEnergy energy{.mass = {0.5}};
     for (const auto& [part, weight, stencil] : lattice.energy) {
         const std::size_t half = stencil.size() / 2;
         std::vector<double> folded(stencil.begin() + std::ptrdiff_t(half), stencil.end());

@@ -9,7 +9,6 @@
 #include <nmbc/boundary.hpp>
 #include <nmbc/boundary_condition.hpp>
 #include <nmbc/edge_energy.hpp>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -78,8 +77,7 @@ class FixedCondition final : public BoundaryCondition<Real> {
 template <class Real>
 class FreeCondition final : public BoundaryCondition<Real> {
   public:
-    explicit FreeCondition(const Lattice& lattice)
-        : ghosts_(lattice.reach()), energy_(mirror_energy(lattice, OnSurface::traction, false)) {}
+    explicit FreeCondition(const Lattice& lattice) : ghosts_(lattice.reach()) {}
 
     std::size_t least_interior_nodes() const override { return ghosts_; }
 
@@ -100,7 +98,7 @@ class FreeCondition final : public BoundaryCondition<Real> {
     }
 
     std::size_t ghosts_;
-    EdgeEnergy energy_;
+    EdgeEnergy energy_{};  // that of a mirror between nodes: no node has one of its own
 };
 
 template <class Real>

@@ -15,21 +15,21 @@
 
 namespace nmbc::detail {
 
-/// How the two nodes at a distance go into a square: as their sum, their difference, one by one.
-enum class Fold { even, odd, none };
+/// How the two nodes at a distance go into a square: as their sum or their difference.
+enum class Fold { even, odd };
 
 /// (centre u_I + sum_k factors[k] w_k)^2/2 at node I, its weight multiplied in; w_k by the fold,
-/// m = offsets[k]: u_{I+m} + u_{I-m}, u_{I+m} - u_{I-m}, u_{I+m}.
+/// m = offsets[k] > 0: u_{I+m} + u_{I-m}, u_{I+m} - u_{I-m}.
 struct FoldedSquare {
     EnergyPart part{};
     bool is_below_0 = false;  ///< to be taken off
-    Fold fold = Fold::none;
+    Fold fold = Fold::even;
     double centre = 0;
     std::vector<std::ptrdiff_t> offsets{};
     std::vector<double> factors{};
 };
 
-/// The even or odd part of a square of the energy, or all of it.
+/// The even or odd part of a square of the energy.
 inline FoldedSquare folded(const Lattice::Square& square, double weight, Fold fold) {
     const double root = std::sqrt(std::abs(weight));
     const auto reach = static_cast<std::ptrdiff_t>(square.stencil.size() / 2);
@@ -37,10 +37,9 @@ inline FoldedSquare folded(const Lattice::Square& square, double weight, Fold fo
         return root * square.stencil[static_cast<std::size_t>(reach + m)];
     };
     FoldedSquare result{square.part, weight < 0, fold, fold == Fold::odd ? 0 : entry(0)};
-    for (std::ptrdiff_t m = fold == Fold::none ? -reach : 1; m <= reach; ++m) {
-        const double factor = fold == Fold::none   ? (m == 0 ? 0 : entry(m))
-                              : fold == Fold::even ? (entry(m) + entry(-m)) / 2
-                                                   : (entry(m) - entry(-m)) / 2;
+    for (std::ptrdiff_t m = 1; m <= reach; ++m) {
+        const double factor =
+            (fold == Fold::even ? entry(m) + entry(-m) : entry(m) - entry(-m)) / 2;
         if (factor != 0) {
             result.offsets.push_back(m);
             result.factors.push_back(factor);
@@ -73,8 +72,8 @@ inline bool joined(FoldedSquare& a, const FoldedSquare& b) {
     return true;
 }
 
-/// A square that is its own mirror image is even or odd. Of two images e + o and e - o, e even and
-/// o odd, the sum of squares is 2 e^2 + 2 o^2.
+/// Of squares that come with their mirror images. One that is its own is even or odd. Of two images
+/// e + o and e - o, e even and o odd, the sum of squares is 2 e^2 + 2 o^2.
 inline std::vector<FoldedSquare> folded(std::span<const Lattice::Square> energy) {
     std::vector<FoldedSquare> squares;
     const auto add = [&](const FoldedSquare& square) {
@@ -98,8 +97,6 @@ inline std::vector<FoldedSquare> folded(std::span<const Lattice::Square> energy)
             add(folded(square, square.weight, Fold::even));
         } else if (is_image(square, square, -1)) {
             add(folded(square, square.weight, Fold::odd));
-        } else if (image == left.end()) {
-            add(folded(square, square.weight, Fold::none));
         } else {
             left.erase(image);
             add(folded(square, 2 * square.weight, Fold::even));
@@ -153,9 +150,6 @@ class FoldedBlock {
                 return add_fixed<Fold::even, 1>(square, middle, change);
             case Fold::odd:
                 return add_fixed<Fold::odd, 1>(square, middle, change);
-            case Fold::none:
-                return add_roots<Fold::none>(square, square.factors, square.offsets, middle,
-                                             change);
         }
     }
 
@@ -187,12 +181,8 @@ class FoldedBlock {
         const auto root_at = [&](const double* node) {
             const auto term = [&](std::size_t k) {
                 const double right = node[offsets[k]];
-                if constexpr (Way == Fold::none) {
-                    return factors[k] * right;
-                } else {
-                    const double left = node[-offsets[k]];
-                    return factors[k] * (Way == Fold::even ? right + left : right - left);
-                }
+                const double left = node[-offsets[k]];
+                return factors[k] * (Way == Fold::even ? right + left : right - left);
             };
             double root = term(0);
             if constexpr (Way != Fold::odd) {

@@ -28,7 +28,8 @@ struct Lattice {
     std::vector<double> damping;  ///< tau sigma = damping[0] + 2 sum damping[m] cos(m xi); empty
                                   ///< where nothing is damped
     /// What it was made of, and at which G, for which boundaries are certified; nullptr: made by
-    /// hand, and no boundary is certified for it. To change its numbers is to make it by hand.
+    /// hand, and no boundary is certified for it. To change its numbers is to make it by hand, but
+    /// for where its squares are counted.
     const LatticeTable* table = nullptr;
     double G = 0;
 

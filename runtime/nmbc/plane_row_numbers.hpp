@@ -74,8 +74,8 @@ class PlaneRows {
     const PlaneRowNumbers<Real>& numbers(std::ptrdiff_t y) const {
         return numbers_[number_of_row_[static_cast<std::size_t>(y + horizon_)]];
     }
-    /// Factors of the stabilisation's weights w = across along x, of node 0's column; of the rows
-    /// from y - reach on.
+    /// The stabilisation's weight w is across times along: across() points at the column of node 0,
+    /// along(y) at row y - reach.
     const Real* across() const { return across_.data() + 2 * horizon_; }
     const Real* along(std::ptrdiff_t y) const { return along_.data() + y + horizon_; }
 

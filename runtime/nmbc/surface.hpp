@@ -44,8 +44,7 @@ enum class Closure {
     cut,     ///< families end where the nodes do (cut_edge): of correspondence and of bonds
     /// A mirror through the outermost node: ghost f has 2 u_s - u_f, or u_f + 2 f dX e, nodes
     /// counted from 0. Half of this node's energy counts, the body's, where nothing is given; else
-    /// all
-    /// of it, so that the energy is not even while a wave is there.
+    /// all of it, so that the energy is not constant while a wave is there.
     node_mirror,
 };
 
@@ -65,7 +64,8 @@ struct SurfaceEnd {
     OnSurface given = OnSurface::traction;
     std::function<double(double time)> value{};  ///< none: 0 at all times
 
-    /// Throws NotCertified for steps that are too long for the closure, std::invalid_argument for a
+    /// Of a lattice whose squares have their mirror images, as a chain's have. Throws NotCertified
+    /// for steps that are too long for the closure, std::invalid_argument for a
     /// lattice that it does not end: a damped one for a surface node, and one whose damping is not
     /// tau times the stabilisation of its table for those with an energy of their own.
     template <class Real>
@@ -339,7 +339,7 @@ inline double largest_eigenvalue(const Lattice& lattice, Closure closure, OnSurf
     if (closure == Closure::surface_node) {
         return detail::eigenvalue_bound(detail::surface_node_rows(lattice, given), lattice, nodes);
     }
-    const Lattice whole = detail::with_mirror_images(lattice);
+    const Lattice whole = with_mirror_images(lattice);
     return detail::eigenvalue_bound(detail::edge_with_damping(closure, whole), whole, given, nodes);
 }
 
@@ -349,10 +349,13 @@ std::unique_ptr<BoundaryCondition<Real>> SurfaceEnd::make(
     std::type_identity<Real> /*precision*/) const {
     if (detail::is_mirror(closure)) {
         const bool through_node = closure == Closure::node_mirror;
+        std::optional<EdgeEnergy> energy;
+        if (!value) {
+            energy = through_node ? detail::node_mirror_energy(lattice, given) : EdgeEnergy{};
+        }
         return std::make_unique<detail::SurfaceCondition<Real>>(
             detail::mirror_rows(lattice, given, through_node), unit_of(p), p.time_step, value,
-            value ? std::nullopt
-                  : std::optional(detail::mirror_energy(lattice, given, through_node)));
+            std::move(energy));
     }
     if (closure == Closure::surface_node) {
         if (!lattice.damping.empty()) {
@@ -366,7 +369,7 @@ std::unique_ptr<BoundaryCondition<Real>> SurfaceEnd::make(
     detail::Edge edge = detail::edge_with_damping(closure, lattice);
     detail::require_step_below(detail::eigenvalue_bound(edge, lattice, given, p.nodes), p);
     return std::make_unique<detail::EdgeCondition<Real>>(std::move(edge.energy), lattice,
-                                                         std::move(edge.damping), p, given, value);
+                                                         edge.damping, p, given, value);
 }
 
 }  // namespace nmbc

@@ -151,6 +151,65 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("wherever a bond is counted, half of it is at each of its ends") {
+    const nmbc::Lattice near = bonds_of({1, 0.5});
+    const nmbc::Lattice far = bonds_of({1, 0.5}, Counted::far);
+    nmbc::Lattice more;  // on one side than on the other, in one order and the other
+    for (const double back : {0.25, 0.75}) {
+        more = near;
+        for (std::size_t i = 0; i < near.energy.size(); ++i) {
+            more.energy[i].weight = near.energy[i].weight * (1 - back);
+            more.energy.push_back(far.energy[i]);
+            more.energy.back().weight *= back;
+        }
+        for (const nmbc::Lattice& lattice : {near, far, more}) {
+            const nmbc::Lattice whole = nmbc::with_mirror_images(lattice);
+            for (const auto& [part, weight, stencil] : near.energy) {
+                const std::size_t k = stencil.size() / 2;
+                double forth = 0;
+                double both = 0;
+                for (const nmbc::Lattice::Square& square : whole.energy) {
+                    if (square.stencil.size() == stencil.size()) {
+                        both += square.weight;
+                        forth += square.stencil[2 * k] != 0 ? square.weight : 0;
+                    }
+                }
+                CHECK(both == doctest::Approx(weight).epsilon(1e-15));
+                CHECK(forth == doctest::Approx(weight / 2).epsilon(1e-15));
+            }
+        }
+    }
+}
+
+TEST_CASE("stabilisation that is counted on one side has the edges of one that is on both") {
+    const nmbc::Lattice both = constant_influence(2, 1);
+    nmbc::Lattice one_sided = both;
+    std::vector<nmbc::Lattice::Square> kept;
+    for (nmbc::Lattice::Square square : both.energy) {
+        const bool has_image_before =
+            std::ranges::any_of(kept, [&](const nmbc::Lattice::Square& other) {
+                return nmbc::detail::is_image(square, {other.part, square.weight, other.stencil},
+                                              1) ||
+                       nmbc::detail::is_image(square, {other.part, square.weight, other.stencil},
+                                              -1);
+            });
+        if (square.part == nmbc::EnergyPart::strain) {
+            kept.push_back(square);
+        } else if (!has_image_before) {
+            square.weight *= 2;
+            kept.push_back(square);
+        }
+    }
+    REQUIRE(kept.size() < both.energy.size());
+    one_sided.energy = kept;
+    for (const Closure closure : {Closure::sbp, Closure::cut}) {
+        const auto bound = [&](const nmbc::Lattice& lattice) {
+            return nmbc::largest_eigenvalue(lattice, closure, OnSurface::traction, 30);
+        };
+        CHECK(bound(one_sided) == doctest::Approx(bound(both)).epsilon(1e-12));
+    }
+}
+
 TEST_CASE("the strain of nopd1d at n = 1 is no bond from I - 1 to I + 1") {
     const nmbc::EdgeEnergy edge = nmbc::cut_edge(constant_influence(1, 0));
     REQUIRE(edge.squares.size() == 1);

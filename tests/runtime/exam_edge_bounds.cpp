@@ -45,7 +45,7 @@ TEST_CASE("the largest eigenvalue between true ends is a bound, 1 % above it") {
                 const double bound = nmbc::largest_eigenvalue(lattice, closure, given, nodes);
                 const double largest =
                     eigenvalue_between(nmbc::detail::closure_edge(closure, lattice),
-                                       nmbc::detail::with_mirror_images(lattice), given, nodes);
+                                       nmbc::with_mirror_images(lattice), given, nodes);
                 CHECK(largest <= bound * (1 + 1e-13));
                 // Of the interior the bound is for chains of any length.
                 const double top = std::pow(nmbc::maximum_frequency(lattice), 2);

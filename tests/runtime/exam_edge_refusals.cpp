@@ -49,9 +49,11 @@ TEST_CASE("steps and lattices that true ends refuse") {
     // Bonds to both neighbours that weigh unlike.
     const nmbc::Lattice stabilised = constant_influence(2, 1);
     CHECK_NOTHROW(nmbc::Chain(stabilised, end, p));
-    nmbc::Lattice unequal = stabilised;
-    unequal.energy.back().weight *= 2;
-    CHECK_THROWS_AS(nmbc::Chain(unequal, end, p), std::invalid_argument);
+    for (std::size_t square = 1; square < stabilised.energy.size(); ++square) {
+        nmbc::Lattice unequal = stabilised;
+        unequal.energy[square].weight *= 2;
+        CHECK_THROWS_AS(nmbc::Chain(unequal, end, p), std::invalid_argument);
+    }
     p.nodes = 7;
     CHECK_THROWS_AS(nmbc::Chain(lattice, end, p), std::invalid_argument);
 }

@@ -236,30 +236,33 @@ void Measurement::run_trials(Work& work) {
 }
 
 void Measurement::leave_out_refused() {
-    std::set<std::string> told;
     std::set<std::string> without_cost;
-    std::set<std::string> left;  // in some steps
     for (const Point& point : points_) {
-        if (point.refused.empty()) {
-            left.insert(point.what.name);
-        }
-    }
-    for (const Point& point : points_) {
-        if (!point.refused.empty() && told.insert(point.what.name).second) {
-            fmt::print(
-                stderr, "nmbcrun: left out{}: {}: {}\n",
-                left.contains(point.what.name) ? fmt::format(" at cfl = {:g}", point.cfl) : "",
-                point.what.name, point.refused);
-        }
         if (!point.refused.empty() && point.cfl == shown_) {
             without_cost.insert(point.what.name);
         }
     }
     // Unless it is timed in each, one that is refused in the steps of the others' timing.
-    std::erase_if(points_, [&](const Point& point) {
+    const auto is_left_out = [&](const Point& point) {
         return !point.refused.empty() ||
                (!is_timed(point) && without_cost.contains(point.what.name));
-    });
+    };
+    std::set<std::string> shown;
+    for (const Point& point : points_) {
+        if (!is_left_out(point)) {
+            shown.insert(point.what.name);
+        }
+    }
+    std::set<std::string> told;
+    for (const Point& point : points_) {
+        const bool is_shown = shown.contains(point.what.name);
+        const std::string where = is_shown ? fmt::format(" at cfl = {:g}", point.cfl) : "";
+        if (!point.refused.empty() && told.insert(point.what.name + where).second) {
+            fmt::print(stderr, "nmbcrun: left out{}: {}: {}\n", where, point.what.name,
+                       point.refused);
+        }
+    }
+    std::erase_if(points_, is_left_out);
 }
 
 void Measurement::measure_costs(Work& work) {

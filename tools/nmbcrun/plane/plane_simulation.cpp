@@ -178,6 +178,23 @@ nmbc::Plane plane_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
              .time_step = time_step}};
 }
 
+/// Of initial fields.
+SceneError moves_nothing(const PlaneScene& scene) {
+    return SceneError(
+        scene.initial->shape == PlaneShape::file
+            ? scene.initial->file.string() + " moves no node: it has no energy"
+            : fmt::format("initial moves no node: its width is {:g}, and nodes are {:g} apart",
+                          scene.initial->width, scene.spacing));
+}
+
+bool is_at_rest(const nmbc::Plane& plane) {
+    const auto is_zero = [](double entry) { return entry == 0; };
+    return std::ranges::all_of(std::array<std::size_t, 2>{0, 1}, [&](std::size_t a) {
+        return std::ranges::all_of(plane.displacement(a), is_zero) &&
+               std::ranges::all_of(plane.velocity(a), is_zero);
+    });
+}
+
 }  // namespace
 
 void require_room(const PlaneScene& scene) {
@@ -202,10 +219,13 @@ PlaneSimulation::PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides
     if (is_staggered) {
         plane_.start_staggered();
     } else {
-        plane_.start();
         if (scene_.initial) {  // a body at rest begins to move when it is loaded
+            if (is_at_rest(plane_)) {
+                throw moves_nothing(scene_);
+            }
             sources_.push(plane_, 0, -plan_.time_step / 2);
         }
+        plane_.start();
     }
     if (scene_.has(SideKind::pml)) {
         std::array<nmbc::LossLayer, 4> layers;
@@ -221,11 +241,7 @@ PlaneSimulation::PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides
     sources_.start(plane_);
     at_start_ = plane_.energies().staggered;
     if (scene_.initial && at_start_ == 0) {
-        throw SceneError(
-            scene_.initial->shape == PlaneShape::file
-                ? scene_.initial->file.string() + " moves no node: it has no energy"
-                : fmt::format("initial moves no node: its width is {:g}, and nodes are {:g} apart",
-                              scene_.initial->width, scene_.spacing));
+        throw moves_nothing(scene_);
     }
 }
 

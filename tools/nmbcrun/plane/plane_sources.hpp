@@ -24,7 +24,7 @@ class PlaneSources {
     PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
                  const std::array<std::size_t, 2>& extension, double time_step);
 
-    /// Of forces at this time, in so long.
+    /// Adds what the forces at `time` change v by in `duration`.
     void push(nmbc::Plane& plane, double time, double duration) const;
 
     /// time: the end of the step.

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <span>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace nmbcrun {
@@ -15,49 +14,17 @@ using Field = nmbc::NodeLine<double>;
 using Fixed = nmbc::NodeLine<const double>;
 using Square = nmbc::Lattice::Square;
 
-Square mirrored(Square square) {
-    std::ranges::reverse(square.stencil);
-    return square;
-}
-
-/// The same square, whatever the sign of its stencil.
-bool same(const Square& one, const Square& other) {
-    return one.weight == other.weight &&
-           (one.stencil == other.stencil ||
-            std::ranges::equal(one.stencil, other.stencil,
-                               [](double a, double b) { return a == -b; }));
-}
-
-/// Squares of the same energy which, taken together at one node, are their own mirror image: an end
-/// need not know whether it is the left one or the right one.
-std::vector<Square> mirror_images(const std::vector<Square>& squares) {
-    const bool closed = std::ranges::all_of(squares, [&](const Square& square) {
-        return std::ranges::any_of(
-            squares, [&](const Square& other) { return same(mirrored(square), other); });
-    });
-    if (closed) {
-        return squares;
-    }
-    std::vector<Square> result;
-    result.reserve(2 * squares.size());
-    for (Square half : squares) {
-        half.weight /= 2;
-        result.push_back(half);
-        result.push_back(mirrored(half));
-    }
-    return result;
-}
-
 class PmlCondition final : public nmbc::BoundaryCondition<double> {
   public:
-    /// losses: sigma dt/2, from the interior outwards, and the largest. step: dt c/dX.
+    /// losses: sigma dt/2, from the interior outwards, and the largest. step: dt c/dX. The
+    /// lattice's squares have their mirror images: an end need not know whether it is the left one.
     PmlCondition(const nmbc::Lattice& lattice, std::span<const double> losses, double rate,
                  double time_step)
         : ghosts_(lattice.reach()),
           layer_(losses.size() - 1),
           rate_(rate),
           step_(rate * time_step),
-          squares_(mirror_images(lattice.energy)) {
+          squares_(lattice.energy) {
         for (std::size_t node = 0; node < ghosts_ + layer_; ++node) {
             losses_.push_back(losses[std::min(ghosts_ + layer_ - 1 - node, layer_)]);
         }
