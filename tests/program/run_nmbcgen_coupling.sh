@@ -17,9 +17,8 @@ shows() {
     expect "block $number of the page" diff block "$scratch/stdout"
 }
 shows 1 stencil --horizon 3/2
-shows 2 junction --horizon 1/2
-shows 3 cases
-shows 4 waves --horizon 3
+shows 2 cases
+shows 3 waves --horizon 3
 
 try coupling waves --horizon 3/2 --other-horizon 3/2 --other-length 2
 expect_exit 0
@@ -28,6 +27,13 @@ expect "what the page says of coarse elements" grep -q '^0.5 *0.00220483' "$scra
 try coupling stencil --horizon 100 --stdout
 expect_exit 0
 expect "no line that nobody reads" awk 'length > 1600 { exit 1 }' "$scratch/stdout"
+
+# Beside a local bar, the row of the node where they meet: pairs, rows.
+try coupling junction --horizon 1/2
+expect_exit 0
+expect_stdout_line "0       0        1.8333333333333333     11/6"
+expect_stdout_line "0       1       -1.0277777777777777     -37/36"
+expect_stdout_line "0       1       -0.94444444444444442    -17/18"
 
 # Of one bar in two halves no row is another than inside.
 try coupling junction --horizon 3/2 --other-horizon 3/2
