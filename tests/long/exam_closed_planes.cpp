@@ -87,7 +87,7 @@ Growth growth(const Body& body, bool is_held) {
 
 }  // namespace
 
-// With -s the rates are printed: docs/evidence/closures.md has the largest of each closure.
+// With -s the rates are printed: docs/evidence/closures.md has the largest.
 TEST_CASE("a million steps of planes between closed sides") {
     for (const Body& body : bodies()) {
         CAPTURE(body.name);

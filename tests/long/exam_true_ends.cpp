@@ -115,7 +115,7 @@ std::string name_of(Closure closure) {
 
 }  // namespace
 
-// With -s the rates of all pairs are printed: docs/evidence/closures.md has the largest of each.
+// With -s the rates of all pairs are printed: docs/evidence/closures.md has the largest.
 TEST_CASE("a million steps between true ends of any two kinds") {
     constexpr auto u = OnSurface::displacement;
     constexpr auto t = OnSurface::traction;
