@@ -18,7 +18,14 @@ shows() {
 }
 shows 1 stencil --horizon 3/2
 shows 2 cases
-shows 3 waves --horizon 3
+try coupling waves --horizon 3
+expect_exit 0
+expect_no_stderr
+expect "the rows of the page" awk '
+    NR == FNR { if (/^\| +0\.[0-9] \|/) row[$2] = $4 " " $6 " " $8 " " $10; next }
+    $1 in row && NF == 5 { if (row[$1] != $2 " " $3 " " $4 " " $5) bad = 1; found++ }
+    END { exit bad || found != 4 }' "$page" "$scratch/stdout"
+expect "what of a packet comes back from behind" grep -qE '^rows  NMBC2 behind +1.34e-05 +1.34e-05$' "$scratch/stdout"
 
 try coupling waves --horizon 3/2 --other-horizon 3/2 --other-length 2
 expect_exit 0
