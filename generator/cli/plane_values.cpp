@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// The values of options of plane families.
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 
 #include "generator/cli/comma_list.hpp"
 #include "generator/cli/option_values.hpp"
@@ -86,7 +89,10 @@ std::vector<double> parse_angles(const std::string& text) {
     return range ? *range : parse_list<double>(text, parse_angle);
 }
 
-Direction parse_direction(const std::string& text) {
+namespace {
+
+/// degrees: those to name where the text is no direction.
+Direction exact_direction(const std::string& text, std::string_view degrees) {
     static const std::map<std::string, Rational> exact{{"0", 1},
                                                        {"30", Rational(3, 4)},
                                                        {"45", Rational(1, 2)},
@@ -99,9 +105,9 @@ Direction parse_direction(const std::string& text) {
     constexpr unsigned largest = 1000;
     if (colon == std::string::npos) {
         throw std::invalid_argument(
-            "'" + text.substr(0, 60) +
-            "' is no direction with an exact cosine: 0, 30, 45, 60 or 90 degrees, or X:Y of whole "
-            "numbers, such as 10:7 for 35 degrees nearly");
+            fmt::format("'{}' is no direction with an exact cosine: {} degrees, or X:Y of whole "
+                        "numbers, such as 10:7 for 35 degrees nearly",
+                        text.substr(0, 60), degrees));
     }
     const Rational x = parse_whole_number(text.substr(0, colon), largest, 0);
     const Rational y = parse_whole_number(text.substr(colon + 1), largest, 0);
@@ -110,8 +116,6 @@ Direction parse_direction(const std::string& text) {
     }
     return {.cosine_squared = x * x / (x * x + y * y), .text = text};
 }
-
-namespace {
 
 /// Of one or two waves POLARISATION:DIRECTION; direction_of() makes what is behind the colon.
 template <class Wave, class DirectionOf>
@@ -144,9 +148,13 @@ double degrees_of(const Direction& direction) {
 
 }  // namespace
 
+Direction parse_direction(const std::string& text) {
+    return exact_direction(text, "0, 30, 45, 60 or 90");
+}
+
 std::vector<ObliqueWave> parse_oblique_waves(const std::string& text) {
     return parse_waves<ObliqueWave>(text, [](const std::string& one) {
-        Direction direction = parse_direction(one);
+        Direction direction = exact_direction(one, "0, 30, 45 or 60");
         if (direction.cosine_squared == 0) {
             refuse_along_the_side(one);
         }

@@ -150,6 +150,7 @@ for bad in P:90 P:0:1 X:3 P P: "" P:0,S:0,P:0 P:35 P:-3 P:3:x P:0:0 P:1/2:1; do
     refuses 2 "--absorb: " oblique "${smallest[@]}" --absorb "$bad"
 done
 refuses 2 "10:7 for 35 degrees nearly" oblique "${smallest[@]}" --absorb P:35
+refuses 2 "0, 30, 45 or 60 degrees" oblique "${smallest[@]}" --absorb P:91
 refuses 2 "--absorb is required" oblique "${smallest[@]}"
 refuses 2 "--decay: " oblique "${smallest[@]}" --absorb P:0 --decay -1
 refuses 2 "--radius2 is required" oblique --absorb P:0
