@@ -121,8 +121,13 @@ std::string junction_text(const Halves& halves) {
         coupling_source, to_string(halves.right_length), horizon_text(halves.left),
         horizon_text(halves.right));
     for (const auto& [form, name] : named_forms) {
+        const std::vector<JunctionRow> rows = junction_rows(halves, form);
+        if (rows.empty()) {
+            text += fmt::format("\n{}: none, each row is one of a bar's own\n", name);
+            continue;
+        }
         text += fmt::format("\n{:<8}column\n", name);
-        for (const JunctionRow& row : junction_rows(halves, form)) {
+        for (const JunctionRow& row : rows) {
             for (const auto& [column, entry] : row.entries) {
                 text += fmt::format("{:<8}{:<8}{:< 24.17g}{}\n", row.node, column,
                                     nearest_double(entry), exact_text(entry));

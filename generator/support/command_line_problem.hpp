@@ -73,6 +73,12 @@ inline std::string problem_of(const CLI::ParseError& error, const CLI::App& prog
         return problem.replace(at, of_repetition.size(), " is given ") +
                " times, where once is allowed";
     }
+    // "--G: 1 required RATIONAL missing", with the type where it is shown.
+    constexpr std::string_view of_value = ": 1 required ";
+    if (const std::size_t at = problem.find(of_value);
+        at != std::string::npos && problem.ends_with(" missing")) {
+        return problem.substr(0, at) + " needs a value";
+    }
     constexpr std::string_view of_flag = " was given a disallowed flag override";
     if (problem.ends_with(of_flag)) {
         const std::string name = problem.substr(0, problem.size() - of_flag.size());

@@ -193,4 +193,7 @@ expect_stderr "nmbcrun: --resume and --tolerance exclude each other: give one of
 try run "${bar[@]}" --out one --out other
 expect_exit 2
 expect_stderr "nmbcrun: --out is given 2 times, where once is allowed"
+try run "${bar[@]}" --out
+expect_exit 2
+expect_stderr "nmbcrun: --out needs a value"
 finish

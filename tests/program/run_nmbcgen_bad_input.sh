@@ -51,6 +51,7 @@ for option in --G --damping --time-step; do
     refuses $option "at most 40 digits" -- --order 1 --horizon 1 $option "$sixty"
     refuses $option "at most 40 digits" -- --order 1 --horizon 1 $option "1/$sixty"
     refuses "$option is given 2 times, where once is allowed" -- --order 1 --horizon 1 $option 1 $option 1
+    refuses "$option needs a value" -- --order 1 --horizon 1 $option
 done
 
 for bad in "" nan -1 1e3 pipi pi/0 1/0 pi/1.5 0.01pi5 0.1pi.5; do
@@ -139,8 +140,8 @@ refuses "--order (or --match) and --horizon" "--all" "--check" -- --order 1
 refuses "--order (or --match) and --horizon" "--all" "--check" -- --horizon 1
 refuses "--order (or --match) and --horizon" "--all" "--check" --
 refuses "--order (or --match) and --horizon" "--all" "--check" -- --stdout
-refuses --order "required" -- --horizon 1 --order
-refuses --order "required" -- --horizon 1 --order=
+refuses "--order needs a value" -- --horizon 1 --order
+refuses "--order needs a value" -- --horizon 1 --order=
 
 refuses --all --order "exclude each other: give one of them" -- --all --order 1
 refuses --all --horizon "exclude each other: give one of them" -- --all --horizon 1

@@ -43,6 +43,9 @@ expect_stdout_line "0       1       -1.0277777777777777     -37/36"
 expect_stdout_line "0       1       -0.94444444444444442    -17/18"
 
 # Of one bar in two halves no row is another than inside.
+try coupling junction --horizon 0
+expect_exit 0
+expect "no table without rows" grep -q "^pairs: none, each row is one of a bar's own$" "$scratch/stdout"
 try coupling junction --horizon 3/2 --other-horizon 3/2
 expect "no rows" awk '/^-?[0-9]/ { exit 1 }' "$scratch/stdout"
 
