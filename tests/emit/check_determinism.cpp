@@ -26,7 +26,7 @@ void disturb(std::mt19937_64& random, std::vector<GiNaC::symbol>& kept) {
             kept.insert(kept.begin() + std::ptrdiff_t(below(kept.size() + 1)), symbol);
         }
     }
-    CHECK_FALSE((GiNaC::pow(sum + 1, 2).expand() + 1).is_zero());
+    CHECK_FALSE(((sum + 1) * (GiNaC::symbol("y") + 1)).expand().is_zero());
 }
 
 /// How GiNaC itself prints one and the same sum at this moment.
@@ -53,13 +53,18 @@ std::string committed_set_as_text(std::mt19937_64& random, std::vector<GiNaC::sy
 
 }  // namespace
 
-TEST_CASE("the committed set, 20 times with scrambled symbols, is the same text") {
+TEST_CASE("the committed set, many times with scrambled symbols, is the same text") {
+#ifdef __SANITIZE_ADDRESS__
+    constexpr int runs = 4;  // what sanitizers look for is the same in all
+#else
+    constexpr int runs = 20;
+#endif
     std::mt19937_64 random(20180417);
     std::vector<GiNaC::symbol> kept;
     const std::string first = committed_set_as_text(random, kept);
     CHECK(first.size() > 50000);
     std::set<std::string> orders;
-    for (int run = 1; run < 20; ++run) {
+    for (int run = 1; run < runs; ++run) {
         orders.insert(ginac_order());
         REQUIRE(committed_set_as_text(random, kept) == first);
     }
