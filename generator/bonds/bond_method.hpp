@@ -2,6 +2,10 @@
 /// How the coefficients of bonds are chosen.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <string_view>
+
 namespace nmbcgen {
 
 /// The residual R is omega^2 - xi^2 of a chain; of a square lattice (36), the sum over both waves
@@ -16,5 +20,16 @@ enum class BondMethod {
     taylor,         ///< of a chain: R is of the order 2N + 2 in xi
     bz_ls           ///< of a square lattice: the least squares of the dynamical matrix
 };
+
+/// Nothing where there is none of this name.
+std::optional<BondMethod> bond_method(std::string_view name);
+std::string_view bond_method_name(BondMethod method);
+
+/// "point, subdomain, .."
+std::string bond_method_names(unsigned dimension);
+
+bool has_method(unsigned dimension, BondMethod method);
+/// What it solves, in words; empty where it is none of this dimension.
+std::string_view equation_of(BondMethod method, unsigned dimension);
 
 }  // namespace nmbcgen

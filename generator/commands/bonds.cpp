@@ -22,43 +22,7 @@
 namespace nmbcgen {
 namespace {
 
-struct NamedMethod {
-    std::string_view name;
-    BondMethod method;
-    /// What it solves, in one dimension and in two; empty where it is none.
-    std::array<std::string_view, 2> equation;
-};
-
 constexpr const char* given = "given";
-
-constexpr std::array methods{
-    NamedMethod{"point",
-                BondMethod::point,
-                {"point collocation, (40)", "point collocation on the contour, as (41), signed"}},
-    NamedMethod{"subdomain",
-                BondMethod::subdomain,
-                {"sub-domain collocation, (42) signed",
-                 "sub-domain collocation on the contour, (43) signed"}},
-    NamedMethod{"galerkin",
-                BondMethod::galerkin,
-                {"Galerkin, (46) signed", "Galerkin on the contour, (47) signed"}},
-    NamedMethod{"least-squares",
-                BondMethod::least_squares,
-                {"least squares over 0 .. pi, (44) as one problem",
-                 "least squares on the contour, (45) as one problem"}},
-    NamedMethod{"taylor", BondMethod::taylor, {"Taylor series at xi = 0", ""}},
-    NamedMethod{"bz-ls",
-                BondMethod::bz_ls,
-                {"", "least squares of the dynamical matrix over the Brillouin zone"}},
-};
-
-const NamedMethod& named(BondMethod method) {
-    return *std::ranges::find(methods, method, &NamedMethod::method);
-}
-
-std::string_view equation(unsigned dimension, BondMethod method) {
-    return named(method).equation[dimension - 1];
-}
 
 /// Coefficients that were given.
 std::vector<BondCoefficient> as_given(const std::vector<Rational>& alpha) {
@@ -144,8 +108,8 @@ Report chain_report(const BondsTask& task) {
     const bool is_given = !task.alpha.empty();
     const auto alpha = is_given ? as_given(task.alpha) : chain_bonds(*task.method, task.horizon);
     Report report{.lattice = fmt::format("chain, horizon {} dX", task.horizon),
-                  .method_name = is_given ? given : named(*task.method).name,
-                  .method = is_given ? "as given" : std::string(equation(1, *task.method)),
+                  .method_name = is_given ? given : bond_method_name(*task.method),
+                  .method = is_given ? "as given" : std::string(equation_of(*task.method, 1)),
                   .model = "omega^2 = sum_j 4 alpha_j/(N^2 j) (1 - cos(j xi)), (10)",
                   .family = fmt::format("--family bond1d --horizon {}", task.horizon)};
     std::vector<double> values;
@@ -181,11 +145,11 @@ Report square_report(const BondsTask& task) {
     Report report{
         .lattice =
             fmt::format("square lattice, horizon {} dX, nu = 1/4 in plane strain", task.horizon),
-        .method_name = is_given ? given : named(*task.method).name,
+        .method_name = is_given ? given : bond_method_name(*task.method),
         .method =
             is_given
                 ? "as given"
-                : std::string(equation(2, *task.method)) +
+                : std::string(equation_of(*task.method, 2)) +
                       (task.bound ? fmt::format(", all alpha >= {}", to_string(*task.bound)) : ""),
         .model = "D = sum over bonds b of 48 alpha/(5 pi N^3 |b|^3) b b^T (1 - cos k.b), (13)",
         .family = fmt::format("--family bond2d --radius2 {}", radius_squared)};
@@ -221,25 +185,6 @@ bool has_mixed_sign(const Report& report) {
 constexpr std::size_t widest_closed_form = 100;
 
 }  // namespace
-
-std::optional<BondMethod> bond_method(std::string_view name) {
-    const auto* const found = std::ranges::find(methods, name, &NamedMethod::name);
-    return found == methods.end() ? std::nullopt : std::optional(found->method);
-}
-
-bool has_method(unsigned dimension, BondMethod method) {
-    return !equation(dimension, method).empty();
-}
-
-std::string bond_method_names(unsigned dimension) {
-    std::string names;
-    for (const NamedMethod& method : methods) {
-        if (has_method(dimension, method.method)) {
-            names += (names.empty() ? "" : ", ") + std::string(method.name);
-        }
-    }
-    return names;
-}
 
 std::string bonds_text(const BondsTask& task) {
     const Report report = report_of(task);

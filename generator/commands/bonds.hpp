@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,13 +19,6 @@ struct BondsTask {
     std::optional<Rational> bound{};  ///< of bz-ls
     std::vector<Rational> alpha{};    ///< in place of a method; shortest first
 };
-
-/// Nothing where there is none of this name.
-std::optional<BondMethod> bond_method(std::string_view name);
-bool has_method(unsigned dimension, BondMethod method);
-
-/// "point, subdomain, .."
-std::string bond_method_names(unsigned dimension);
 
 /// A table for people, or JSON (docs/reference/json.md). Throws NoSuchBonds (bonds/
 /// square_lattice.hpp).

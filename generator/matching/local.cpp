@@ -63,11 +63,6 @@ struct Lattice {
 
 }  // namespace
 
-Real wave_number(const MatchingPoint& point) {
-    const Real unit = point.of_pi ? pi() : Real(1);
-    return Real(point.wave_number) * unit;
-}
-
 IncidentWave incident_wave(const Table& table, const MatchingPoint& point) {
     const Real xi = wave_number(point);
     const Real phase = sin(table.specification.stride * xi);

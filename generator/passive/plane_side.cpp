@@ -61,10 +61,6 @@ const DesignedWaves& waves_for(const EdgeReach& reach) {
     return has_more_layers(reach) ? wide_waves : all_waves;
 }
 
-std::size_t least_side_layers(const VectorChoice& choice) {
-    return 2 * std::size_t(horizon_of(choice));
-}
-
 }  // namespace
 
 std::string words_of(const SideTask& side) {
@@ -88,19 +84,6 @@ ArrivingWave wave_at(const PlaneLattice& lattice, bool is_P, double xi, double d
              << " degrees: " << error.what();
         throw std::domain_error(text.str());
     }
-}
-
-std::size_t side_layers_checked(const VectorChoice& choice, std::size_t layers) {
-    const std::size_t least = least_side_layers(choice);
-    constexpr std::size_t quick = 16;
-    const std::size_t most = std::max(least, quick);
-    if (layers < least || layers > most) {
-        std::ostringstream text;
-        text << "a passive side of this family has " << least << " to " << most << " layers, not "
-             << layers;
-        throw std::invalid_argument(text.str());
-    }
-    return layers;
 }
 
 double widest_designed_angle(const DesignedSide& side) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/passive/design.hpp"
+#include "generator/passive/side_layers.hpp"
 #include "generator/table/vector_model.hpp"
 
 namespace nmbcgen {
@@ -31,10 +32,6 @@ inline constexpr unsigned largest_side_radius_squared = 25;
 
 /// From the normal [degrees].
 double widest_designed_angle(const DesignedSide& side);
-
-/// Throws std::invalid_argument, "..  has 2 to 16 layers, not 1", where there are no sides of so
-/// many: fewer do not reach all forces that are cut, more take too long to design.
-std::size_t side_layers_checked(const VectorChoice& choice, std::size_t layers);
 
 /// At an angle from the normal [degrees]. Throws std::domain_error where it cannot be told from
 /// other waves.
