@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "generator/closures/plane_summation_by_parts.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -11,6 +10,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "generator/dense/least_squares.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -200,11 +201,8 @@ class Parts {
             }
         }
         missing -= factors * near;
-        Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition;
         constexpr double dependent = 1e-10;  // some demands follow from the others
-        decomposition.setThreshold(dependent);
-        decomposition.compute(factors);
-        const VectorXd change = decomposition.solve(missing);
+        const VectorXd change = least_norm_solution(factors, missing, dependent);
         constexpr double roundings = 1e-12;
         if (!((factors * change - missing).cwiseAbs().maxCoeff() < roundings)) {
             throw std::domain_error("the corners of this family cannot be closed");

@@ -45,6 +45,13 @@ class Functor : public Eigen::DenseFunctor<double> {
 
 }  // namespace
 
+VectorXd least_norm_solution(const MatrixXd& matrix, const VectorXd& right_side, double threshold) {
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition;
+    decomposition.setThreshold(threshold);
+    decomposition.compute(matrix);
+    return decomposition.solve(right_side);
+}
+
 VectorXd least_squares(const VectorXd& start, const Residuals& residuals,
                        Eigen::Index evaluations) {
     Functor functor(residuals, start);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Nonlinear least squares, by Eigen.
+/// Least squares, linear and not, by Eigen.
 #ifndef NMBCGEN_DENSE_LEAST_SQUARES_HPP
 #define NMBCGEN_DENSE_LEAST_SQUARES_HPP
 
@@ -7,6 +7,11 @@
 #include <functional>
 
 namespace nmbcgen {
+
+/// Of all x that leave the least |matrix x - right_side|, the shortest. Pivots below such a part of
+/// the largest count as 0.
+Eigen::VectorXd least_norm_solution(const Eigen::MatrixXd& matrix,
+                                    const Eigen::VectorXd& right_side, double threshold);
 
 /// Residuals and their derivatives: a row for each residual, a column for each parameter.
 struct Linearised {

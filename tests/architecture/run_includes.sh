@@ -26,7 +26,7 @@ allow generator/lattice 'generator/(table|exact|lattice)/|boost/'
 allow generator/families "generator/(table|exact|lattice|names|families)/|$text"
 allow generator/names "generator/(table|exact|names)/|$text"
 allow generator/bonds "generator/(table|exact|families|bonds)/|$text"
-allow generator/closures 'generator/(table|closures)/|nmbc/(correspondence_model|plane_closure).hpp|Eigen/Dense'
+allow generator/closures 'generator/(table|dense|closures)/|nmbc/(correspondence_model|plane_closure).hpp'
 allow generator/dense 'generator/dense/|(unsupported/)?Eigen/'
 allow generator/stability 'generator/(table|exact|dense|lattice|stability)/|boost/|Eigen/Core'
 allow generator/enclosures 'generator/(table|exact|lattice|stability|enclosures)/|nmbc/table.hpp|boost/'
