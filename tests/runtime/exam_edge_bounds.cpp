@@ -2,12 +2,12 @@
 /// How stiff true ends on the outermost node are.
 #include <doctest/doctest.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <nmbc/nmbc.hpp>
 #include <vector>
 
+#include "generator/dense/decompositions.hpp"
 #include "tests/runtime/edge_chains.hpp"
 
 namespace {
@@ -29,7 +29,7 @@ double eigenvalue_between(const nmbc::EdgeEnergy& edge, const nmbc::Lattice& lat
             matrix(row, column) = force[std::size_t(row) + held];
         }
     }
-    return matrix.eigenvalues().real().maxCoeff();
+    return nmbcgen::eigenvalues(matrix).real().maxCoeff();
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 /// True ends on the outermost node of a damped lattice.
 #include <doctest/doctest.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <nmbc/nmbc.hpp>
@@ -11,6 +10,8 @@
 #include <span>
 #include <stdexcept>
 #include <vector>
+
+#include "generator/dense/decompositions.hpp"
 
 namespace {
 
@@ -90,7 +91,7 @@ class Rates {
         whole.bottomRightCorner(nodes, nodes) = one + step * by_v_;
         whole.topRows(nodes) = step * whole.bottomRows(nodes);
         whole.topLeftCorner(nodes, nodes) += one;
-        return whole.eigenvalues().cwiseAbs().maxCoeff();
+        return nmbcgen::eigenvalues(whole).cwiseAbs().maxCoeff();
     }
 
   private:
