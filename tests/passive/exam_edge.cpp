@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "generator/dense/decompositions.hpp"
+#include "generator/exact/rational.hpp"
+#include "generator/passive/design.hpp"
 #include "generator/passive/edge.hpp"
 #include "tests/support/nopd2d.hpp"
 
@@ -128,6 +130,85 @@ TEST_CASE("a design for waves up to 60 degrees, delta = 1, G = 0") {
             CHECK(std::abs(reflected - (is_P ? row.P : row.S)) <
                   std::max(.002, .1 * (is_P ? row.P : row.S)));
         }
+    }
+}
+
+TEST_CASE(
+    "the design for waves up to 60 degrees has a highest eigenvalue of 1.41 times the lattice's") {
+    const PlaneLattice lattice = lattice_of_paper(1, 0);
+    PassiveEdge edge = plain(2);
+    edge.strain << .437217, .953764;
+    edge.mass << .530312, .461705, .870170, .956384;
+    edge.null_lagrangian = .37 * 2 / 5;
+    const EdgeTask task{.squares = EdgeSquares(at_edge(1), 1, 0, largest_beta),
+                        .reach = reach_of(1),
+                        .largest_beta = largest_beta};
+    constexpr std::size_t steps = 32;
+    CHECK(highest_eigenvalue_of_edge(task, edge, steps) / highest_eigenvalue(lattice, steps) ==
+          doctest::Approx(1.41).epsilon(0.005));  // half of its last digit
+}
+
+namespace {
+
+/// What the lattice, cut off, sends back of long waves, with dashpots on its outermost layer alone:
+/// the sums of dashpots and beta decide.
+class LongWaves {
+  public:
+    /// gamma = 2 mu - beta.
+    LongWaves(double normal, double tangential, double gamma) : edge_(plain(2)) {
+        edge_.dashpots[0](0, 0) = normal;
+        edge_.dashpots[1](0, 0) = tangential;
+        edge_.null_lagrangian = nearest_double(largest_beta) - gamma;
+    }
+
+    double reflected(bool is_P, double degrees) const {
+        constexpr double xi = 1e-3;  // amplitudes differ by as much from those of xi = 0
+        const ArrivingWave wave = arriving_wave(lattice_, is_P, xi, radians(degrees));
+        return edge_reflection(squares_.energies(2, reach_of(1), wave.wave_number), edge_,
+                               wave.outgoing, wave.omega)
+            .col(wave.column)
+            .squaredNorm();
+    }
+
+  private:
+    PlaneLattice lattice_ = lattice_of_paper(1, 0.5);
+    EdgeSquares squares_{at_edge(1), 1, g_of(0.5), largest_beta};
+    PassiveEdge edge_;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a null Lagrangian couples P and S as Engquist and Majda do: amplitudes fall as angle^2") {
+    const PlaneLattice lattice = lattice_of_paper(1, 0.5);
+    const double P = lattice.speed_P;
+    const double S = lattice.speed_S;
+    const LongWaves side(P, S, P * S);  // beta = mu (2 - c_P/c_S)
+    const LongWaves uncoupled(P, S, S * S);
+    for (const bool is_P : {true, false}) {
+        CAPTURE(is_P);
+        CHECK(side.reflected(is_P, 0) < 1e-5);
+        // The next order of the angle is a tenth of it at 16 degrees.
+        CHECK(side.reflected(is_P, 16) / side.reflected(is_P, 8) ==
+              doctest::Approx(16).epsilon(0.2).scale(0));
+        CHECK(uncoupled.reflected(is_P, 8) > 10 * side.reflected(is_P, 8));
+    }
+}
+
+TEST_CASE("one slowness along a side is let out of both P and S waves") {
+    const PlaneLattice lattice = lattice_of_paper(1, 0.5);
+    const double P = lattice.speed_P;
+    const double S = lattice.speed_S;
+    for (const double degrees : {20.0, 50.0}) {
+        const double sine_P = std::sin(radians(degrees));
+        const double cosine_P = std::cos(radians(degrees));
+        const double sine_S = sine_P * S / P;
+        const double cosine_S = std::sqrt(1 - sine_S * sine_S);
+        const double gamma = P * P / (sine_P * sine_P + P / S * cosine_P * cosine_S);
+        const LongWaves side(gamma * cosine_S / S, gamma * cosine_P / P, gamma);
+        CHECK(side.reflected(true, degrees) < 1e-5);
+        CHECK(side.reflected(false, std::asin(sine_S) / radians(1)) < 1e-5);
+        CHECK(side.reflected(true, degrees + 15) > 1e-4);
     }
 }
 
