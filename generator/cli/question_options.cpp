@@ -74,12 +74,12 @@ CLI::App* add_passive(CLI::App& app, Request& request, Pending& pending) {
         "design an end of a chain, or a side of a plane lattice, that is stable by "
         "construction; JSON");
     add_parsed(*passive, "--family", question.family, parse_family,
-               "lattice model: nopd1d (default), nopd2d (default with --radius2), bond2d");
+               "lattice model: nopd1d (default), chain1d, nopd2d (default with --radius2), bond2d");
     const auto parse_horizon = [](const std::string& text) {
         return parse_whole_number(text, largest_designed_horizon);
     };
     CLI::Option* const horizon = add_parsed(*passive, "--horizon", question.horizon, parse_horizon,
-                                            "of nopd1d: horizon n in units of dX, 1 to 6");
+                                            "of a chain: horizon n in units of dX, 1 to 6");
     CLI::Option* const radius = add_plane_model(*passive, pending.plane);
     require_one_of(*passive, horizon, radius);
     add_weights(*passive, pending.weights);

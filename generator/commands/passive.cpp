@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
@@ -65,10 +67,52 @@ Json numbers_of(const PassiveDesign& design) {
 
 std::vector<double> symbol_at(const ChainModel& model) {
     std::vector<double> symbol;
-    for (const Polynomial& entry : make_model("nopd1d", model.horizon).symbol) {
+    for (const Polynomial& entry : make_model(model.family, model.horizon).symbol) {
         symbol.push_back(nearest_double(evaluate(entry, model.G)));
     }
     return symbol;
+}
+
+/// Of the chain of atoms: an end of fourth order in closed form. Beyond node 1 all is the chain's.
+Json closed_form() {
+    return {{"layers", 2},
+            {"closed_form",
+             {{"x", "(3 - sqrt(5))/2"},
+              {"bond", "k = sqrt(8 (sqrt(5) - 2)), between the outermost node and the next one"},
+              {"masses", Json::array({"x/k", "1/2 + (1 - x)/k"})},
+              {"dashpot", "1, on the outermost node"}}}};
+}
+
+DesignedSide atom_chain_end() {
+    const double root = std::sqrt(5.0);
+    const double x = (3 - root) / 2;
+    const double bond = std::sqrt(8 * (root - 2));
+    PassiveEdge edge{.strain = Eigen::Vector2d(bond, 1),
+                     .stabilisation = Eigen::Vector2d::Ones(),
+                     .mass = Eigen::Vector2d(x / bond, 0.5 + (1 - x) / bond),
+                     .dashpots = {Eigen::Matrix2d::Zero()},
+                     .null_lagrangian = 0};
+    edge.dashpots[0](0, 0) = 1;
+    // A bond belongs to the one of its nodes that is nearer to the end.
+    const NodeEnergy bonds = [](unsigned, const Rational&) {
+        return std::vector<VectorSquare>{
+            {EnergyPart::strain,
+             Polynomial(std::vector<Rational>{1}),
+             {{Offset{0, 0, 0}, {-1, 0, 0}}, {Offset{1, 0, 0}, {1, 0, 0}}}}};
+    };
+    constexpr double highest = 4;  // 4 sin^2(xi/2)
+    DesignedSide side{.task = {.squares = EdgeSquares(bonds, 1, 0, 0),
+                               .dimensions = 1,
+                               .reach = {.node = 1, .forces = 1, .layers = 2},
+                               .has_stabilisation = false,
+                               .largest_beta = 0,
+                               .highest_eigenvalue = highest},
+                      .design = {},
+                      .edge = std::move(edge),
+                      .highest_eigenvalue = highest};
+    side.highest_eigenvalue =
+        std::max(highest, highest_eigenvalue_of_edge(side.task, side.edge, 1));
+    return side;
 }
 
 NoSuchBoundary no_design(const std::string& at, const std::domain_error& reason) {
@@ -94,6 +138,9 @@ DesignedSide designed(const SideTask& model, const DesignProgress& progress) {
 }
 
 DesignedSide passive_end(const ChainModel& model) {
+    if (model.family == "chain1d") {
+        return atom_chain_end();
+    }
     try {
         return passive_end(
             symbol_at(model), model.horizon, model.G,
@@ -139,7 +186,7 @@ std::string passive_json(const SideTask& model, const DesignProgress& progress) 
 
 std::string passive_json(const ChainModel& model) {
     const DesignedSide side = passive_end(model);
-    const Model described = make_model("nopd1d", model.horizon);
+    const Model described = make_model(model.family, model.horizon);
     const LateralChain chain = chain_of(symbol_at(model));
     Json reflections = Json::array();
     for (const double xi : {0.05, 0.1, 0.2, 0.5, 1.0}) {
@@ -148,21 +195,24 @@ std::string passive_json(const ChainModel& model) {
              {"energy", reflected_by_edge(side.task, side.edge, arriving_wave(chain, xi))}});
     }
     Json all{{"boundary", "passive"},
-             {"family", "nopd1d"},
+             {"family", model.family},
              {"horizon", model.horizon},
              {"model", described.description},
              {"source", described.source},
              {"G", to_string(model.G)},
              {"time_step", to_string(model.time_step)},
              {"units", "dX = c = density = 1; layers from the end inwards"}};
-    all.update(numbers_of(side.design));
-    all.update(Json{{"proved",
-                     "weights, masses and scales are positive, dashpots are L L^T over "
-                     "their scale: the energy of a chain with this end is a sum of "
-                     "squares, which its dashpots never raise"},
-                    {"highest_eigenvalue_interior", side.task.highest_eigenvalue},
-                    {"highest_eigenvalue", side.eigenvalue_bound()},
-                    {"reflected_energy", reflections}});
+    const bool is_closed = side.design.strain.empty();
+    all.update(is_closed ? closed_form() : numbers_of(side.design));
+    all.update(
+        Json{{"proved", std::string(is_closed ? "bonds and masses are positive, the dashpot, too"
+                                              : "weights, masses and scales are positive, dashpots "
+                                                "are L L^T over their scale") +
+                            ": the energy of a chain with this end is a sum of squares, which its "
+                            "dashpots never raise"},
+             {"highest_eigenvalue_interior", side.task.highest_eigenvalue},
+             {"highest_eigenvalue", side.eigenvalue_bound()},
+             {"reflected_energy", reflections}});
     return all.dump(2) + "\n";
 }
 

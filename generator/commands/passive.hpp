@@ -16,14 +16,16 @@ ArrivingWave told_wave(const PlaneLattice& lattice, bool is_P, double xi, double
 /// passive_side(). Throws NoSuchBoundary where no design is found.
 DesignedSide designed(const SideTask& model, const DesignProgress& progress = {});
 
-/// A chain nopd1d at one G.
+/// A chain nopd1d at one G, or chain1d, the atoms, whose end has a closed form: horizon 1, G = 0,
+/// time_step 0.
 struct ChainModel {
+    std::string family = "nopd1d";
     unsigned horizon = 1;
     Rational G;
     Rational time_step;  ///< of the steps it is for [dX/c]; 0: continuous time
 };
 
-/// Throws NoSuchBoundary where no design is found.
+/// Throws NoSuchBoundary where no design is found. In closed form an end has no `design`.
 DesignedSide passive_end(const ChainModel& model);
 
 /// As a C++ header: an nmbc::PassiveEnd, an nmbc::PassiveSide.

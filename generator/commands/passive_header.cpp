@@ -62,15 +62,19 @@ std::string passive_header(const ChainModel& model) {
     const std::string made_for = model.time_step == 0
                                      ? "short steps"
                                      : fmt::format("steps of {} dX/c", to_string(model.time_step));
+    const bool is_closed = model.family == "chain1d";
     return header_of(
-        fmt::format("--horizon {} --G {}{}", model.horizon, to_string(model.G),
-                    step_option(model.time_step)),
+        is_closed ? "--family chain1d --horizon 1"
+                  : fmt::format("--horizon {} --G {}{}", model.horizon, to_string(model.G),
+                                step_option(model.time_step)),
         "passive.hpp",
-        fmt::format("A passive end of nopd1d, n = {}, G = {}, designed for {}.", model.horizon,
-                    to_string(model.G), made_for),
+        is_closed ? "A passive end of the chain of atoms, chain1d, of fourth order, in closed form."
+                  : fmt::format("A passive end of nopd1d, n = {}, G = {}, designed for {}.",
+                                model.horizon, to_string(model.G), made_for),
         "PassiveEnd",
-        fmt::format("passive_nopd1d_n{}_G{}{}", model.horizon, p_over_q(model.G),
-                    step_name(model.time_step)),
+        is_closed ? "passive_chain1d"
+                  : fmt::format("passive_nopd1d_n{}_G{}{}", model.horizon, p_over_q(model.G),
+                                step_name(model.time_step)),
         {fmt::format(".rows = {}", end.rows),
          fmt::format(".stiffness =\n    {{{}}}",
                      rows_of(end.stiffness, end.stiffness.size() / end.rows)),
