@@ -49,8 +49,17 @@ void refuse_options_of_chains(const CLI::App& used) {
 }
 
 ChainModel settled_end(const Question& question, const Pending& pending) {
-    if (question.family != "nopd1d") {
-        throw CLI::ValidationError("--family", "passive designs are of nopd1d, nopd2d, bond2d");
+    const bool is_closed = question.family == "chain1d";
+    if (question.family != "nopd1d" && !is_closed) {
+        throw CLI::ValidationError("--family",
+                                   "passive designs are of nopd1d, chain1d, nopd2d, bond2d");
+    }
+    if (is_closed && question.horizon != 1) {
+        throw CLI::ValidationError("--horizon", "chain1d has neighbours at 1 alone");
+    }
+    if (is_closed && pending.passive_step != 0) {
+        throw CLI::ValidationError("--time-step",
+                                   "the end of chain1d is a closed form in continuous time");
     }
     if (pending.weights) {
         throw CLI::ValidationError("--weights", "passive ends have constant influence");
@@ -58,7 +67,10 @@ ChainModel settled_end(const Question& question, const Pending& pending) {
     if (pending.layers) {
         throw CLI::ValidationError("--layers", "is of a side of the plane");
     }
-    return {.horizon = question.horizon, .G = question.G, .time_step = pending.passive_step};
+    return {.family = question.family,
+            .horizon = question.horizon,
+            .G = question.G,
+            .time_step = pending.passive_step};
 }
 
 void require_fit(const VectorFamily& family, const PlaneOptions& plane,
@@ -117,11 +129,14 @@ std::size_t settled_layers(const VectorChoice& choice, const std::optional<unsig
 void settle_side(Request& request, const VectorFamily& family, const VectorChoice& choice,
                  const Pending& pending, const CLI::App& used, const char* blamed) {
     refuse_options_of_chains(used);
-    if (family.at_edge == nullptr) {
+    if (family.dimensions == 3 ||
+        (family.at_edge == nullptr && request.action == Action::passive)) {
         throw CLI::ValidationError(
-            "--family", fmt::format("sides are of nopd2d and bond2d; tables of {} are of one "
+            "--family", fmt::format("{} are of nopd2d{} bond2d{}; tables of {} are of one "
                                     "--polarisation",
-                                    family.name));
+                                    family.dimensions == 3 ? "sides" : "passive sides",
+                                    family.dimensions == 3 ? "," : " and",
+                                    family.dimensions == 3 ? " and lps2d" : "", family.name));
     }
     if (choice.radius_squared > largest_side_radius_squared) {
         throw CLI::ValidationError("--radius2",
@@ -136,7 +151,8 @@ void settle_side(Request& request, const VectorFamily& family, const VectorChoic
                              .polarisation = polarisation});
         });
     }
-    if (std::ranges::any_of(choice.weights, [](const Rational& w) { return w < 0; })) {
+    if (family.at_edge != nullptr &&
+        std::ranges::any_of(choice.weights, [](const Rational& w) { return w < 0; })) {
         throw CLI::ValidationError(
             "--weights",
             "sides that are stable by construction need weights above 0. For the waves of one "

@@ -5,73 +5,70 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "generator/families/projected.hpp"
 #include "generator/families/vector_family.hpp"
 #include "generator/names/projected_family.hpp"
 #include "generator/pipeline.hpp"
-#include "generator/plane/box.hpp"
-#include "generator/plane/strip.hpp"
+#include "generator/plane/sampled_growth.hpp"
 #include "generator/stability/half_space.hpp"
 
 namespace nmbcgen {
 namespace {
 
-/// Z in place of Z^stride.
-std::vector<double> spread(const std::vector<double>& coefficients, std::size_t stride,
-                           double factor) {
-    std::vector<double> spread(stride * (coefficients.size() - 1) + 1);
-    for (std::size_t j = 0; j < coefficients.size(); ++j) {
-        spread[stride * j] = factor * coefficients[j];
-    }
-    return spread;
-}
-
-/// Over the highest frequency: roundings of the eigenvalues of some hundred states.
-constexpr double growth_limit = 1e-9;
 /// Samples reach 1 at the edges of bands, where waves stand, up to the roundings of a double root.
 constexpr double sampled_limit = 1 + 1e-6;
 
-/// How many layers inwards its ghost layers look.
-std::size_t width_of(const SideCondition& condition) {
-    std::size_t width = 0;
-    for (const ShiftPolynomial& residual : condition.residual) {
-        for (const std::vector<double>& shifts : residual) {
-            width = std::max(width, shifts.size() - 1);
+bool grows(const PlaneLattice& lattice, const SideCondition& condition) {
+    return strips_grow(lattice, condition, always(condition), side_samples.layers, 0) ||
+           growth_with_corners(lattice, condition, 0) > 0;
+}
+
+std::string grade_of(const LargestAmplification& seen) {
+    if (2 * seen.examined < seen.samples) {
+        return "unknown";
+    }
+    if (seen.value.alone <= sampled_limit) {
+        return "contractive";
+    }
+    return seen.value.paired <= sampled_limit ? "paired" : "amplifies";
+}
+
+/// Strips first, which tell most and take least time.
+double steps_of_grade(const PlaneLattice& lattice, const SideCondition& condition,
+                      const std::string& grade) {
+    const double longest = longest_step(lattice);
+    double steps = 0;
+    for (const double share : side_samples.steps) {
+        const double dt = share * longest;
+        if (strips_grow(lattice, condition, always(condition), side_samples.layers, dt) ||
+            grade_of(largest_amplification(lattice, condition, side_samples.waves, dt)) != grade) {
+            break;
+        }
+        steps = share;
+    }
+    return steps > 0 && growth_with_corners(lattice, condition, steps * longest) > 0 ? 0 : steps;
+}
+
+/// Strips so narrow that a free side changes all of their layers are not looked at.
+std::vector<std::string> fed(const SideTask& model, const PlaneLattice& lattice,
+                             const SideCondition& condition, double steps) {
+    std::vector<std::pair<std::string, OppositeSide>> others{{"fixed", always(fixed_condition())}};
+    if (const auto free = free_opposite(model)) {
+        others.emplace_back("free", *free);
+    }
+    std::vector<std::string> names;
+    for (const auto& [name, opposite] : others) {
+        if (strips_grow(lattice, condition, opposite, side_samples.layers, 0) ||
+            strips_grow(lattice, condition, opposite, side_samples.layers,
+                        steps * longest_step(lattice))) {
+            names.push_back(name);
         }
     }
-    return width;
-}
-
-/// 0 where it is roundings.
-double told_growth(double growth, const PlaneLattice& lattice) {
-    constexpr std::size_t steps = 16;
-    return growth > growth_limit * std::sqrt(highest_eigenvalue(lattice, steps)) ? growth : 0;
-}
-
-double growth_between_two(const PlaneLattice& lattice, const SideCondition& condition,
-                          std::size_t layers) {
-    return told_growth(
-        largest_growth_in_strip(lattice, condition, std::max(layers, width_of(condition)),
-                                side_samples.wave_numbers),
-        lattice);
-}
-
-double growth_between_four(const PlaneLattice& lattice, const SideCondition& condition) {
-    const std::size_t even = 2 * ((width_of(condition) + 1) / 2);
-    return told_growth(growth_in_box(lattice, {.across_x = condition, .across_y = condition},
-                                     std::max(side_samples.nodes, even)),
-                       lattice);
-}
-
-bool grows(const PlaneLattice& lattice, const SideCondition& condition) {
-    return growth_between_four(lattice, condition) > 0 ||
-           std::ranges::any_of(side_samples.layers, [&](std::size_t layers) {
-               return growth_between_two(lattice, condition, layers) > 0;
-           });
+    return names;
 }
 
 }  // namespace
@@ -86,9 +83,8 @@ std::optional<SideCondition> component_condition(const SideTask& model, const Pl
             name_of({.family = model.family, .model = model.choice, .polarisation = polarisation});
         try {
             const HalfSpace half_space = make_half_space(derive(what), model.g);
-            condition.residual[is_P ? 0 : 1] = {
-                spread(half_space.b, what.stride, is_P ? -lattice.speed_P : -lattice.speed_S),
-                spread(half_space.c, what.stride, 1)};
+            condition.residual[is_P ? 0 : 1] = matching_residual(
+                half_space.c, half_space.b, what.stride, is_P ? lattice.speed_P : lattice.speed_S);
         } catch (const NoSuchBoundary&) {
             return std::nullopt;
         } catch (const std::domain_error&) {  // a pole
@@ -106,19 +102,28 @@ std::string component_name(unsigned order, unsigned stride) {
 std::string samples_text() {
     return fmt::format(
         "{} x {} wave vectors, strips of {} layers with {} wave numbers along them, a box of {} x "
-        "{} nodes",
+        "{} nodes, steps of {:g} to {:g} times the longest in tenths",
         side_samples.waves, side_samples.waves + 1, fmt::join(side_samples.layers, ", "),
         strip_wave_numbers(side_samples.wave_numbers).size(), side_samples.nodes,
-        side_samples.nodes);
+        side_samples.nodes, side_samples.steps.front(), side_samples.steps.back());
+}
+
+bool GhostSide::is_stable() const {
+    const std::string grade = grade_of(*this);
+    return (grade == "contractive" || grade == "paired") && steps > 0;
 }
 
 void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice) {
     side.amplification = largest_amplification(lattice, side.condition, side_samples.waves);
-    side.growth = 0;
-    for (const std::size_t layers : side_samples.layers) {
-        side.growth = std::max(side.growth, growth_between_two(lattice, side.condition, layers));
+    side.growth =
+        growth_in_strips(lattice, side.condition, always(side.condition), side_samples.layers, 0);
+    side.growth_with_corners = growth_with_corners(lattice, side.condition, 0);
+    if (!side.grows()) {
+        side.steps = steps_of_grade(lattice, side.condition, grade_of(side));
+        if (grade_of(side) != "contractive") {
+            side.feeds = fed(model, lattice, side.condition, side.steps);
+        }
     }
-    side.growth_with_corners = growth_between_four(lattice, side.condition);
     const VectorFamily& family = find_vector_family(model.family);
     if (!side.grows() || !family.has_stabilisation) {
         return;
@@ -135,17 +140,21 @@ void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice
 }
 
 std::string grade_of(const GhostSide& side) {
+    return side.grows() ? "grows" : grade_of(side.amplification);
+}
+
+std::string opposite_of(const GhostSide& side) {
     if (side.grows()) {
-        return "grows";
+        return "-";
     }
-    const LargestAmplification& seen = side.amplification;
-    if (2 * seen.examined < seen.samples) {
-        return "unknown";
+    if (grade_of(side) == "contractive") {
+        return "any";
     }
-    if (side.amplification.value.alone <= sampled_limit) {
-        return "contractive";
-    }
-    return side.amplification.value.paired <= sampled_limit ? "paired" : "amplifies";
+    return side.feeds.empty() ? "its like" : fmt::format("not {}", fmt::join(side.feeds, ", "));
+}
+
+std::string steps_of(const GhostSide& side) {
+    return side.grows() ? "-" : side.steps > 0 ? fmt::format("{:.1f}", side.steps) : "none";
 }
 
 std::string amplification_of(const GhostSide& side) {

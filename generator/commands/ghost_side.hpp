@@ -3,10 +3,9 @@
 /// samples.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "generator/passive/plane_side.hpp"
 #include "generator/plane/side_condition.hpp"
@@ -23,21 +22,18 @@ struct GhostSide {
     double growth = 0;                  ///< in strips; 0 where it is roundings
     double growth_with_corners = 0;     ///< in a box; likewise
     std::optional<Rational> damping{};  ///< the smallest tau tried with which neither grows
+    /// The largest leapfrog step, over the longest one, in which the grade is what it is in
+    /// continuous time, as in all shorter ones that are looked at; 0: none, or not sought.
+    double steps = 0;
+    /// Opposite which strips grow: "fixed", "free".
+    std::vector<std::string> feeds{};
 
     bool grows() const { return growth > 0 || growth_with_corners > 0; }
+    bool is_stable() const;  ///< contractive or paired, in steps too
 };
 
 /// Of sides, in words: "24 x 25 wave vectors, strips of ..".
 std::string samples_text();
-
-/// How finely sides are sampled. Strips and boxes are wider where a condition reaches across them.
-struct SideSamples {
-    std::array<std::size_t, 4> layers{20, 31, 9, 5};  ///< of the strips between two like sides
-    std::size_t wave_numbers = 40;  ///< steps of those along them, the first of them halved, too
-    std::size_t nodes = 12;         ///< of the box between four, along an edge
-    std::size_t waves = 24;         ///< in each direction
-};
-inline constexpr SideSamples side_samples;
 
 /// NMBC, component by component, from the chains that P and S waves along x see; nothing where
 /// there is none at this g. what: all but its family and horizon; a condition that is matched in
@@ -49,11 +45,18 @@ std::optional<SideCondition> component_condition(const SideTask& model, const Pl
 std::string component_name(unsigned order, unsigned stride);
 
 /// Finds how the side amplifies waves and whether strips of the lattice grow between two of them,
-/// or a box between four; where one does, the damping that ends it in all of them.
+/// or a box between four; where one does, the damping that ends it in all of them, in continuous
+/// time; where none does, in which steps, and opposite which sides.
 void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice);
 
 /// "grows", "amplifies", "paired", "contractive", or "unknown" where most waves cannot be told.
 std::string grade_of(const GhostSide& side);
+
+/// "any", "its like", or what else the side may face; "-" where it grows.
+std::string opposite_of(const GhostSide& side);
+
+/// "0.9", of the longest step; "none", or "-" where it grows in continuous time.
+std::string steps_of(const GhostSide& side);
 
 /// The largest amplification between two like sides, or a bound: "<= 1.1".
 std::string amplification_of(const GhostSide& side);

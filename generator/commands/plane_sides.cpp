@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -69,7 +70,7 @@ std::string reflections_of(const PlaneLattice& lattice, Reflected reflected) {
     return text;
 }
 
-constexpr const char* row_format = "{:<26} {:<11} {:>10} {:>9} {:>9} {:>5} {}\n";
+constexpr const char* row_format = "{:<26} {:<11} {:>5} {:<15} {:>10} {:>9} {:>9} {:>5} {}\n";
 
 /// A lattice and the sides there are for it.
 struct SidesOfLattice {
@@ -90,23 +91,26 @@ struct SidesOfLattice {
         }
     }
 
+    bool has_passive() const { return find_vector_family(model.family).at_edge != nullptr; }
+
     double reflected_by(const GhostSide& side, const ArrivingWave& wave) const {
         return reflected_in_plane(wave, side.condition, reach);
     }
 };
 
-/// Works on all cores: passive_side(design) and ghost_side(i).
+/// Works on all cores: passive_side(design), where the family has them, and ghost_side(i).
 template <class PassiveSide, class Ghost>
 void for_each_side(const SidesOfLattice& sides, const Progress& progress, PassiveSide passive_side,
                    Ghost ghost_side) {
     std::atomic<std::size_t> done = 0;
-    const std::size_t all = sides.ghosts.size() + 1;
+    const std::size_t designs = sides.has_passive() ? 1 : 0;
+    const std::size_t all = sides.ghosts.size() + designs;
     progress(0, all);
     on_all_cores(all, [&](std::size_t i) {
-        if (i == 0) {
+        if (i < designs) {
             passive_side(designed(sides.model));
         } else {
-            ghost_side(i - 1);
+            ghost_side(i - designs);
         }
         progress(++done, all);
     });
@@ -116,15 +120,28 @@ std::string rate_text(double growth) {
     return growth > 0 ? fmt::format("{:.2g}", growth) : "none";
 }
 
-std::string row_of(const GhostSide& side, const SidesOfLattice& sides) {
-    return fmt::format(row_format, side.name, grade_of(side), amplification_of(side),
-                       rate_text(side.growth), rate_text(side.growth_with_corners),
-                       side.damping   ? to_string(*side.damping)
-                       : side.grows() ? "-"
-                                      : "0",
-                       reflections_of(sides.lattice, [&](const ArrivingWave& wave) {
-                           return sides.reflected_by(side, wave);
+/// Beside an endless side.
+double share_of_steps(const DesignedSide& passive) {
+    return std::sqrt(passive.task.highest_eigenvalue / passive.highest_eigenvalue);
+}
+
+std::string row_of(const DesignedSide& passive, const SidesOfLattice& sides) {
+    return fmt::format(row_format, "passive", "passive",
+                       fmt::format("{:.2f}", share_of_steps(passive)), "any", "no", "none", "none",
+                       "0", reflections_of(sides.lattice, [&](const ArrivingWave& wave) {
+                           return reflected_by_edge(passive.task, passive.edge, wave);
                        }));
+}
+
+std::string row_of(const GhostSide& side, const SidesOfLattice& sides) {
+    return fmt::format(
+        row_format, side.name, grade_of(side), steps_of(side), opposite_of(side),
+        amplification_of(side), rate_text(side.growth), rate_text(side.growth_with_corners),
+        side.damping   ? to_string(*side.damping)
+        : side.grows() ? "-"
+                       : "0",
+        reflections_of(sides.lattice,
+                       [&](const ArrivingWave& wave) { return sides.reflected_by(side, wave); }));
 }
 
 template <class Reflected>
@@ -144,13 +161,69 @@ std::string reflection_rows(std::string boundary, const PlaneLattice& lattice,
 }
 
 std::string heading() {
-    std::string text =
-        fmt::format(row_format, "boundary", "grade", "amplifies", "growth", "box", "tau", "");
+    std::string text = fmt::format(row_format, "boundary", "grade", "steps", "opposite",
+                                   "amplifies", "growth", "box", "tau", "");
     text.pop_back();
     for (const double angle : angles) {
         text += fmt::format("  {:>7} deg", angle);
     }
     return text + "\n";
+}
+
+/// What is recommended: the passive side.
+std::string choice_of(const DesignedSide& passive, const SidesOfLattice& sides) {
+    return fmt::format(
+        "passive, on the {} outermost layers of {}, g = {}\n"
+        "  stable     by construction: this straight side adds no energy. With others that add "
+        "none a body keeps what it has or less\n"
+        "  designed   for waves up to {:g} degrees from the normal; what is left head-on does not "
+        "vanish for long waves\n"
+        "  steps      times {:.2f} of those without it, beside an endless side\n",
+        passive.design.strain.size(), sides.described.description, to_string(sides.model.g),
+        widest_designed_angle(passive), share_of_steps(passive));
+}
+
+/// Where none is designed: the first one that is stable on the samples, contractive ones before
+/// paired ones.
+std::string choice_of(const SidesOfLattice& sides) {
+    const GhostSide* best = nullptr;
+    for (const char* grade : {"contractive", "paired"}) {
+        const auto found = std::ranges::find_if(sides.ghosts, [&](const GhostSide& side) {
+            return side.is_stable() && grade_of(side) == grade;
+        });
+        if (best == nullptr && found != sides.ghosts.end()) {
+            best = &*found;
+        }
+    }
+    const std::string at =
+        fmt::format("{}, for which no passive sides are designed", sides.described.description);
+    return best == nullptr ? fmt::format("none of these sides is stable beside {}\n", at)
+                           : fmt::format(
+                                 "{}, beside {}\n"
+                                 "  stable     on samples alone: {} in steps up to {:.1f} of the "
+                                 "lattice's longest\n",
+                                 best->name, at, grade_of(*best), best->steps);
+}
+
+std::string legend() {
+    return fmt::format(
+        "grade: passive is by construction. On samples,\n"
+        "  {}:\n"
+        "  contractive (opposite any passive side), paired (opposite its like), amplifies, grows "
+        "(in a strip or in\n"
+        "  the box). Other strips may grow\n"
+        "steps: leapfrog steps up to this part of the lattice's longest have the grade, as "
+        "continuous time has\n"
+        "opposite: in these steps and in continuous time; not fixed, free: strips between it and "
+        "such a side grow\n"
+        "amplifies: amplitudes at one reflection between like sides, the largest; <=: a bound\n"
+        "growth: rate in the strips; box: rate between four like sides, with corners "
+        "[sqrt(E/density)/dX]; tau: least of\n"
+        "  1/100 .. 2 that ends it in the strips and in the box, of forces tau times those of the "
+        "stabilisation at g = 1\n"
+        "  on velocities [dX sqrt(density/E)]; -: none\n"
+        "degrees: from the normal; reflected energy of P/S, xi = {:g}/dX\n",
+        samples_text(), long_xi);
 }
 
 }  // namespace
@@ -162,60 +235,36 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
     for_each_side(
         sides, progress, [&](DesignedSide&& side) { passive = std::move(side); },
         [&](std::size_t i) { examine(sides.ghosts[i], model, sides.lattice); });
-    std::string table =
-        heading() + fmt::format(row_format, "passive", "passive", "no", "none", "none", "0",
-                                reflections_of(sides.lattice, [&](const ArrivingWave& wave) {
-                                    return reflected_by_edge(passive->task, passive->edge, wave);
-                                }));
+    std::string table = heading();
+    if (passive) {
+        table += row_of(*passive, sides);
+    }
     for (const GhostSide& side : sides.ghosts) {
         table += row_of(side, sides);
     }
-    return fmt::format(
-        "passive, on the {} outermost layers of {}, g = {}\n"
-        "  stable     by construction: this straight side adds no energy. With others that add "
-        "none a body keeps "
-        "what "
-        "it has or less\n"
-        "  designed   for waves up to {:g} degrees from the normal; what is left head-on does not "
-        "vanish for long waves\n"
-        "  steps      times {:.2f} of those without it, beside an endless side\n\n"
-        "{}\n"
-        "grade: passive is by construction. On samples,\n"
-        "  {}:\n"
-        "  contractive (opposite any passive side), paired (opposite its like), amplifies, grows "
-        "(in a strip or in\n"
-        "  the box). Other strips may grow\n"
-        "amplifies: amplitudes at one reflection between like sides, the largest; <=: a bound\n"
-        "growth: rate in the strips; box: rate between four like sides, with corners "
-        "[sqrt(E/density)/dX]; tau: least of\n"
-        "  1/100 .. 2 that ends it in the strips and in the box, of forces tau times those of the "
-        "stabilisation at g = 1\n"
-        "  on velocities [dX sqrt(density/E)]; -: none\n"
-        "degrees: from the normal; reflected energy of P/S, xi = {:g}/dX\n",
-        passive->design.strain.size(), sides.described.description, to_string(model.g),
-        widest_designed_angle(*passive),
-        std::sqrt(passive->task.highest_eigenvalue / passive->highest_eigenvalue), table,
-        samples_text(), long_xi);
+    return fmt::format("{}\n{}\n{}", passive ? choice_of(*passive, sides) : choice_of(sides), table,
+                       legend());
 }
 
 std::string side_reflection_csv(const SideTask& model, const std::vector<AbsorbedWave>& absorbed,
                                 const Progress& progress) {
     const SidesOfLattice sides(model, absorbed);
-    std::vector<std::string> rows(sides.ghosts.size() + 1);
+    std::string of_passive;
+    std::vector<std::string> rows(sides.ghosts.size());
     for_each_side(
         sides, progress,
         [&](const DesignedSide& passive) {
-            rows[0] = reflection_rows("passive", sides.lattice, [&](const ArrivingWave& wave) {
+            of_passive = reflection_rows("passive", sides.lattice, [&](const ArrivingWave& wave) {
                 return reflected_by_edge(passive.task, passive.edge, wave);
             });
         },
         [&](std::size_t i) {
             const GhostSide& side = sides.ghosts[i];
-            rows[i + 1] = reflection_rows(side.name, sides.lattice, [&](const ArrivingWave& wave) {
+            rows[i] = reflection_rows(side.name, sides.lattice, [&](const ArrivingWave& wave) {
                 return sides.reflected_by(side, wave);
             });
         });
-    std::string csv = "boundary,wave,xi,degrees,reflected\n";
+    std::string csv = "boundary,wave,xi,degrees,reflected\n" + of_passive;
     for (const std::string& of_side : rows) {
         csv += of_side;
     }

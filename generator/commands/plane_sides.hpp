@@ -19,11 +19,11 @@ struct AbsorbedWave {
     friend bool operator==(const AbsorbedWave&, const AbsorbedWave&) = default;
 };
 
-/// The boundaries there are, as a text for people, first the passive side, which alone is proved to
-/// add no energy: what was found of each on samples, and what they reflect against the angle. Takes
-/// some seconds at radius 1 and half a minute at radius 3. Throws NoSuchBoundary where a wave
-/// cannot be told from another one. absorbed: one or two waves, and there is a row more, NMBC1
-/// matched at this angle, or the product of both.
+/// The boundaries there are, as a text for people, first the passive side of a family that has them
+/// designed, which alone is proved to add no energy: what was found of each on samples, and what
+/// they reflect against the angle. Takes some seconds at radius 1 and half a minute at radius 3.
+/// Throws NoSuchBoundary where a wave cannot be told from another one. absorbed: one or two waves,
+/// and there is a row more, NMBC1 matched at this angle, or the product of both.
 std::string side_recommendation(const SideTask& model, const std::vector<AbsorbedWave>& absorbed,
                                 const Progress& progress);
 

@@ -87,8 +87,9 @@ PlaneGrade require_stable_in_plane(const Specification& what, const ProjectedFam
     GhostSide side{.name = component_name(what.order, what.stride), .condition = *condition};
     examine(side, model, lattice);
     const std::string grade = grade_of(side);
-    if (grade == "contractive" || grade == "paired") {
-        return {grade, samples_text()};
+    if (side.is_stable()) {
+        return {
+            .grade = grade, .samples = samples_text(), .steps = side.steps, .feeds = side.feeds};
     }
     std::string sides;
     if (family.at_edge != nullptr) {
@@ -103,12 +104,15 @@ PlaneGrade require_stable_in_plane(const Specification& what, const ProjectedFam
         "{} is not stable as a side of the plane, g = {}, though it is for waves at normal "
         "incidence: {}. Nothing was written.{}",
         side.name, to_string(model.g),
-        side.grows() ? fmt::format("{} between such sides grow, Re s = {:.2g} sqrt(E/density)/dX",
-                                   side.growth > 0 ? "strips" : "boxes with corners",
-                                   side.growth > 0 ? side.growth : side.growth_with_corners)
-                     : fmt::format("of {} wave vectors some are amplified, {} times a reflection "
-                                   "between like sides",
-                                   side.amplification.samples, amplification_of(side)),
+        side.growth > 0 || side.growth_with_corners > 0
+            ? fmt::format("{} between such sides grow, Re s = {:.2g} sqrt(E/density)/dX",
+                          side.growth > 0 ? "strips" : "boxes with corners",
+                          side.growth > 0 ? side.growth : side.growth_with_corners)
+        : grade == "contractive" || grade == "paired"
+            ? fmt::format("it is {} in continuous time, and in no step that was looked at", grade)
+            : fmt::format("of {} wave vectors some are amplified, {} times a reflection "
+                          "between like sides",
+                          side.amplification.samples, amplification_of(side)),
         sides));
 }
 

@@ -147,10 +147,16 @@ std::string plane_statement(const Table& table) {
     if (!table.in_plane) {
         return "for waves at normal incidence, oblique ones may grow. ";
     }
+    const PlaneGrade& found = *table.in_plane;
     return fmt::format(
-        "as a side of the plane, with its like for the other polarisation, in continuous time: {}, "
-        "sampled: {}; all else for waves at normal incidence. ",
-        table.in_plane->grade, table.in_plane->samples);
+        "as a side of the plane, with its like for the other polarisation: {} in leapfrog steps up "
+        "to {:.1f} of the longest of the lattice{}, sampled: {}; all else for waves at normal "
+        "incidence. ",
+        found.grade, found.steps,
+        found.feeds.empty()
+            ? ""
+            : fmt::format(", growing opposite {} sides", fmt::join(found.feeds, " and ")),
+        found.samples);
 }
 
 }  // namespace

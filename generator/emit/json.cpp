@@ -123,7 +123,9 @@ Json table_object(const Table& table, Json lattice) {
     if (table.in_plane) {
         object["plane"] = {{"grade", table.in_plane->grade},
                            {"evidence", "sampled"},
-                           {"samples", table.in_plane->samples}};
+                           {"samples", table.in_plane->samples},
+                           {"steps", table.in_plane->steps},
+                           {"grows_opposite", table.in_plane->feeds}};
     }
     add_points(object, table);
     return object;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "generator/plane/plane_modes.hpp"
+#include "generator/plane/strip.hpp"
 
 namespace nmbcgen {
 
@@ -94,6 +95,11 @@ class EdgeSquares {
 
     std::vector<OfLayer> by_layer_;
 };
+
+/// A free side of a plane at one wave number along it: the lattice is cut off, and that is all.
+/// Strips with one have 2 forces layers or more.
+CutSide free_side(const EdgeSquares& squares, Eigen::Index node, Eigen::Index forces,
+                  double wave_number);
 
 /// Amplitudes of all outgoing modes (rows) that the mirror images of those that travel (columns)
 /// make, all of them 1 on layer reach.waves(). In leapfrog steps with midpoint dashpots a

@@ -122,6 +122,24 @@ DesignedSide passive_side(const SideTask& model, const DesignProgress& progress)
                          {lattice.speed_P, lattice.speed_S}, wave_numbers, progress);
 }
 
+std::optional<OppositeSide> free_opposite(const SideTask& model) {
+    const VectorFamily& family = find_vector_family(model.family);
+    if (family.at_edge == nullptr) {
+        return std::nullopt;
+    }
+    const auto node = Eigen::Index(horizon_of(model.choice));
+    const auto forces = Eigen::Index(
+        lateral_chain(plane_lattice(family.describe(model.choice), model.g, 0), 0).reach());
+    const EdgeSquares squares(
+        [&](unsigned layer, const Rational& beta) {
+            return family.at_edge(model.choice, layer, beta);
+        },
+        node, model.g, 0);
+    return [=](double wave_number) {
+        return StripSide(free_side(squares, node, forces, wave_number));
+    };
+}
+
 std::vector<double> reflected_by_side(const SideTask& model, const DesignedSide& side,
                                       std::span<const double> degrees) {
     const PlaneLattice lattice =

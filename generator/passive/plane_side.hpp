@@ -3,12 +3,14 @@
 #pragma once
 
 #include <nmbc/plane_sides.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "generator/passive/design.hpp"
 #include "generator/passive/side_layers.hpp"
+#include "generator/plane/sampled_growth.hpp"
 #include "generator/table/vector_model.hpp"
 
 namespace nmbcgen {
@@ -42,6 +44,10 @@ ArrivingWave wave_at(const PlaneLattice& lattice, bool is_P, double xi, double d
 /// as long. Throws std::domain_error where such waves cannot be told from each other, or no design
 /// is found.
 DesignedSide passive_side(const SideTask& model, const DesignProgress& progress = {});
+
+/// A free side of the undamped lattice, as strips have it opposite another one; nothing of a family
+/// without energies at an edge.
+std::optional<OppositeSide> free_opposite(const SideTask& model);
 
 inline constexpr double long_xi = 0.1;  ///< of the waves of reflected_by_side() [1/dX]
 

@@ -9,6 +9,8 @@
 
 #include "generator/dense/decompositions.hpp"
 #include "generator/plane/ghost_row.hpp"
+#include "generator/plane/leapfrog.hpp"
+#include "generator/plane/motion.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -16,51 +18,58 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Displacements, velocities and accelerations of all nodes as linear functions of the state: the
-/// displacements of all, and the velocities of those where they are no function of it.
-class Box {
+/// Rows are the two components of a node, nodes along x one after the other, ghosts among them.
+class BoxRows {
   public:
-    Box(const PlaneLattice& lattice, const BoxSides& sides, Index nodes)
-        : sides_(sides),
+    BoxRows(const PlaneLattice& lattice, const BoxSides& sides, Index nodes, double time_step)
+        : lattice_(lattice),
+          time_step_(time_step),
           reach_(reach_of(lattice)),
-          all_(nodes + 2 * reach_),
-          order_(Index(sides.across_x.residual[0].size()) - 1),
-          unknowns_(2 * all_ * all_),
-          state_(unknowns_ + (order_ == 1 ? 2 * nodes * nodes : unknowns_)),
-          velocity_entry_(std::size_t(unknowns_), -1),
-          displacement_(MatrixXd::Identity(unknowns_, state_)),
-          velocity_(MatrixXd::Zero(unknowns_, state_)),
-          acceleration_(MatrixXd::Zero(unknowns_, state_)) {
-        for (Index row = 0; row < unknowns_; ++row) {
-            if (order_ == 2 || is_interior(row)) {
-                const Index entry = unknowns_ + Index(moving_.size());
-                velocity_(row, entry) = 1;
-                velocity_entry_[std::size_t(row)] = entry;
-                moving_.push_back(row);
+          all_(nodes + 2 * reach_) {
+        for (const std::size_t axis : {0U, 1U}) {
+            const SideCondition& condition = axis == 0 ? sides.across_x : sides.across_y;
+            for (const std::size_t a : {0U, 1U}) {
+                residuals_[axis][a] = at_midpoints(condition.residual[a], time_step);
             }
-        }
-        if (order_ == 1) {
-            close(velocity_, {&displacement_});
-        }
-        for (Index row = 0; row < unknowns_; ++row) {
-            if (is_interior(row)) {
-                accelerate(lattice, row);
-            }
-        }
-        if (order_ == 2) {
-            close(acceleration_, {&displacement_, &velocity_});
         }
     }
 
-    /// Motions are even or odd in x, and in y.
-    double growth() const {
-        double largest = -HUGE_VAL;
-        for (const int in_x : {1, -1}) {
-            for (const int in_y : {1, -1}) {
-                largest = std::max(largest, eigenvalues(of_parity(in_x, in_y)).real().maxCoeff());
-            }
+    Motion motion() const {
+        MotionRows rows{
+            .orders = {},
+            .is_damped = std::ranges::any_of(
+                lattice_.bonds, [](const PlaneBond& bond) { return !bond.damping.isZero(0); }),
+            .time_step = time_step_};
+        for (Index row = 0; row < 2 * all_ * all_; ++row) {
+            const auto [i, j] = node_of(row);
+            rows.orders.push_back(!is_inside(i) ? order_of(0) : !is_inside(j) ? order_of(1) : 0);
         }
-        return largest;
+        return {rows, [this](MotionFields& fields) { accelerate(fields); },
+                [this](int order, const std::vector<const MatrixXd*>& lower, MatrixXd& highest) {
+                    for (const Index axis : {1, 0}) {
+                        for (const Index inwards : {1, -1}) {
+                            if (order_of(axis) == order) {
+                                close_side(axis, inwards, highest, lower);
+                            }
+                        }
+                    }
+                }};
+    }
+
+    /// Motions are even or odd in x, 1 or -1, and in y: the quarter of low i and j tells them.
+    Motion::Image mirror(Index row, int in_x, int in_y) const {
+        auto [i, j] = node_of(row);
+        const Index a = row % 2;
+        double sign = 1;
+        if (2 * i >= all_) {
+            i = all_ - 1 - i;
+            sign *= a == 0 ? -in_x : in_x;
+        }
+        if (2 * j >= all_) {
+            j = all_ - 1 - j;
+            sign *= a == 1 ? -in_y : in_y;
+        }
+        return {.row = row_of(i, j, a), .sign = sign};
     }
 
   private:
@@ -74,41 +83,39 @@ class Box {
 
     Index row_of(Index i, Index j, Index component) const { return 2 * (j * all_ + i) + component; }
     std::array<Index, 2> node_of(Index row) const { return {row / 2 % all_, row / 2 / all_}; }
-    bool is_interior(Index row) const {
-        return std::ranges::all_of(node_of(row),
-                                   [this](Index at) { return at >= reach_ && at < all_ - reach_; });
+    bool is_inside(Index at) const { return at >= reach_ && at < all_ - reach_; }
+    int order_of(Index axis) const { return int(residuals_[std::size_t(axis)][0].size()) - 1; }
+
+    void accelerate(MotionFields& fields) const {
+        for (Index j = reach_; j < all_ - reach_; ++j) {
+            for (Index i = reach_; i < all_ - reach_; ++i) {
+                for (const Index a : {0, 1}) {
+                    accelerate(fields, i, j, a);
+                }
+            }
+        }
     }
 
-    void accelerate(const PlaneLattice& lattice, Index row) {
-        const auto [i, j] = node_of(row);
-        const Index a = row % 2;
-        for (const PlaneBond& bond : lattice.bonds) {
+    void accelerate(MotionFields& fields, Index i, Index j, Index a) const {
+        auto own = fields.acceleration.row(row_of(i, j, a));
+        for (const PlaneBond& bond : lattice_.bonds) {
             for (const Index b : {0, 1}) {
                 const Index from = row_of(i + bond.offset[0], j + bond.offset[1], b);
-                acceleration_.row(row) -= bond.stiffness(a, b) * displacement_.row(from) +
-                                          bond.damping(a, b) * velocity_.row(from);
+                own -= bond.stiffness(a, b) * fields.displacement.row(from) +
+                       bond.damping(a, b) * fields.velocity.row(from);
             }
         }
     }
 
     /// The rows of ghosts of the highest derivative from those of the lower ones, outwards.
-    void close(MatrixXd& highest, const std::vector<const MatrixXd*>& lower) const {
-        for (const Index axis : {1, 0}) {
-            for (const Index inwards : {1, -1}) {
-                close_side(axis, inwards, highest, lower);
-            }
-        }
-    }
-
     void close_side(Index axis, Index inwards, MatrixXd& highest,
                     const std::vector<const MatrixXd*>& lower) const {
-        const SideCondition& condition = axis == 0 ? sides_.across_x : sides_.across_y;
         const Index corner = axis == 0 ? 0 : reach_;
         for (Index ghost = reach_ - 1; ghost >= 0; --ghost) {
             const Index layer = inwards == 1 ? ghost : all_ - 1 - ghost;
             for (Index along = corner; along < all_ - corner; ++along) {
                 for (const Index a : {0, 1}) {
-                    close_ghost(condition.residual[a == axis ? 0 : 1], lower, highest,
+                    close_ghost(residuals_[std::size_t(axis)][a == axis ? 0 : 1], lower, highest,
                                 [&](std::size_t shift) {
                                     const Index at = layer + inwards * Index(shift);
                                     return axis == 0 ? row_of(at, along, a) : row_of(along, at, a);
@@ -118,74 +125,29 @@ class Box {
         }
     }
 
-    /// The row of a state's displacement or velocity.
-    Index row_of_state(Index entry) const {
-        return entry < unknowns_ ? entry : moving_[std::size_t(entry - unknowns_)];
-    }
-
-    /// The entry's image in the quarter of low i and j, and its sign under these parities.
-    struct Image {
-        Index entry;
-        double sign;
-    };
-    Image image_of(Index entry, int in_x, int in_y) const {
-        const Index row = row_of_state(entry);
-        auto [i, j] = node_of(row);
-        const Index a = row % 2;
-        double sign = 1;
-        if (2 * i >= all_) {
-            i = all_ - 1 - i;
-            sign *= a == 0 ? -in_x : in_x;
-        }
-        if (2 * j >= all_) {
-            j = all_ - 1 - j;
-            sign *= a == 1 ? -in_y : in_y;
-        }
-        const Index mirrored = row_of(i, j, a);
-        return {.entry = entry < unknowns_ ? mirrored : velocity_entry_[std::size_t(mirrored)],
-                .sign = sign};
-    }
-
-    /// d/dt of the state of a quarter, the others being its mirror images.
-    MatrixXd of_parity(int in_x, int in_y) const {
-        std::vector<Index> quarter;
-        std::vector<Index> place(std::size_t(state_), -1);
-        for (Index entry = 0; entry < state_; ++entry) {
-            if (image_of(entry, in_x, in_y).entry == entry) {
-                place[std::size_t(entry)] = Index(quarter.size());
-                quarter.push_back(entry);
-            }
-        }
-        MatrixXd rates = MatrixXd::Zero(Index(quarter.size()), Index(quarter.size()));
-        for (Index entry = 0; entry < state_; ++entry) {
-            const Image image = image_of(entry, in_x, in_y);
-            const Index column = place[std::size_t(image.entry)];
-            for (Index k = 0; k < rates.rows(); ++k) {
-                const Index of = quarter[std::size_t(k)];
-                const MatrixXd& derivative = of < unknowns_ ? velocity_ : acceleration_;
-                rates(k, column) += image.sign * derivative(row_of_state(of), entry);
-            }
-        }
-        return rates;
-    }
-
-    const BoxSides& sides_;
+    const PlaneLattice& lattice_;
+    double time_step_;
     Index reach_;
-    Index all_;    ///< nodes along an axis, with ghosts
-    Index order_;  ///< highest power of D
-    Index unknowns_;
-    Index state_;
-    std::vector<Index> moving_{};        ///< rows whose velocities are part of the state
-    std::vector<Index> velocity_entry_;  ///< of a row's velocity in the state; or -1
-    MatrixXd displacement_;
-    MatrixXd velocity_;
-    MatrixXd acceleration_;
+    Index all_;  ///< nodes along an axis, with ghosts
+    /// Of the sides across x, and across y.
+    std::array<std::array<ShiftPolynomial, 2>, 2> residuals_;
 };
 
 }  // namespace
 
-double growth_in_box(const PlaneLattice& lattice, const BoxSides& sides, std::size_t nodes) {
-    return Box(lattice, sides, Index(nodes)).growth();
+double growth_in_box(const PlaneLattice& lattice, const BoxSides& sides, std::size_t nodes,
+                     double time_step) {
+    const BoxRows rows(lattice, sides, Index(nodes), time_step);
+    const Motion motion = rows.motion();
+    double largest = -HUGE_VAL;
+    for (const int in_x : {1, -1}) {
+        for (const int in_y : {1, -1}) {
+            const MatrixXd quarter =
+                motion.map([&](Index row) { return rows.mirror(row, in_x, in_y); });
+            largest = std::max(largest, largest_growth(eigenvalues(quarter), time_step));
+        }
+    }
+    return largest;
 }
 
 }  // namespace nmbcgen

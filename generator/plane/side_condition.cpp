@@ -22,6 +22,17 @@ ShiftPolynomial absorbs(double speed, double shift) {
     return {{shift + 2 * speed, shift - 2 * speed}, {1, 1}};
 }
 
+ShiftPolynomial matching_residual(const std::vector<double>& c, const std::vector<double>& b,
+                                  std::size_t stride, double speed) {
+    const std::vector<double> none(stride * (c.size() - 1) + 1);
+    ShiftPolynomial residual{none, none};
+    for (std::size_t j = 0; j < c.size(); ++j) {
+        residual[0][stride * j] = -speed * b[j];
+        residual[1][stride * j] = c[j];
+    }
+    return residual;
+}
+
 SideCondition published_condition(const PlaneLattice& lattice) {
     return {{absorbs(lattice.speed_P), absorbs(lattice.speed_P)}};
 }

@@ -29,6 +29,10 @@ ShiftPolynomial product(const ShiftPolynomial& one, const ShiftPolynomial& other
 /// drifting.
 ShiftPolynomial absorbs(double speed, double shift = 0);
 
+/// (60): sum_j (c_j D - speed b_j) Z^(stride j).
+ShiftPolynomial matching_residual(const std::vector<double>& c, const std::vector<double>& b,
+                                  std::size_t stride, double speed);
+
 /// NMBC1 as printed: (81) has 2 c_P for both components.
 SideCondition published_condition(const PlaneLattice& lattice);
 

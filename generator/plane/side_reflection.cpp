@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "generator/dense/decompositions.hpp"
+#include "generator/plane/leapfrog.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -17,20 +18,16 @@ using Eigen::MatrixXd;
 
 constexpr double unitary_within = 1e-6;  // R_D, in doubles
 
-Complex delta(const SideCondition& condition, std::size_t component, double omega, Complex z) {
-    return evaluate(condition.residual[component], Complex(0, omega), z);
-}
-
-/// Component by component, what the ghost layers 1 .. reach have of a mode, times z^reach.
+/// Component by component, what the ghost layers 1 .. reach have of a mode, times z^reach; rate: D.
 Eigen::VectorXcd on_ghosts(const PlaneMode& mode, const SideCondition& condition, std::size_t reach,
-                           double omega) {
+                           Complex rate) {
     const Index size = mode.shape.size();
     Eigen::VectorXcd column(size * Index(reach));
     Complex power = 1;
     for (Index layer = Index(reach) - 1; layer >= 0; --layer) {
         for (Index a = 0; a < size; ++a) {
             column(size * layer + a) =
-                delta(condition, std::size_t(a), omega, mode.z) * mode.shape(a) * power;
+                evaluate(condition.residual[std::size_t(a)], rate, mode.z) * mode.shape(a) * power;
         }
         power *= mode.z;
     }
@@ -68,19 +65,20 @@ void climb(Value value, Eigen::Vector2d& at, double& highest, double step) {
 }  // namespace
 
 MatrixXcd side_reflection(const std::vector<PlaneMode>& outgoing, const SideCondition& condition,
-                          std::size_t reach, double omega) {
+                          std::size_t reach, double omega, double time_step) {
+    const Complex rate = rate_at_side(omega, time_step);
     const auto all = Index(outgoing.size());
     const Index travelling = travelling_count(outgoing);
     MatrixXcd conditions(all, all);
     MatrixXcd incident(all, travelling);
     for (Index o = 0; o < all; ++o) {
-        conditions.col(o) = on_ghosts(outgoing[std::size_t(o)], condition, reach, omega);
+        conditions.col(o) = on_ghosts(outgoing[std::size_t(o)], condition, reach, rate);
     }
     for (Index i = 0; i < travelling; ++i) {
         const PlaneMode image = mirror_image(outgoing[std::size_t(i)]);
         // z^reach of the columns of outgoing modes undone, which have travelled by it.
         incident.col(i) =
-            -on_ghosts(image, condition, reach, omega) * std::pow(image.z, -double(reach));
+            -on_ghosts(image, condition, reach, rate) * std::pow(image.z, -double(reach));
     }
     MatrixXcd amplitudes = solution_of(conditions, incident).topRows(travelling);
     for (Index o = 0; o < travelling; ++o) {
@@ -90,7 +88,8 @@ MatrixXcd side_reflection(const std::vector<PlaneMode>& outgoing, const SideCond
 }
 
 std::optional<Amplification> amplification(const LateralChain& chain,
-                                           const SideCondition& condition, double omega) {
+                                           const SideCondition& condition, double omega,
+                                           double time_step) {
     const std::vector<PlaneMode> outgoing = outgoing_plane_modes(chain, omega);
     const Index travelling = travelling_count(outgoing);
     if (travelling == 0) {
@@ -102,15 +101,17 @@ std::optional<Amplification> amplification(const LateralChain& chain,
         return std::nullopt;
     }
     Amplification result;
-    result.alone = std::sqrt(
-        squared_spectral_norm(side_reflection(outgoing, condition, chain.reach(), omega)));
+    result.alone = std::sqrt(squared_spectral_norm(
+        side_reflection(outgoing, condition, chain.reach(), omega, time_step)));
     result.paired = result.alone;
     if (condition.is_shared()) {
+        const Complex rate = rate_at_side(omega, time_step);
+        const ShiftPolynomial& residual = condition.residual[0];
         Eigen::VectorXd g(travelling);
         for (Index i = 0; i < travelling; ++i) {
             const Complex z = outgoing[std::size_t(i)].z;
             g(i) = std::sqrt(
-                std::abs(delta(condition, 0, omega, 1.0 / z) / delta(condition, 0, omega, z)));
+                std::abs(evaluate(residual, rate, 1.0 / z) / evaluate(residual, rate, z)));
         }
         result.paired =
             std::sqrt(squared_spectral_norm(MatrixXcd(g.asDiagonal() * fixed * g.asDiagonal())));
@@ -119,12 +120,13 @@ std::optional<Amplification> amplification(const LateralChain& chain,
 }
 
 LargestAmplification largest_amplification(const PlaneLattice& lattice,
-                                           const SideCondition& condition, std::size_t samples) {
+                                           const SideCondition& condition, std::size_t samples,
+                                           double time_step) {
     LargestAmplification largest;
     const double step = std::numbers::pi / double(samples);
     const auto value_at = [&](const Eigen::Vector2d& at, Index branch) {
         return amplification(lateral_chain(lattice, at.y()), condition,
-                             frequencies_at(lattice, at)(branch));
+                             frequencies_at(lattice, at)(branch), time_step);
     };
     struct Peak {
         double value = 0;

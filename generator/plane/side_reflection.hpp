@@ -2,7 +2,10 @@
 /// What a side of a half plane makes of the waves that come to it (plane_modes.hpp). The conditions
 /// on the ghost layers M = 1 .. reach are linear in the amplitudes:
 ///     sum over outgoing o of A_o [Delta(z_o) U_o] z_o^-M = -[Delta(z_i) U_i] z_i^-M,
-/// Delta(z) = residual at D = i omega, Z = z, component by component.
+/// Delta(z) = residual at D = i omega, Z = z, component by component. In leapfrog steps
+/// (leapfrog.hpp) D is another, and omega is that of the wave in continuous time, below 2/dt; the
+/// waves, what fixed ghost layers make of them, and flux but for a factor are those of continuous
+/// time.
 #pragma once
 
 #include <optional>
@@ -16,7 +19,8 @@ namespace nmbcgen {
 /// R between travelling waves: rows outgoing, columns their mirror images, |entry|^2 a fraction of
 /// the incident energy flux.
 Eigen::MatrixXcd side_reflection(const std::vector<PlaneMode>& outgoing,
-                                 const SideCondition& condition, std::size_t reach, double omega);
+                                 const SideCondition& condition, std::size_t reach, double omega,
+                                 double time_step = 0);
 
 /// How a side amplifies waves of one frequency and wave number along it.
 struct Amplification {
@@ -30,7 +34,8 @@ struct Amplification {
 
 /// Nothing where modes cannot be told, or R_D is not unitary to 1e-6 in doubles.
 std::optional<Amplification> amplification(const LateralChain& chain,
-                                           const SideCondition& condition, double omega);
+                                           const SideCondition& condition, double omega,
+                                           double time_step = 0);
 
 /// The largest of all waves that travel. Where side_reflection() has no finite answer, as at a
 /// resonance, it is infinite.
@@ -43,7 +48,8 @@ struct LargestAmplification {
 /// Sought on samples x (samples + 1) wave vectors of both branches, and around the largest ones:
 /// what is narrower than they are apart may be missed.
 LargestAmplification largest_amplification(const PlaneLattice& lattice,
-                                           const SideCondition& condition, std::size_t samples);
+                                           const SideCondition& condition, std::size_t samples,
+                                           double time_step = 0);
 
 /// The part of its energy that comes back, in any polarisation.
 double reflected_in_plane(const ArrivingWave& wave, const SideCondition& condition,

@@ -2,12 +2,15 @@
 #include "generator/plane/strip.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "generator/dense/decompositions.hpp"
 #include "generator/plane/ghost_row.hpp"
+#include "generator/plane/leapfrog.hpp"
+#include "generator/plane/motion.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -15,84 +18,146 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Displacements, velocities and accelerations of all layers as linear functions of the state: the
-/// displacements of all, and the velocities of those where they are no function of it.
-class Strip {
+/// Rows are components of layers from left to right, ghosts of sides with a condition among them.
+class StripRows {
   public:
-    Strip(const LateralChain& chain, const SideCondition& condition, std::size_t layers)
+    StripRows(const LateralChain& chain, const Strip& strip)
         : chain_(chain),
-          condition_(condition),
+          strip_(strip),
           size_(chain.components()),
-          reach_(Index(chain.reach())),
-          all_(Index(layers) + 2 * reach_),
-          order_(Index(condition.residual[0].size()) - 1),
-          slaved_(order_ == 1 ? reach_ : 0),
-          state_(size_ * (2 * all_ - 2 * slaved_)),
-          displacement_(MatrixXd::Identity(size_ * all_, state_)),
-          velocity_(MatrixXd::Zero(size_ * all_, state_)),
-          acceleration_(MatrixXd::Zero(size_ * all_, state_)) {
-        const Index moving = size_ * (all_ - 2 * slaved_);
-        velocity_.block(size_ * slaved_, size_ * all_, moving, moving).setIdentity();
-        if (order_ == 1) {
-            close(velocity_, {&displacement_});
-        }
-        for (Index layer = reach_; layer < all_ - reach_; ++layer) {
-            for (Index r = -reach_; r <= reach_; ++r) {
-                const auto from = std::size_t(r + reach_);
-                rows(acceleration_, layer) -=
-                    chain_.stiffness[from] * rows(displacement_, layer + r) +
-                    chain_.damping[from] * rows(velocity_, layer + r);
+          sides_{&strip.left, &strip.right},
+          ghosts_{ghosts_of(strip.left), ghosts_of(strip.right)},
+          all_(Index(strip.layers) + ghosts_[0] + ghosts_[1]) {
+        for (const std::size_t side : {0U, 1U}) {
+            if (const auto* const condition = std::get_if<SideCondition>(sides_[side])) {
+                for (const std::size_t a : {0U, 1U}) {
+                    residuals_[side][a] = at_midpoints(condition->residual[a], strip.time_step);
+                }
             }
-        }
-        if (order_ == 2) {
-            close(acceleration_, {&displacement_, &velocity_});
         }
     }
 
-    double growth() const {
-        MatrixXd rates(state_, state_);
-        rates << velocity_, acceleration_.middleRows(size_ * slaved_, state_ - size_ * all_);
-        return eigenvalues(rates).real().maxCoeff();
+    Motion motion() const {
+        MotionRows rows{.orders = std::vector<int>(std::size_t(size_ * all_)),
+                        .is_damped = std::ranges::any_of(
+                            chain_.damping, [](const MatrixXd& entry) { return !entry.isZero(0); }),
+                        .time_step = strip_.time_step};
+        for (const std::size_t side : {0U, 1U}) {
+            for (Index ghost = 0; ghost < ghosts_[side]; ++ghost) {
+                for (Index a = 0; a < size_; ++a) {
+                    rows.orders[std::size_t(row_of(side, ghost, a))] = order_of(side);
+                }
+            }
+        }
+        return {rows, [this](MotionFields& fields) { accelerate(fields); },
+                [this](int order, const std::vector<const MatrixXd*>& lower, MatrixXd& highest) {
+                    close(order, lower, highest);
+                }};
+    }
+
+    /// Like sides: motions are even or odd in x, parity 1 or -1.
+    Motion::Image mirror(Index row, int parity) const {
+        const Index layer = row / size_;
+        const Index a = row % size_;
+        const int sign = a == 0 ? -parity : parity;
+        const Index mirrored = all_ - 1 - layer;
+        if (layer == mirrored) {
+            return {.row = row, .sign = sign == 1 ? 1.0 : 0.0};
+        }
+        return layer < mirrored ? Motion::Image{row, 1}
+                                : Motion::Image{size_ * mirrored + a, double(sign)};
     }
 
   private:
-    Eigen::Block<MatrixXd> rows(MatrixXd& matrix, Index layer) const {
-        return matrix.block(size_ * layer, 0, size_, state_);
+    Index ghosts_of(const StripSide& side) const {
+        return std::holds_alternative<SideCondition>(side) ? Index(chain_.reach()) : 0;
     }
 
-    /// The rows of ghost layers of the highest derivative from those of the lower ones, outwards.
-    void close(MatrixXd& highest, const std::vector<const MatrixXd*>& lower) const {
-        for (Index ghost = reach_ - 1; ghost >= 0; --ghost) {
-            for (const bool left : {true, false}) {
-                const Index inwards = left ? 1 : -1;
-                const Index layer = left ? ghost : all_ - 1 - ghost;
+    int order_of(std::size_t side) const { return int(residuals_[side][0].size()) - 1; }
+
+    /// The layer so many inwards from a side's outermost one.
+    Index row_of(std::size_t side, Index inwards, Index a) const {
+        return size_ * (side == 0 ? inwards : all_ - 1 - inwards) + a;
+    }
+
+    void accelerate(MotionFields& fields) const {
+        const auto reach = Index(chain_.reach());
+        const auto rows = [&](MatrixXd& matrix, Index layer) {
+            return matrix.middleRows(size_ * layer, size_);
+        };
+        for (Index layer = ghosts_[0]; layer < all_ - ghosts_[1]; ++layer) {
+            for (Index r = -reach; r <= reach; ++r) {
+                const auto from = std::size_t(r + reach);
+                if (layer + r >= 0 && layer + r < all_) {
+                    rows(fields.acceleration, layer) -=
+                        chain_.stiffness[from] * rows(fields.displacement, layer + r) +
+                        chain_.damping[from] * rows(fields.velocity, layer + r);
+                }
+            }
+        }
+        for (const std::size_t side : {0U, 1U}) {
+            if (const auto* const cut = std::get_if<CutSide>(sides_[side])) {
+                accelerate_beside(side, cut->stiffness, fields);
+            }
+        }
+    }
+
+    /// A right side is the mirror image of a left one.
+    void accelerate_beside(std::size_t side, const MatrixXd& stiffness,
+                           MotionFields& fields) const {
+        const auto sign = [&](Index a) { return side == 1 && a == 0 ? -1.0 : 1.0; };
+        for (Index i = 0; i < stiffness.rows(); ++i) {
+            auto own = fields.acceleration.row(row_of(side, i / size_, i % size_));
+            own.setZero();
+            for (Index j = 0; j < stiffness.cols(); ++j) {
+                own -= sign(i % size_) * sign(j % size_) * stiffness(i, j) *
+                       fields.displacement.row(row_of(side, j / size_, j % size_));
+            }
+        }
+    }
+
+    /// Outwards.
+    void close(int order, const std::vector<const MatrixXd*>& lower, MatrixXd& highest) const {
+        for (const std::size_t side : {0U, 1U}) {
+            for (Index ghost = ghosts_[side] - 1; ghost >= 0 && order_of(side) == order; --ghost) {
                 for (Index a = 0; a < size_; ++a) {
-                    close_ghost(
-                        condition_.residual[std::size_t(a)], lower, highest,
-                        [&](std::size_t j) { return size_ * (layer + inwards * Index(j)) + a; });
+                    close_ghost(residuals_[side][std::size_t(a)], lower, highest,
+                                [&](std::size_t j) { return row_of(side, ghost + Index(j), a); });
                 }
             }
         }
     }
 
     const LateralChain& chain_;
-    const SideCondition& condition_;
+    const Strip& strip_;
     Index size_;  ///< components of a layer
-    Index reach_;
-    Index all_;
-    Index order_;   ///< highest power of D
-    Index slaved_;  ///< layers a side whose velocities follow from the state
-    Index state_;
-    MatrixXd displacement_;
-    MatrixXd velocity_;
-    MatrixXd acceleration_;
+    std::array<const StripSide*, 2> sides_;
+    std::array<Index, 2> ghosts_;  ///< layers of each side
+    Index all_;                    ///< layers
+    /// Of each side with a condition.
+    std::array<std::array<ShiftPolynomial, 2>, 2> residuals_;
 };
+
+bool has_like_sides(const Strip& strip) {
+    const auto* const left = std::get_if<SideCondition>(&strip.left);
+    const auto* const right = std::get_if<SideCondition>(&strip.right);
+    return left != nullptr && right != nullptr && left->residual == right->residual;
+}
 
 }  // namespace
 
-double growth_in_strip(const LateralChain& chain, const SideCondition& condition,
-                       std::size_t layers) {
-    return Strip(chain, condition, layers).growth();
+double growth_in_strip(const LateralChain& chain, const Strip& strip) {
+    const StripRows rows(chain, strip);
+    const Motion motion = rows.motion();
+    if (!has_like_sides(strip)) {
+        return largest_growth(eigenvalues(motion.map()), strip.time_step);
+    }
+    double largest = -HUGE_VAL;
+    for (const int parity : {1, -1}) {
+        const MatrixXd part = motion.map([&](Index row) { return rows.mirror(row, parity); });
+        largest = std::max(largest, largest_growth(eigenvalues(part), strip.time_step));
+    }
+    return largest;
 }
 
 std::vector<double> strip_wave_numbers(std::size_t steps) {
@@ -111,8 +176,8 @@ double largest_growth_in_strip(const PlaneLattice& lattice, const SideCondition&
                                std::size_t layers, std::size_t wave_numbers) {
     double largest = -HUGE_VAL;
     for (const double wave_number : strip_wave_numbers(wave_numbers)) {
-        largest = std::max(largest,
-                           growth_in_strip(lateral_chain(lattice, wave_number), condition, layers));
+        largest = std::max(largest, growth_in_strip(lateral_chain(lattice, wave_number),
+                                                    Strip::between_like(condition, layers)));
     }
     return largest;
 }

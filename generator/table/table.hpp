@@ -79,10 +79,13 @@ inline bool has_stabilisation(const Model& model) {
     });
 }
 
-/// What a condition is as a side of the plane, at the table's G, in continuous time.
+/// What a condition is as a side of the plane, at the table's G.
 struct PlaneGrade {
     std::string grade;    ///< "contractive" or "paired"
     std::string samples;  ///< on which: a clause
+    /// In leapfrog steps up to this part of the longest one that the lattice is stable in.
+    double steps = 0;
+    std::vector<std::string> feeds{};  ///< opposite which strips grow: "fixed", "free"
 };
 
 /// A matching boundary condition with everything it was derived from.

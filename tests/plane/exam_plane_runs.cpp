@@ -8,7 +8,9 @@
 #include <numbers>
 
 #include "generator/exact/rational.hpp"
+#include "generator/passive/edge.hpp"
 #include "generator/plane/box.hpp"
+#include "generator/plane/strip.hpp"
 #include "tests/runtime/plane_bodies.hpp"
 #include "tests/support/nopd2d.hpp"
 
@@ -19,25 +21,38 @@ namespace {
 
 constexpr std::size_t box_nodes = 12;
 
-/// At G = 0.
-double predicted_rate(unsigned radius_squared, const Rational& tau) {
-    const PlaneLattice lattice = plane_lattice(nmbcgen::nopd2d(of_paper(radius_squared)), 0, tau);
-    const SideCondition published = published_condition(lattice);
-    return growth_in_box(lattice, {.across_x = published, .across_y = published}, box_nodes);
+PlaneLattice damped_at_no_G(unsigned radius_squared, const Rational& tau) {
+    return plane_lattice(nmbcgen::nopd2d(of_paper(radius_squared)), 0, tau);
 }
 
-nmbc::Plane box_of_runtime(unsigned radius_squared, const Rational& tau) {
-    const nmbc::CorrespondenceModel model =
-        nmbc::nopd2d(radius_squared, 0.25, 0, nmbc::StressState::plane_stress, nearest_double(tau));
+/// At G = 0.
+double predicted_rate(unsigned radius_squared, const Rational& tau, double time_step = 0) {
+    const PlaneLattice lattice = damped_at_no_G(radius_squared, tau);
+    const SideCondition published = published_condition(lattice);
+    return growth_in_box(lattice, {.across_x = published, .across_y = published}, box_nodes,
+                         time_step);
+}
+
+nmbc::MatchingSide side_of_81(const nmbc::CorrespondenceModel& model) {
     const nmbc::BoundaryCoefficients of_81{.c = {1, 1}, .b = {-2, 2}};
-    const nmbc::PlaneSides sides = nmbc::PlaneSides::all(nmbc::MatchingSide{
-        .coefficients = {of_81, of_81}, .speeds = {model.speed_P(), model.speed_P()}});
-    nmbc::PlaneParameters p{.nx = box_nodes, .ny = box_nodes};
-    p.time_step = 0.1 * nmbc::longest_step(model, sides, p.nx, p.ny);
+    return {.coefficients = {of_81, of_81}, .speeds = {model.speed_P(), model.speed_P()}};
+}
+
+nmbc::Plane started(const nmbc::PlaneModel& model, const nmbc::PlaneSides& sides, std::size_t nx,
+                    std::size_t ny, double of_longest) {
+    nmbc::PlaneParameters p{.nx = nx, .ny = ny};
+    p.time_step = of_longest * nmbc::longest_step(model, sides, p.nx, p.ny);
     nmbc::Plane plane(model, sides, p);
     fill_at_random(plane, 3);
     plane.start();
     return plane;
+}
+
+nmbc::Plane box_of_runtime(unsigned radius_squared, const Rational& tau, double of_longest = 0.1) {
+    const nmbc::CorrespondenceModel model =
+        nmbc::nopd2d(radius_squared, 0.25, 0, nmbc::StressState::plane_stress, nearest_double(tau));
+    return started(model, nmbc::PlaneSides::all(side_of_81(model)), box_nodes, box_nodes,
+                   of_longest);
 }
 
 double amplitude(const nmbc::Plane& plane) {
@@ -74,6 +89,75 @@ TEST_CASE("(81) grows at the predicted rate, with too little tau as well") {
     check(4, 0);
     check(9, 0);
     check(9, Rational(1, 4));
+}
+
+namespace {
+
+/// Of what has grown most, when nothing else is seen.
+double measured_rate(nmbc::Plane& plane, double about) {
+    run_to(plane, 30 / about);
+    const double before = amplitude(plane);
+    const double from = plane.time();
+    run_to(plane, 40 / about);
+    return std::log(amplitude(plane) / before) / (plane.time() - from);
+}
+
+}  // namespace
+
+TEST_CASE("in the runtime's own steps its rate is that of leapfrog with ghosts at midpoints") {
+    for (const Rational& tau : {Rational(0), Rational(1, 400)}) {
+        nmbc::Plane plane = box_of_runtime(1, tau, 0.9);
+        const double rate = predicted_rate(1, tau, plane.parameters().time_step);
+        CAPTURE(rate);
+        // Steps change it by more than is told here.
+        CHECK(std::abs(rate / predicted_rate(1, tau) - 1) > 0.05);
+        // Motions whose rates are some per cent apart grow together.
+        CHECK(measured_rate(plane, rate) == doctest::Approx(rate).epsilon(0.05).scale(0));
+    }
+}
+
+TEST_CASE("strips of the runtime between unlike sides grow at the rate of their eigenvalues") {
+    constexpr std::size_t across = 8;
+    constexpr std::size_t along = 24;
+    constexpr double G = 0;
+    const nmbc::CorrespondenceModel model =
+        nmbc::nopd2d(1, 0.25, G, nmbc::StressState::plane_stress);
+    const PlaneLattice lattice = lattice_of_paper(1, G);
+    const SideCondition published = published_condition(lattice);
+    const EdgeSquares squares(
+        [](unsigned layer, const Rational& beta) {
+            return nopd2d_at_edge(of_paper(1), layer, beta);
+        },
+        1, g_of(G), 0);
+    const auto check = [&](const nmbc::PlaneSide& right, auto side_at, double of_longest) {
+        nmbc::PlaneSides sides{.left = side_of_81(model),
+                               .right = right,
+                               .bottom = nmbc::PeriodicSide{},
+                               .top = nmbc::PeriodicSide{}};
+        nmbc::Plane plane = started(model, sides, across, along, of_longest);
+        double rate = 0;
+        for (std::size_t i = 0; i <= along / 2; ++i) {
+            const double wave_number = 2 * std::numbers::pi * double(i) / double(along);
+            rate = std::max(rate, growth_in_strip(lateral_chain(lattice, wave_number),
+                                                  {.left = published,
+                                                   .right = side_at(wave_number),
+                                                   .layers = across,
+                                                   .time_step = plane.parameters().time_step}));
+        }
+        CAPTURE(rate);
+        REQUIRE(rate > 1e-3);
+        CHECK(measured_rate(plane, rate) == doctest::Approx(rate).epsilon(0.05).scale(0));
+    };
+    check(
+        side_of_81(model), [&](double) { return StripSide(published); }, 0.9);
+    for (const double of_longest : {0.2, 0.9}) {
+        check(
+            nmbc::FixedSide{}, [&](double) { return StripSide(fixed_condition()); }, of_longest);
+        check(
+            nmbc::FreeSide{},
+            [&](double wave_number) { return StripSide(free_side(squares, 1, 2, wave_number)); },
+            of_longest);
+    }
 }
 
 TEST_CASE("with the tau that ends its growth in boxes (81) does not grow") {

@@ -3,7 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <complex>
+#include <numbers>
+#include <random>
 
+#include "generator/dense/decompositions.hpp"
+#include "generator/plane/sampled_growth.hpp"
 #include "generator/plane/side_reflection.hpp"
 #include "tests/support/nopd2d.hpp"
 
@@ -122,6 +127,43 @@ TEST_CASE("round trips between sides of (81), delta = 1") {
         // Next to waves that stand, where 1 is reached, the search ends a little early.
         CHECK(found.alone == doctest::Approx(one.alone).epsilon(5e-3));
         CHECK((found.paired > 1 + 1e-6) == (one.most > 1));
+    }
+}
+
+TEST_CASE("no phases make a round trip larger than Takagi's, and some as large") {
+    const PlaneLattice lattice = lattice_of_paper(1, 0.1);
+    const SideCondition condition = published_condition(lattice);
+    std::mt19937 engine(5);
+    std::uniform_real_distribution<double> angle(0, 2 * std::numbers::pi);
+    for (const double wave_number : {0.5, 1.2, 2.0}) {
+        for (const double time_step : {0.0, 0.7 * longest_step(lattice)}) {
+            const LateralChain chain = lateral_chain(lattice, wave_number);
+            for (const double omega : {0.6, 0.9, 1.1}) {
+                const auto waves = outgoing_plane_modes(chain, omega);
+                const auto found = amplification(chain, condition, omega, time_step);
+                if (!found) {  // nothing travels
+                    continue;
+                }
+                const Eigen::MatrixXcd R =
+                    side_reflection(waves, condition, chain.reach(), omega, time_step);
+                double largest = 0;
+                constexpr int tries = 4000;
+                for (int i = 0; i < tries; ++i) {
+                    Eigen::VectorXcd phases(R.cols());
+                    for (std::complex<double>& phase : phases) {
+                        phase = std::polar(1.0, angle(engine));
+                    }
+                    largest =
+                        std::max(largest, eigenvalues(Eigen::MatrixXcd(R * phases.asDiagonal()))
+                                              .cwiseAbs()
+                                              .maxCoeff());
+                }
+                CAPTURE(wave_number);
+                CAPTURE(omega);
+                CHECK(largest < found->paired * (1 + 1e-9));
+                CHECK(largest > 0.99 * found->paired);  // of two or four phases, so many tries
+            }
+        }
     }
 }
 

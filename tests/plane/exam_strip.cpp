@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "generator/plane/sampled_growth.hpp"
+#include "generator/plane/side_reflection.hpp"
 #include "generator/plane/strip.hpp"
 #include "tests/support/nopd2d.hpp"
 
@@ -61,7 +63,8 @@ TEST_CASE("waves that meet the side head-on do not grow") {
     for (const unsigned radius_squared : {1U, 2U, 4U, 5U, 8U, 9U}) {
         for (const double G : {0.0, 0.5, 2.0}) {
             const PlaneLattice lattice = lattice_of_paper(radius_squared, G);
-            CHECK(growth_in_strip(lateral_chain(lattice, 0), published_condition(lattice), layers) <
+            CHECK(growth_in_strip(lateral_chain(lattice, 0),
+                                  Strip::between_like(published_condition(lattice), layers)) <
                   strip_roundings);
         }
     }
@@ -103,7 +106,7 @@ TEST_CASE(
         const PlaneLattice lattice = lattice_of_paper(most.first, 0);
         const LateralChain chain = lateral_chain(lattice, most.second);
         const auto growth_of = [&](std::size_t N) {
-            return growth_in_strip(chain, published_condition(lattice), N);
+            return growth_in_strip(chain, Strip::between_like(published_condition(lattice), N));
         };
         CAPTURE(most.first);
         // A round trip is N layers and what the sides take of it.
@@ -121,4 +124,75 @@ TEST_CASE("without decay a product of two factors has a state that grows like t,
     constexpr double of_a_double_root = 1e-6;  // about the root of its roundings
     CHECK(std::abs(largest(0)) < of_a_double_root);
     CHECK(largest(0.002) < strip_roundings);
+}
+
+namespace {
+
+/// In steps, a share of the longest, between like sides or opposite another one.
+bool grows_in_steps(double G, double share, const StripSide& right) {
+    const PlaneLattice lattice = lattice_of_paper(1, G);
+    constexpr std::array<std::size_t, 2> narrow{5, 9};
+    return strips_grow(
+        lattice, published_condition(lattice), [&](double) { return right; }, narrow,
+        share * longest_step(lattice));
+}
+
+bool grows_in_steps(double G, double share) {
+    return grows_in_steps(G, share, published_condition(lattice_of_paper(1, G)));
+}
+
+}  // namespace
+
+TEST_CASE("where (81) is paired in continuous time it is in short leapfrog steps alone") {
+    CHECK_FALSE(grows_in_steps(.25, .4));
+    CHECK(grows_in_steps(.25, .5));
+    CHECK_FALSE(grows_in_steps(.3, .6));
+    CHECK(grows_in_steps(.3, .7));
+    for (const double share : {.3, .6, .9}) {
+        CHECK_FALSE(grows_in_steps(.5, share));
+    }
+    // So do amplitudes: the largest round trip of waves passes 1 where strips begin to grow.
+    const auto paired = [](double G, double share) {
+        const PlaneLattice lattice = lattice_of_paper(1, G);
+        constexpr std::size_t samples = 16;
+        return largest_amplification(lattice, published_condition(lattice), samples,
+                                     share * longest_step(lattice))
+            .value;
+    };
+    constexpr double sampled = 1 + 1e-6;
+    CHECK(paired(.25, .4).paired < sampled);
+    CHECK(paired(.25, .5).paired > 1.0005);
+    CHECK(paired(.5, .95).alone < sampled);
+}
+
+TEST_CASE("a paired side feeds opposite a fixed one at any step, a contractive one never") {
+    for (const double share : {0., .1, .9}) {
+        CAPTURE(share);
+        CHECK(grows_in_steps(.25, share, fixed_condition()));
+        CHECK_FALSE(grows_in_steps(.5, share, fixed_condition()));
+    }
+}
+
+TEST_CASE("short steps are continuous time, and fixed sides keep the energy in all") {
+    const PlaneLattice lattice = damped_lattice(4, .1, .01);
+    const LateralChain chain = lateral_chain(lattice, 1.1);
+    const double dt = longest_step(lattice);
+    for (const SideCondition& side :
+         {published_condition(lattice), higdon_condition(lattice, 0.002)}) {
+        const double rate = growth_in_strip(chain, Strip::between_like(side, layers));
+        // First order in dt, by the damping of the old velocities.
+        CHECK(growth_in_strip(chain, Strip::between_like(side, layers, 1e-4 * dt)) ==
+              doctest::Approx(rate).epsilon(1e-3).scale(0));
+        // Unlike as a pair, like as sides: the whole map has the rates of its parts.
+        SideCondition other = side;
+        other.residual[0].back()[0] *= 1 + 1e-14;
+        CHECK(growth_in_strip(chain, {.left = side, .right = other, .layers = layers}) ==
+              doctest::Approx(rate).epsilon(1e-6).scale(0));
+    }
+    const LateralChain undamped = lateral_chain(lattice_of_paper(4, .1), 1.1);
+    for (const double share : {.1, .5, .95}) {
+        CHECK(std::abs(growth_in_strip(
+                  undamped, Strip::between_like(fixed_condition(), layers, share * dt))) <
+              strip_roundings);
+    }
 }

@@ -19,13 +19,21 @@ grade passive passive
 grade grows 'NMBC1 as printed, \(81\)'
 try recommend "${smallest[@]}" --G 1/13
 grade paired 'NMBC1 as printed, \(81\)'
+expect "in short steps, and not opposite a fixed side" grep -qE '^NMBC1 as printed, \(81\) +paired +0\.[234] not fixed' "$scratch/stdout"
 try recommend "${smallest[@]}" --G 1/5
 grade contractive 'NMBC1 as printed, \(81\)'
 grade contractive 'NMBC2 by component'
-expect "nor does the box grow" grep -qE '^NMBC1 as printed, \(81\) +contractive +1\.000 +none +none +0 ' "$scratch/stdout"
+expect "nor does the box grow, in steps up to 0.9" grep -qE '^NMBC1 as printed, \(81\) +contractive +0\.9 any +1\.000 +none +none +0 ' "$scratch/stdout"
 try recommend --family bond2d --radius2 2 --weights 1,1/2
 expect_exit 0
 grade passive passive
+# A family without passive sides has what others have, on samples.
+try recommend --family lps2d --radius2 1 --nu 1/4
+expect_exit 0
+expect_no_stderr
+expect "no passive row" test "$(grep -c '^passive' "$scratch/stdout")" -eq 0
+expect "what is recommended" grep -qE "for which no passive sides are designed" "$scratch/stdout"
+refuses 2 "passive sides are of nopd2d and bond2d; tables of lps2d" passive --family lps2d --radius2 1 --nu 1/4
 
 # Conditions of one's own: Higdon's product is one of them.
 try recommend "${smallest[@]}" --G 1/4 --absorb P:0,S:0
@@ -139,6 +147,23 @@ amplitudes = [one["energy"] ** 0.5 for one in end["reflected_energy"]]
 assert all(found < most for found, most in zip(amplitudes, [2e-5, 3e-5, 6e-5, 2e-4, 1e-3])), amplitudes
 ' "$scratch/once"
 
+# The chain of atoms: the closed form, whose amplitudes fall as xi^4.
+try passive --family chain1d --horizon 1
+expect_exit 0
+expect_no_stderr
+expect "JSON of the closed form" python3 -c '
+import json, sys
+end = json.load(open(sys.argv[1]))
+assert end["family"] == "chain1d" and end["closed_form"]["bond"].startswith("k = sqrt(8 (sqrt(5) - 2))")
+assert 4 < end["highest_eigenvalue"] < 8
+amplitudes = [one["energy"] ** 0.5 for one in end["reflected_energy"]]
+for found, known in zip(amplitudes, [5.5e-8, 8.7e-7, 1.4e-5, 5.4e-4, 8.6e-3]):
+    assert abs(found / known - 1) < 0.02, amplitudes
+' "$scratch/stdout"
+try passive --family chain1d --horizon 1 --header
+expect_exit 0
+expect "a header" grep -q "inline const PassiveEnd passive_chain1d{" "$scratch/stdout"
+
 # Made for steps of cfl 0.88, the same end sends back a tenth of that or less; as a header it is what
 # tests/runtime compiles.
 try passive --horizon 2 --G 1 --time-step 2
@@ -170,7 +195,9 @@ refuses 2 "--nu: Poisson's ratio 1/2: plane strain" passive --family nopd2d --ra
 refuses 2 "sides of families above 25 take too long" recommend --family nopd2d --radius2 26 --nu 1/4 --G 1
 refuses 2 "do not travel" passive --family bond2d --radius2 1 --weights 1
 refuses 2 "--radius2: nopd1d is no plane family" passive --family nopd1d --radius2 1 --G 1
-refuses 2 "passive designs are of nopd1d, nopd2d, bond2d" passive --family chain1d --horizon 1
+refuses 2 "passive designs are of nopd1d, chain1d, nopd2d, bond2d" passive --family bond1d --horizon 1
+refuses 2 "chain1d has neighbours at 1 alone" passive --family chain1d --horizon 2
+refuses 2 "the end of chain1d is a closed form" passive --family chain1d --horizon 1 --time-step 1/2
 refuses 2 "passive ends have constant influence" passive --horizon 2 --weights 1,1/2 --G 1
 for horizon in 0 7; do
     refuses 2 "--horizon: '$horizon' is not a whole number from 1 to 6" passive --horizon $horizon --G 1
@@ -194,7 +221,8 @@ expect "a grade" python3 -c '
 import json, sys
 table = json.load(open(sys.argv[1]))
 assert table["plane"]["grade"] == "contractive" and table["plane"]["evidence"] == "sampled", table["plane"]
-assert table["plane"]["samples"].startswith("24 x 25 wave vectors, strips of 20, 31, 9, 5 layers with "), table["plane"]
+assert table["plane"]["samples"].startswith("24 x 25 wave vectors, strips of 5, 9, 20, 31 layers with ")
+assert table["plane"]["steps"] == 0.9 and table["plane"]["grows_opposite"] == [], table["plane"]
 assert table["plane"]["samples"] in table["certificate"]' "$scratch/stdout"
 try "${waves[@]}" --G 1/4
 expect "a header has it, too" grep -q "as a side of the plane, with its like" <(tr -d '\n"' <"$scratch/stdout" | tr -s ' ')
@@ -206,7 +234,7 @@ try recommend "${next[@]}" --G 0
 expect_exit 0
 expect "the first is passive" grep -qE '^passive, on the 4 outermost layers' "$scratch/stdout"
 expect "it is kept" grep -rq '"recommend nopd2d radius2 4 nu 1/4 stress g 0 ' "$NMBCGEN_CACHE"
-expect "rates in strips and in the box" grep -qE '^NMBC1 by component +grows +<= 5\.145 +0\.049 +0\.043 +1/5 ' "$scratch/stdout"
+expect "rates in strips and in the box" grep -qE '^NMBC1 by component +grows +- +- +<= 5\.145 +0\.049 +0\.043 +1/5 ' "$scratch/stdout"
 try "${waves[@]}" --G 1/5
 expect_exit 0
 expect_no_stderr

@@ -15,6 +15,21 @@
 
 namespace nmbcrun {
 
+nmbcgen::SideTask side_task_of(const PlaneScene& scene) {
+    nmbcgen::SideTask task{.family = "nopd2d",
+                           .choice = {.radius_squared = scene.radius_squared},
+                           .g = nmbcgen::Rational(scene.G / std::numbers::pi),
+                           .time_step = 0};
+    if (scene.is_bond_based()) {
+        task.family = "bond2d";
+        task.choice.weights.assign(scene.weights.begin(), scene.weights.end());
+    } else {
+        task.choice.poisson = scene.nu;
+        task.choice.plane_strain = scene.state == nmbc::StressState::plane_strain;
+    }
+    return task;
+}
+
 DesignedPassiveSide designed_side_of(const PlaneScene& scene, bool quiet) {
     if (scene.radius_squared > nmbcgen::largest_side_radius_squared) {
         throw SceneError(
@@ -29,22 +44,12 @@ DesignedPassiveSide designed_side_of(const PlaneScene& scene, bool quiet) {
     const bool has_surface =
         scene.has(SideKind::free) || scene.has(SideKind::sbp) || scene.has(SideKind::kernel);
     try {
-        nmbcgen::SideTask task{.family = "nopd2d",
-                               .choice = {.radius_squared = scene.radius_squared},
-                               .g = nmbcgen::Rational(scene.G / std::numbers::pi),
-                               .time_step = 0,
-                               .has_null_lagrangian = !has_surface};
+        nmbcgen::SideTask task = side_task_of(scene);
+        task.has_null_lagrangian = !has_surface;
         for (const PlaneSideChoice& side : scene.sides) {
             if (side.kind == SideKind::passive) {
                 task.layers = side.layer;
             }
-        }
-        if (scene.is_bond_based()) {
-            task.family = "bond2d";
-            task.choice.weights.assign(scene.weights.begin(), scene.weights.end());
-        } else {
-            task.choice.poisson = scene.nu;
-            task.choice.plane_strain = scene.state == nmbc::StressState::plane_strain;
         }
         std::optional<nmbcgen::ProgressLine> line;
         nmbcgen::DesignProgress progress;

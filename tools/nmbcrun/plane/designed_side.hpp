@@ -9,6 +9,9 @@
 
 namespace nmbcrun {
 
+/// The scene's lattice, which is to have constant influence.
+nmbcgen::SideTask side_task_of(const PlaneScene& scene);
+
 struct DesignedPassiveSide {
     nmbcgen::SideTask task;
     nmbcgen::DesignedSide design;

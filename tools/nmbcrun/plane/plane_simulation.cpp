@@ -14,6 +14,7 @@
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/plane/plane_initial.hpp"
 #include "tools/nmbcrun/plane/plane_sides.hpp"
+#include "tools/nmbcrun/plane/steady_step.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -105,10 +106,19 @@ const char* limit_of(const PlaneScene& scene) {
                     : "what is stable between these sides";
 }
 
-/// Steps below `stable` that are short enough for what moves the scene.
-void choose_step(const PlaneScene& scene, double stable, PlanePlan& plan) {
-    plan.time_step = of_stable_by_default * stable;
-    plan.limit = fmt::format("{} of {}", of_stable_by_default, limit_of(scene));
+/// Steps below `stable` in which sides do not feed, where there are such, and that are short enough
+/// for what moves the scene.
+void choose_step(const PlaneScene& scene, const nmbc::PlaneSides& sides, double stable,
+                 PlanePlan& plan) {
+    double share = of_stable_by_default;
+    plan.limit = fmt::format("{} of {}", share, limit_of(scene));
+    if (const auto steady = steady_share_of_step(scene, sides);
+        steady && *steady > 0 && *steady < share) {
+        share = *steady;
+        plan.limit = fmt::format(
+            "{} of what the lattice allows: in longer ones strips between its sides grow", share);
+    }
+    plan.time_step = share * stable;
     constexpr double part = 0.3;
     if (const auto longest = longest_step_of_loads(scene);
         longest && part * *longest < plan.time_step) {
@@ -148,7 +158,7 @@ PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
     if (scene.step || scene.cfl) {
         plan.time_step = scene.step ? *scene.step : *scene.cfl * interior;
     } else {
-        choose_step(scene, stable, plan);
+        choose_step(scene, sides, stable, plan);
     }
     plan.cfl = plan.time_step / interior;
     plan.of_stable = plan.time_step / stable;
