@@ -131,9 +131,9 @@ namespace {
 /// In steps, a share of the longest, between like sides or opposite another one.
 bool grows_in_steps(double G, double share, const StripSide& right) {
     const PlaneLattice lattice = lattice_of_paper(1, G);
-    constexpr std::array<std::size_t, 2> narrow{5, 9};
+    constexpr std::array<std::size_t, 3> widths{5, 9, 20};
     return strips_grow(
-        lattice, published_condition(lattice), [&](double) { return right; }, narrow,
+        lattice, published_condition(lattice), [&](double) { return right; }, widths,
         share * longest_step(lattice));
 }
 
