@@ -52,10 +52,14 @@ bool interior_is_stable(const HalfSpace& h) {
 
 Peak damped_amplification(const HalfSpace& left, const HalfSpace& right,
                           const std::vector<double>& critical, std::size_t nodes, double enough) {
+    // Where only `enough` counts, what is far below it is told by a bound.
+    const double coarse = std::isfinite(enough) ? enough / 16 : 0;
+    std::vector<Mode> modes;
     const auto round_trip = [&](double omega) {
-        const Reflection one = reflection(left, omega);
+        modes = outgoing_modes(left, omega, modes);
+        const Reflection one = reflection(left, omega, modes);
         return damped_round_trip_supremum(
-            one, &right == &left ? one : reflection(right, omega, one.outgoing), nodes);
+            one, &right == &left ? one : reflection(right, omega, modes), nodes, coarse);
     };
     return largest_over_band(all_frequencies(critical, left.time_step), round_trip, enough,
                              Sampling::smooth);

@@ -33,7 +33,9 @@ Complex decaying_one(const HalfSpace& h, double omega, Complex k, Complex dampin
     return log_k_by_growth.real() < 0 ? k : 1.0 / k;
 }
 
-std::vector<Mode> damped_outgoing_modes(const HalfSpace& h, double omega) {
+/// nearby: the modes of another frequency, or none.
+std::vector<Mode> damped_outgoing_modes(const HalfSpace& h, double omega,
+                                        const std::vector<Mode>& nearby) {
     const Complex rate = damped_rate(h, omega);
     const std::vector<double>& square = h.symbol_in_cosine;
     const std::vector<double>& damping = h.damping_in_cosine;
@@ -42,8 +44,13 @@ std::vector<Mode> damped_outgoing_modes(const HalfSpace& h, double omega) {
         polynomial[i] = square[i] + rate * damping[i];
     }
     polynomial[0] -= omega * omega;
+    std::vector<Complex> guesses;
+    guesses.reserve(nearby.size());
+    for (const Mode& mode : nearby) {
+        guesses.push_back((mode.k + 1.0 / mode.k) / 2.0);
+    }
     std::vector<Mode> modes;
-    for (const Complex x : polynomial_roots(polynomial)) {
+    for (const Complex x : polynomial_roots(polynomial, guesses)) {
         Complex k = inner_root(x);
         // Nearer to the unit circle roundings would choose between k and 1/k.
         constexpr double near = 1e-6;
@@ -79,8 +86,14 @@ std::vector<Mode> undamped_outgoing_modes(const HalfSpace& h, double omega) {
 }  // namespace
 
 std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega) {
-    std::vector<Mode> modes = half_space.is_damped() ? damped_outgoing_modes(half_space, omega)
-                                                     : undamped_outgoing_modes(half_space, omega);
+    return outgoing_modes(half_space, omega, {});
+}
+
+std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega,
+                                 const std::vector<Mode>& nearby) {
+    std::vector<Mode> modes = half_space.is_damped()
+                                  ? damped_outgoing_modes(half_space, omega, nearby)
+                                  : undamped_outgoing_modes(half_space, omega);
     using Key = std::tuple<bool, double, double, double>;
     std::vector<std::pair<Key, Mode>> keyed;
     keyed.reserve(modes.size());

@@ -27,6 +27,11 @@ struct Mode {
 /// for each.
 std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega);
 
+/// Likewise, of a damped lattice; nearby: those of a frequency next to it, which save time, or
+/// none.
+std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega,
+                                 const std::vector<Mode>& nearby);
+
 /// The one that decays least on its way, which brings most of what comes back.
 const Mode& least_fading(const std::vector<Mode>& modes);
 

@@ -126,6 +126,17 @@ std::vector<Complex> polynomial_roots(const std::vector<Complex>& coefficients) 
     return roots_of(coefficients);
 }
 
+std::vector<Complex> polynomial_roots(const std::vector<Complex>& coefficients,
+                                      const std::vector<Complex>& guesses) {
+    if (guesses.size() + 1 == coefficients.size() && coefficients.front() != 0.0 &&
+        coefficients.back() != 0.0) {
+        if (const auto roots = simultaneous_roots(coefficients, guesses)) {
+            return *roots;
+        }
+    }
+    return polynomial_roots(coefficients);
+}
+
 std::vector<double> derivative(const std::vector<double>& coefficients) {
     std::vector<double> slope(coefficients.begin() + 1, coefficients.end());
     for (std::size_t i = 0; i < slope.size(); ++i) {

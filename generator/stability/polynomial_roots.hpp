@@ -14,6 +14,11 @@ std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& co
 std::vector<std::complex<double>> polynomial_roots(
     const std::vector<std::complex<double>>& coefficients);
 
+/// Likewise; guesses: the roots of a polynomial next to it, or none.
+std::vector<std::complex<double>> polynomial_roots(
+    const std::vector<std::complex<double>>& coefficients,
+    const std::vector<std::complex<double>>& guesses);
+
 /// The roots other than 0 of an exact polynomial.
 std::vector<std::complex<double>> nonzero_roots(const Polynomial& polynomial);
 std::vector<std::complex<double>> nonzero_roots(const IntegerPolynomial& polynomial);

@@ -105,8 +105,8 @@ double round_trip_supremum(const Reflection& one, const Reflection& other) {
     return squared_spectral_norm(X);
 }
 
-double damped_round_trip_supremum(const Reflection& one, const Reflection& other,
-                                  std::size_t nodes) {
+double damped_round_trip_supremum(const Reflection& one, const Reflection& other, std::size_t nodes,
+                                  double coarse) {
     const Eigen::Index waves = one.matrix.rows();
     const auto k = [&one](Eigen::Index wave) { return one.outgoing[std::size_t(wave)].k; };
     // By abs2: abs would care for what overflows, and take most of the time.
@@ -127,7 +127,8 @@ double damped_round_trip_supremum(const Reflection& one, const Reflection& other
             X(o, i) = std::sqrt(squared) * std::conj(sum);
         }
     }
-    return squared_spectral_norm(X);
+    const double bound = X.squaredNorm();
+    return bound <= coarse ? bound : squared_spectral_norm(X);
 }
 
 }  // namespace nmbcgen

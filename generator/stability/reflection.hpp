@@ -57,7 +57,9 @@ double round_trip_supremum(const Reflection& one, const Reflection& other);
 ///
 /// The same proof, with complex y: X = a C b is complex symmetric but for real factors, and
 /// X v = sigma u has X^T conj(u) = sigma conj(v), so phases exist that reach sigma_max(X)^2.
-double damped_round_trip_supremum(const Reflection& one, const Reflection& other,
-                                  std::size_t nodes);
+///
+/// coarse: a bound as small as that will do, and be up to 2n times as much, Frobenius' norm.
+double damped_round_trip_supremum(const Reflection& one, const Reflection& other, std::size_t nodes,
+                                  double coarse = 0);
 
 }  // namespace nmbcgen

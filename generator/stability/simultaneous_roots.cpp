@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace nmbcgen {
 namespace {
@@ -83,13 +84,12 @@ struct Value {
     }
 };
 
-}  // namespace
-
-std::optional<std::vector<Complex>> simultaneous_roots(const std::vector<Complex>& a) {
+/// sizes: |a_i|
+std::optional<std::vector<Complex>> improved(const std::vector<Complex>& a,
+                                             const std::vector<double>& sizes,
+                                             std::vector<Complex> roots) {
     constexpr int most = 100;
     constexpr double settled = 2 * std::numeric_limits<double>::epsilon();
-    const std::vector<double> sizes = sizes_of(a);
-    std::vector<Complex> roots = first_guesses(sizes);
     std::vector<bool> known(roots.size(), false);
     std::size_t unknown = roots.size();
     for (int iteration = 0; iteration < most && unknown > 0; ++iteration) {
@@ -116,6 +116,18 @@ std::optional<std::vector<Complex>> simultaneous_roots(const std::vector<Complex
         }
     }
     return unknown == 0 ? std::optional(roots) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::vector<Complex>> simultaneous_roots(const std::vector<Complex>& a) {
+    const std::vector<double> sizes = sizes_of(a);
+    return improved(a, sizes, first_guesses(sizes));
+}
+
+std::optional<std::vector<Complex>> simultaneous_roots(const std::vector<Complex>& a,
+                                                       std::vector<Complex> guesses) {
+    return improved(a, sizes_of(a), std::move(guesses));
 }
 
 }  // namespace nmbcgen

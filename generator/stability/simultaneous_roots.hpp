@@ -18,4 +18,9 @@ namespace nmbcgen {
 std::optional<std::vector<std::complex<double>>> simultaneous_roots(
     const std::vector<std::complex<double>>& a);
 
+/// Likewise, from such guesses, one for each root and no two alike: those of a polynomial next to
+/// it save two thirds of the time.
+std::optional<std::vector<std::complex<double>>> simultaneous_roots(
+    const std::vector<std::complex<double>>& a, std::vector<std::complex<double>> guesses);
+
 }  // namespace nmbcgen

@@ -90,6 +90,45 @@ double radius(const nmbcgen::Reflection& R, std::size_t nodes, const Eigen::Vect
     return nmbcgen::eigenvalues(product).cwiseAbs().maxCoeff();
 }
 
+TEST_CASE("waves next to known ones are the same as without") {
+    for (const Damped& what : examples) {
+        const HalfSpace h = half_space(what);
+        const double top = maximum_frequency(h);
+        std::vector<nmbcgen::Mode> known;
+        // steps of all sizes, backwards, too, and none
+        for (const double part : {1e-5, 0.01, 0.3, 0.31, 0.31, 0.99, 1.2, 0.5, 3.0}) {
+            known = outgoing_modes(h, part * top, known);
+            const auto afresh = outgoing_modes(h, part * top);
+            REQUIRE(known.size() == afresh.size());
+            for (const nmbcgen::Mode& mode : afresh) {
+                double nearest = HUGE_VAL;
+                for (const nmbcgen::Mode& other : known) {
+                    nearest = std::min(nearest, std::abs(mode.k - other.k));
+                }
+                // Two waves that are nearly one are known to the square root of roundings.
+                constexpr double root_of_roundings = 1e-7;
+                CHECK(nearest < root_of_roundings);
+            }
+        }
+    }
+}
+
+TEST_CASE("a coarse bound on a round trip bounds it, by up to the number of waves too much") {
+    for (const Damped& what : examples) {
+        const HalfSpace h = half_space(what);
+        for (const double part : {0.1, 0.6, 1.1}) {
+            const auto R = reflection(h, part * maximum_frequency(h));
+            constexpr std::size_t nodes = 30;
+            const double exact = damped_round_trip_supremum(R, R, nodes);
+            const double coarse = damped_round_trip_supremum(R, R, nodes, HUGE_VAL);
+            constexpr double roundings = 1e-12;
+            CHECK(coarse >= exact * (1 - roundings));
+            CHECK(coarse <= double(R.matrix.rows()) * exact * (1 + roundings));
+            CHECK(damped_round_trip_supremum(R, R, nodes, coarse / 2) == exact);
+        }
+    }
+}
+
 TEST_CASE("the supremum over phases bounds every choice of them, and is nearly reached") {
     for (const Damped& what : examples) {
         const HalfSpace h = half_space(what);
