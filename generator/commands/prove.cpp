@@ -8,12 +8,16 @@
 #include <functional>
 #include <tuple>
 
+#include "generator/emit/formula.hpp"
 #include "generator/enclosures/prove.hpp"
+#include "generator/exact/algebraic_number.hpp"
 #include "generator/exact/rational.hpp"
+#include "generator/exact/rounded_text.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/certify.hpp"
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/modal.hpp"
+#include "generator/stability/step_edges.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -31,6 +35,30 @@ std::string in_own_step(const Specification& what) {
 
 double own_step(const Specification& what) {
     return nearest_double(what.time_step);
+}
+
+std::string half_step_squared(const AlgebraicNumber& square) {
+    constexpr std::size_t longest = 8;
+    const std::size_t degree = square.polynomial.degree();
+    return degree <= longest ? value(square, "x", Notation::text)
+                             : fmt::format("= {:.15g}, a root of a polynomial of degree {}",
+                                           nearest_double(square), degree);
+}
+
+/// Where the steps of a grade end, a line of its own; nothing where there are none.
+std::string edge_line(const HalfSpace& half_space, Grade grade) {
+    const auto edge = step_edge(half_space, grade);
+    if (!edge) {
+        return "";
+    }
+    const auto* exact = std::get_if<AlgebraicNumber>(&edge->where);
+    const std::string where =
+        exact != nullptr
+            ? fmt::format("{:.9g}, exactly: (dt/2)^2 {}", edge->cfl, half_step_squared(*exact))
+            : fmt::format("{}, sampled to 1e-9", rounded_down(edge->cfl, 9));
+    const std::string why =
+        edge->beyond == Failure::none ? "" : fmt::format("; beyond it: {}", name_of(edge->beyond));
+    return fmt::format("{:<12} edge: cfl {}{}\n", "", where, why);
 }
 
 std::string heading(const Specification& what) {
@@ -78,6 +106,7 @@ std::string at_one_G(const Specification& what, const Table& table, const Prover
         progress(done++, 2);
         text += fmt::format("{:<12} {}: {}\n", name, place,
                             own_step(what) > 0 ? in_one_step(grade) : in_all_steps(grade));
+        text += own_step(what) > 0 ? "" : edge_line(half_space, grade);
     }
     return text;
 }

@@ -75,9 +75,18 @@ Rational resultant_of_values(const Polynomial& f, const Polynomial& g) {
             pow(F.denominator[0], n) * pow(H.denominator[0], m)};
 }
 
-/// The polynomial of degree < number of points with the given values: Newton's divided
-/// differences.
+Coefficients derivative(const Coefficients& f) {
+    Coefficients result;
+    for (std::size_t k = 1; k < f.size(); ++k) {
+        result.push_back(f[k] * constant(Rational(k)));
+    }
+    return result;
+}
+
+}  // namespace
+
 Polynomial interpolate(const std::vector<Integer>& points, std::vector<Rational> values) {
+    // Newton's divided differences
     for (std::size_t order = 1; order < points.size(); ++order) {
         for (std::size_t i = points.size() - 1; i >= order; --i) {
             values[i] = (values[i] - values[i - 1]) / (points[i] - points[i - order]);
@@ -89,16 +98,6 @@ Polynomial interpolate(const std::vector<Integer>& points, std::vector<Rational>
     }
     return result;
 }
-
-Coefficients derivative(const Coefficients& f) {
-    Coefficients result;
-    for (std::size_t k = 1; k < f.size(); ++k) {
-        result.push_back(f[k] * constant(Rational(k)));
-    }
-    return result;
-}
-
-}  // namespace
 
 Polynomial resultant(const std::vector<Polynomial>& f, const std::vector<Polynomial>& g) {
     const Coefficients F = without_zeros_at_the_end(f);

@@ -2,6 +2,7 @@
 #include "generator/stability/critical_values.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "generator/exact/algebraic_number.hpp"
 #include "generator/exact/rational_function.hpp"
@@ -29,27 +30,6 @@ InX without_zeros_at_one(InX polynomial) {
     return polynomial;
 }
 
-/// All positive roots of all the polynomials, ascending, each once. One polynomial after the
-/// other: that of their product would be much longer.
-std::vector<AlgebraicNumber> positive_roots(const std::vector<Polynomial>& polynomials) {
-    std::vector<AlgebraicNumber> roots;
-    for (const Polynomial& polynomial : polynomials) {
-        for (AlgebraicNumber& root : real_roots(square_free(polynomial), 0)) {
-            if (compare(root, 0) != 0) {
-                roots.push_back(std::move(root));
-            }
-        }
-    }
-    std::ranges::sort(roots, [](const AlgebraicNumber& left, const AlgebraicNumber& right) {
-        return compare(left, right) < 0;
-    });
-    const auto same = [](const AlgebraicNumber& left, const AlgebraicNumber& right) {
-        return compare(left, right) == 0;
-    };
-    roots.erase(std::unique(roots.begin(), roots.end(), same), roots.end());
-    return roots;
-}
-
 std::vector<Polynomial> scalar_polynomials(const EvenAndOddParts& parts) {
     std::vector<Polynomial> polynomials{parts.denominator};
     for (const auto* f : {&parts.E, &parts.O}) {
@@ -67,6 +47,28 @@ std::vector<Polynomial> scalar_polynomials(const EvenAndOddParts& parts) {
 }
 
 }  // namespace
+
+std::vector<AlgebraicNumber> positive_roots(std::vector<Polynomial> polynomials) {
+    // What vanishes everywhere says nothing of any number.
+    std::erase_if(polynomials, [](const Polynomial& polynomial) { return polynomial.is_zero(); });
+    std::vector<AlgebraicNumber> roots;
+    // One after the other: the polynomial of their product would be much longer.
+    for (const Polynomial& polynomial : polynomials) {
+        for (AlgebraicNumber& root : real_roots(square_free(polynomial), 0)) {
+            if (compare(root, 0) != 0) {
+                roots.push_back(std::move(root));
+            }
+        }
+    }
+    std::ranges::sort(roots, [](const AlgebraicNumber& left, const AlgebraicNumber& right) {
+        return compare(left, right) < 0;
+    });
+    const auto same = [](const AlgebraicNumber& left, const AlgebraicNumber& right) {
+        return compare(left, right) == 0;
+    };
+    roots.erase(std::unique(roots.begin(), roots.end(), same), roots.end());
+    return roots;
+}
 
 std::vector<AlgebraicNumber> scalar_critical_values(const EvenAndOddParts& parts) {
     return positive_roots(scalar_polynomials(parts));
@@ -93,9 +95,7 @@ std::vector<AlgebraicNumber> modal_critical_values(const Table& table,
             polynomials.push_back(resultant(in_x, slope));
         }
     }
-    // What vanishes at every G says nothing of any.
-    std::erase_if(polynomials, [](const Polynomial& polynomial) { return polynomial.is_zero(); });
-    return positive_roots(polynomials);
+    return positive_roots(std::move(polynomials));
 }
 
 std::vector<AlgebraicNumber> poles(const EvenAndOddParts& parts) {

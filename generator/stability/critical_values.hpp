@@ -10,6 +10,10 @@
 
 namespace nmbcgen {
 
+/// All positive roots of all the polynomials but those that vanish identically; ascending, each
+/// once.
+std::vector<AlgebraicNumber> positive_roots(std::vector<Polynomial> polynomials);
+
 /// Every G > 0 at which the truth of E O >= 0 on w < 0 can change, ascending: a pole, a root of E
 /// or O that reaches w = 0 or infinity, two roots that meet.
 std::vector<AlgebraicNumber> scalar_critical_values(const EvenAndOddParts& parts);
