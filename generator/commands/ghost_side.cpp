@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -37,20 +38,21 @@ std::string grade_of(const LargestAmplification& seen) {
     return seen.value.paired <= sampled_limit ? "paired" : "amplifies";
 }
 
-/// Strips first, which tell most and take least time.
+/// Strips first, which tell most and take least time; boxes from the longest of the steps down.
 double steps_of_grade(const PlaneLattice& lattice, const SideCondition& condition,
                       const std::string& grade) {
     const double longest = longest_step(lattice);
-    double steps = 0;
-    for (const double share : side_samples.steps) {
+    const auto& shares = side_samples.steps;
+    const auto end = std::ranges::find_if(shares, [&](double share) {
         const double dt = share * longest;
-        if (strips_grow(lattice, condition, always(condition), side_samples.layers, dt) ||
-            grade_of(largest_amplification(lattice, condition, side_samples.waves, dt)) != grade) {
-            break;
-        }
-        steps = share;
-    }
-    return steps > 0 && growth_with_corners(lattice, condition, steps * longest) > 0 ? 0 : steps;
+        return strips_grow(lattice, condition, always(condition), side_samples.layers, dt) ||
+               grade_of(largest_amplification(lattice, condition, side_samples.waves, dt)) != grade;
+    });
+    const auto held =
+        std::find_if(std::make_reverse_iterator(end), shares.rend(), [&](double share) {
+            return growth_with_corners(lattice, condition, share * longest) == 0;
+        });
+    return held == shares.rend() ? 0 : *held;
 }
 
 /// Strips so narrow that a free side changes all of their layers are not looked at.

@@ -133,21 +133,6 @@ TEST_CASE("a design for waves up to 60 degrees, delta = 1, G = 0") {
     }
 }
 
-TEST_CASE(
-    "the design for waves up to 60 degrees has a highest eigenvalue of 1.41 times the lattice's") {
-    const PlaneLattice lattice = lattice_of_paper(1, 0);
-    PassiveEdge edge = plain(2);
-    edge.strain << .437217, .953764;
-    edge.mass << .530312, .461705, .870170, .956384;
-    edge.null_lagrangian = .37 * 2 / 5;
-    const EdgeTask task{.squares = EdgeSquares(at_edge(1), 1, 0, largest_beta),
-                        .reach = reach_of(1),
-                        .largest_beta = largest_beta};
-    constexpr std::size_t steps = 32;
-    CHECK(highest_eigenvalue_of_edge(task, edge, steps) / highest_eigenvalue(lattice, steps) ==
-          doctest::Approx(1.41).epsilon(0.005));  // half of its last digit
-}
-
 namespace {
 
 /// What the lattice, cut off, sends back of long waves, with dashpots on its outermost layer alone:
@@ -162,7 +147,7 @@ class LongWaves {
     }
 
     double reflected(bool is_P, double degrees) const {
-        constexpr double xi = 1e-3;  // amplitudes differ by as much from those of xi = 0
+        constexpr double xi = 1e-4;  // amplitudes differ by as much from those of xi = 0
         const ArrivingWave wave = arriving_wave(lattice_, is_P, xi, radians(degrees));
         return edge_reflection(squares_.energies(2, reach_of(1), wave.wave_number), edge_,
                                wave.outgoing, wave.omega)
@@ -188,9 +173,9 @@ TEST_CASE(
     for (const bool is_P : {true, false}) {
         CAPTURE(is_P);
         CHECK(side.reflected(is_P, 0) < 1e-5);
-        // The next order of the angle is a tenth of it at 16 degrees.
-        CHECK(side.reflected(is_P, 16) / side.reflected(is_P, 8) ==
-              doctest::Approx(16).epsilon(0.2).scale(0));
+        // The next order of the angle is 11 % of P's energy here, and 48 % from 8 to 16 degrees.
+        CHECK(side.reflected(is_P, 8) / side.reflected(is_P, 4) ==
+              doctest::Approx(16).epsilon(0.12).scale(0));
         CHECK(uncoupled.reflected(is_P, 8) > 10 * side.reflected(is_P, 8));
     }
 }
