@@ -129,14 +129,13 @@ std::size_t settled_layers(const VectorChoice& choice, const std::optional<unsig
 void settle_side(Request& request, const VectorFamily& family, const VectorChoice& choice,
                  const Pending& pending, const CLI::App& used, const char* blamed) {
     refuse_options_of_chains(used);
-    if (family.dimensions == 3 ||
-        (family.at_edge == nullptr && request.action == Action::passive)) {
-        throw CLI::ValidationError(
-            "--family", fmt::format("{} are of nopd2d{} bond2d{}; tables of {} are of one "
-                                    "--polarisation",
-                                    family.dimensions == 3 ? "sides" : "passive sides",
-                                    family.dimensions == 3 ? "," : " and",
-                                    family.dimensions == 3 ? " and lps2d" : "", family.name));
+    const bool passive = request.action == Action::passive;
+    if (family.dimensions == 3 || (family.at_edge == nullptr && passive)) {
+        throw CLI::ValidationError("--family",
+                                   fmt::format("{}; tables of {} are of one --polarisation",
+                                               passive ? "passive sides are of nopd2d and bond2d"
+                                                       : "sides are of nopd2d, bond2d and lps2d",
+                                               family.name));
     }
     if (choice.radius_squared > largest_side_radius_squared) {
         throw CLI::ValidationError("--radius2",

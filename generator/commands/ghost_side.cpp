@@ -38,6 +38,10 @@ std::string grade_of(const LargestAmplification& seen) {
     return seen.value.paired <= sampled_limit ? "paired" : "amplifies";
 }
 
+bool is_of_stable(const std::string& grade) {
+    return grade == "contractive" || grade == "paired";
+}
+
 /// Strips first, which tell most and take least time; boxes from the longest of the steps down.
 double steps_of_grade(const PlaneLattice& lattice, const SideCondition& condition,
                       const std::string& grade) {
@@ -65,8 +69,8 @@ std::vector<std::string> fed(const SideTask& model, const PlaneLattice& lattice,
     std::vector<std::string> names;
     for (const auto& [name, opposite] : others) {
         if (strips_grow(lattice, condition, opposite, side_samples.layers, 0) ||
-            strips_grow(lattice, condition, opposite, side_samples.layers,
-                        steps * longest_step(lattice))) {
+            (steps > 0 && strips_grow(lattice, condition, opposite, side_samples.layers,
+                                      steps * longest_step(lattice)))) {
             names.push_back(name);
         }
     }
@@ -111,8 +115,7 @@ std::string samples_text() {
 }
 
 bool GhostSide::is_stable() const {
-    const std::string grade = grade_of(*this);
-    return (grade == "contractive" || grade == "paired") && steps > 0;
+    return is_of_stable(grade_of(*this)) && steps > 0;
 }
 
 void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice) {
@@ -120,11 +123,12 @@ void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice
     side.growth =
         growth_in_strips(lattice, side.condition, always(side.condition), side_samples.layers, 0);
     side.growth_with_corners = growth_with_corners(lattice, side.condition, 0);
-    if (!side.grows()) {
-        side.steps = steps_of_grade(lattice, side.condition, grade_of(side));
-        if (grade_of(side) != "contractive") {
-            side.feeds = fed(model, lattice, side.condition, side.steps);
-        }
+    const std::string grade = grade_of(side);
+    if (is_of_stable(grade)) {
+        side.steps = steps_of_grade(lattice, side.condition, grade);
+    }
+    if (grade == "paired") {
+        side.feeds = fed(model, lattice, side.condition, side.steps);
     }
     const VectorFamily& family = find_vector_family(model.family);
     if (!side.grows() || !family.has_stabilisation) {
@@ -146,7 +150,7 @@ std::string grade_of(const GhostSide& side) {
 }
 
 std::string opposite_of(const GhostSide& side) {
-    if (side.grows()) {
+    if (!is_of_stable(grade_of(side))) {
         return "-";
     }
     if (grade_of(side) == "contractive") {
@@ -156,7 +160,9 @@ std::string opposite_of(const GhostSide& side) {
 }
 
 std::string steps_of(const GhostSide& side) {
-    return side.grows() ? "-" : side.steps > 0 ? fmt::format("{:.1f}", side.steps) : "none";
+    return !is_of_stable(grade_of(side)) ? "-"
+           : side.steps > 0              ? fmt::format("{:.1f}", side.steps)
+                                         : "none";
 }
 
 std::string amplification_of(const GhostSide& side) {

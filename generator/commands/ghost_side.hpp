@@ -52,10 +52,10 @@ void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice
 /// "grows", "amplifies", "paired", "contractive", or "unknown" where most waves cannot be told.
 std::string grade_of(const GhostSide& side);
 
-/// "any", "its like", or what else the side may face; "-" where it grows.
+/// "any", "its like", or what else the side may face; "-" where it grows or amplifies.
 std::string opposite_of(const GhostSide& side);
 
-/// "0.9", of the longest step; "none", or "-" where it grows in continuous time.
+/// "0.9", of the longest step; "none", or "-" where it grows or amplifies in continuous time.
 std::string steps_of(const GhostSide& side);
 
 /// The largest amplification between two like sides, or a bound: "<= 1.1".

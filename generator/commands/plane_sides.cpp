@@ -18,6 +18,7 @@
 #include "generator/families/projected.hpp"
 #include "generator/families/vector_family.hpp"
 #include "generator/passive/plane_side.hpp"
+#include "generator/pipeline.hpp"
 #include "generator/plane/side_reflection.hpp"
 #include "generator/support/on_all_cores.hpp"
 
@@ -62,10 +63,16 @@ std::vector<GhostSide> ghost_sides(const SideTask& model, const PlaneLattice& la
 
 template <class Reflected>
 std::string reflections_of(const PlaneLattice& lattice, Reflected reflected) {
+    const auto of_wave = [&](bool is_P, double angle) -> std::string {
+        try {
+            return fmt::format("{:.3f}", reflected(told_wave(lattice, is_P, long_xi, angle)));
+        } catch (const NoSuchBoundary&) {  // modes that cannot be told
+            return "?";
+        }
+    };
     std::string text;
     for (const double angle : angles) {
-        text += fmt::format("  {:.3f}/{:.3f}", reflected(told_wave(lattice, true, long_xi, angle)),
-                            reflected(told_wave(lattice, false, long_xi, angle)));
+        text += fmt::format("  {:>5}/{:>5}", of_wave(true, angle), of_wave(false, angle));
     }
     return text;
 }
@@ -222,7 +229,9 @@ std::string legend() {
         "  1/100 .. 2 that ends it in the strips and in the box, of forces tau times those of the "
         "stabilisation at g = 1\n"
         "  on velocities [dX sqrt(density/E)]; -: none\n"
-        "degrees: from the normal; reflected energy of P/S, xi = {:g}/dX\n",
+        "degrees: from the normal; reflected energy of P/S, xi = {:g}/dX; ?: waves at the side "
+        "cannot "
+        "be told from each other\n",
         samples_text(), long_xi);
 }
 

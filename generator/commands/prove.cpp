@@ -53,9 +53,9 @@ std::string edge_line(const HalfSpace& half_space, Grade grade) {
     }
     const auto* exact = std::get_if<AlgebraicNumber>(&edge->where);
     const std::string where =
-        exact != nullptr
-            ? fmt::format("{:.9g}, exactly: (dt/2)^2 {}", edge->cfl, half_step_squared(*exact))
-            : fmt::format("{}, sampled to 1e-9", rounded_down(edge->cfl, 9));
+        exact != nullptr ? fmt::format("{}, exactly: (dt/2)^2 {}", rounded_down(edge->cfl, 9),
+                                       half_step_squared(*exact))
+                         : fmt::format("{}, sampled to 1e-9", rounded_down(edge->cfl, 9));
     const std::string why =
         edge->beyond == Failure::none ? "" : fmt::format("; beyond it: {}", name_of(edge->beyond));
     return fmt::format("{:<12} edge: cfl {}{}\n", "", where, why);

@@ -12,8 +12,9 @@ std::complex<double> rate_at_side(double omega, double time_step) {
 }
 
 ShiftPolynomial at_midpoints(ShiftPolynomial residual, double time_step) {
-    // With a = (new v - v)/dt, means over the old and the new level are u + dt^2 a/4 and v + dt a/2
-    // where a is the highest; with the new v, u + dt v/2.
+    // Where D is the highest power, the mean of u over two levels is u + dt v/2, v between them.
+    // Where D^2 is, means of two such means, at the middle one of three levels: u + dt^2 a/4 and,
+    // beside the older v, v + dt a/2.
     double factor = 1;
     for (std::size_t p = residual.size() - 1; p-- > 0;) {
         factor *= time_step / 2;

@@ -127,7 +127,7 @@ class EdgeSearch {
         if (stable == 0) {
             return std::nullopt;
         }
-        double low = 0;
+        double low = from;
         double high = std::min(1.0, stable + 0.01);
         for (const double cfl : middles_between(from, stable)) {
             if (!holds(cfl)) {
@@ -175,8 +175,8 @@ class EdgeSearch {
                 edge.cfl = at;
             }
         }
-        constexpr double farther = 1e-4;
-        if (high + farther < 1) {
+        const double farther = std::min(1e-4, (1 - high) / 2);
+        if (farther > 0) {
             edge.beyond =
                 failure_of(modal_verdict(stepped(half_space_, 2 * (high + farther) / top_)));
         }

@@ -37,10 +37,10 @@ struct StepEdge {
     Failure beyond = Failure::none;                   ///< none: of a lower grade
 };
 
-/// The edge above all steps of at least this grade of an undamped half space; none where there are
-/// no such steps. The grade is sampled in the middle between any two critical steps below, and
-/// every 0.05 of cfl, then bisected; the edge is the critical step within 1e-6 of cfl, or one less
-/// by up to 1e-4, where what is amplified cannot be told from 1.
+/// The upper end of the first unbroken run of steps of at least this grade of an undamped half
+/// space; none where there are no such steps. The grade is sampled in the middle between any two
+/// critical steps below, and every 0.05 of cfl, then bisected; the edge is the critical step within
+/// 1e-6 of cfl, or one less by up to 1e-4, where what is amplified cannot be told from 1.
 std::optional<StepEdge> step_edge(const HalfSpace& half_space, Grade least);
 
 }  // namespace nmbcgen

@@ -28,7 +28,7 @@ try recommend --family bond2d --radius2 2 --weights 1,1/2
 expect_exit 0
 grade passive passive
 # A family without passive sides has what others have, on samples.
-try recommend --family lps2d --radius2 2 --nu 1/3
+try recommend --family lps2d --radius2 2 --nu 1/4
 expect_exit 0
 expect_no_stderr
 expect "no passive row" test "$(grep -c '^passive' "$scratch/stdout")" -eq 0

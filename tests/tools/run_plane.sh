@@ -658,6 +658,9 @@ expect_exit 4
 expect_stderr "the energy has grown to"
 try run "${strip[@]}" --out strip
 expect_exit 0
+# Opposite a fixed side it grows in steps of any length, which the report says.
+try run "${strip[@]:0:1}" "${strip[@]:2}" --set boundary.right.kind=fixed --set time.end=9 --out strip
+expect "no step is steady" grep -q "strips between them grow in steps of any length" "$scratch/stdout"
 rm -r strip
 
 # A field that the disk does not take leaves an earlier run's files as they were.

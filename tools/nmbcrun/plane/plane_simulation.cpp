@@ -110,15 +110,19 @@ const char* limit_of(const PlaneScene& scene) {
 /// for what moves the scene.
 void choose_step(const PlaneScene& scene, const nmbc::PlaneSides& sides, double stable,
                  PlanePlan& plan) {
-    double share = of_stable_by_default;
-    plan.limit = fmt::format("{} of {}", share, limit_of(scene));
-    if (const auto steady = steady_share_of_step(scene, sides);
-        steady && *steady > 0 && *steady < share) {
-        share = *steady;
-        plan.limit = fmt::format(
-            "{} of what the lattice allows: in longer ones strips between its sides grow", share);
+    plan.time_step = of_stable_by_default * stable;
+    plan.limit = fmt::format("{} of {}", of_stable_by_default, limit_of(scene));
+    if (const auto steady = steady_step(scene, sides)) {
+        const double longest = steady->time_step / rate_of(scene);
+        if (steady->share == 0) {
+            plan.limit += ": strips between them grow in steps of any length";
+        } else if (steady->share < of_stable_by_default && longest < plan.time_step) {
+            plan.time_step = longest;
+            plan.limit = fmt::format(
+                "{} of what the lattice allows: in longer ones strips between its sides grow",
+                steady->share);
+        }
     }
-    plan.time_step = share * stable;
     constexpr double part = 0.3;
     if (const auto longest = longest_step_of_loads(scene);
         longest && part * *longest < plan.time_step) {

@@ -63,6 +63,7 @@ class Strips {
     }
 
     bool empty() const { return pairs_.empty(); }
+    double longest_step() const { return longest_; }
 
   private:
     nmbcgen::OppositeSide opposite_of(const nmbcgen::SideCondition& own,
@@ -88,7 +89,7 @@ class Strips {
 
 }  // namespace
 
-std::optional<double> steady_share_of_step(const PlaneScene& scene, const nmbc::PlaneSides& sides) {
+std::optional<SteadyStep> steady_step(const PlaneScene& scene, const nmbc::PlaneSides& sides) {
     if (!scene.influence.empty()) {
         return std::nullopt;
     }
@@ -98,10 +99,14 @@ std::optional<double> steady_share_of_step(const PlaneScene& scene, const nmbc::
     if (strips.empty()) {
         return std::nullopt;
     }
-    const auto& steps = nmbcgen::side_samples.steps;
-    const auto steady = std::find_if(steps.rbegin(), steps.rend(),
-                                     [&](double share) { return !strips.grow(share); });
-    return steady == steps.rend() ? 0 : *steady;
+    SteadyStep steady;
+    for (const double share : nmbcgen::side_samples.steps) {
+        if (strips.grow(share)) {
+            break;
+        }
+        steady = {.share = share, .time_step = share * strips.longest_step()};
+    }
+    return steady;
 }
 
 }  // namespace nmbcrun

@@ -9,12 +9,16 @@
 
 namespace nmbcrun {
 
+struct SteadyStep {
+    double share = 0;      ///< of the longest step that the lattice is stable in; 0: none
+    double time_step = 0;  ///< [dX sqrt(rho/E)]
+};
+
 /// Of sides whose ghosts move by conditions, the largest leapfrog step, in tenths of the longest
-/// that the lattice is stable in, in which strips of it do not grow: between such a side and the
+/// that the lattice is stable in, up to which strips of it do not grow: between such a side and the
 /// one opposite where this is fixed, free (of an undamped lattice) or moves by a condition, too,
-/// else its like. 0 where strips grow in all of them. Nothing of a scene without such sides, or
-/// with an influence of its own. On samples: strips of 5, 9 and 20 layers, 46 wave numbers along
-/// each.
-std::optional<double> steady_share_of_step(const PlaneScene& scene, const nmbc::PlaneSides& sides);
+/// else its like. Nothing of a scene without such sides, or with an influence of its own. On
+/// samples: strips of 5, 9 and 20 layers, 46 wave numbers along each.
+std::optional<SteadyStep> steady_step(const PlaneScene& scene, const nmbc::PlaneSides& sides);
 
 }  // namespace nmbcrun
