@@ -149,8 +149,8 @@ refused 2 "3 weights are needed, all above 0" --family bond3d --radius2 3 --weig
 refused 2 "bond3d takes w_1,w_2,.." --family bond3d --radius2 3 "${wave[@]}"
 refused 2 "--nu: bond3d has no Poisson's ratio" --family bond3d --radius2 3 --nu 1/4 --weights 1,1,1 "${wave[@]}"
 refused 2 "has no stabilisation" --family lps2d --radius2 2 --nu 1/4 "${wave[@]}" --G 1
-refused 2 "sides are of nopd2d and bond2d" recommend --family lps2d --radius2 2 --nu 1/4
-refused 2 "sides are of nopd2d and bond2d" passive --family lps3d --radius2 2 --nu 1/4
+refused 2 "sides are of nopd2d, bond2d and lps2d" recommend --family lps3d --radius2 2 --nu 1/4
+refused 2 "sides are of nopd2d and bond2d" passive --family lps2d --radius2 2 --nu 1/4
 refused 2 "lps3d is no lattice of the plane" oblique --family lps3d --radius2 2 --nu 1/4 --absorb P:0
 refused 4 "are not examined for oblique waves" --family lps3d --radius2 3 --nu 1/4 "${wave[@]}" --require-stable
 refused 2 "--limit: lps2d states no continuum limit" dispersion --family lps2d --radius2 2 --nu 1/4 --limit
