@@ -47,7 +47,7 @@ double steps_of_grade(const PlaneLattice& lattice, const SideCondition& conditio
                       const std::string& grade) {
     const double longest = longest_step(lattice);
     const auto& shares = side_samples.steps;
-    const auto end = std::ranges::find_if(shares, [&](double share) {
+    const auto* const end = std::ranges::find_if(shares, [&](double share) {
         const double dt = share * longest;
         return strips_grow(lattice, condition, always(condition), side_samples.layers, dt) ||
                grade_of(largest_amplification(lattice, condition, side_samples.waves, dt)) != grade;

@@ -73,7 +73,7 @@ std::vector<double> symbol_at(const ChainModel& model) {
     return symbol;
 }
 
-/// Of the chain of atoms: an end of fourth order in closed form. Beyond node 1 all is the chain's.
+/// Of the chain of atoms: an end with |R| ~ xi^4 in closed form. Beyond node 1 all is the chain's.
 Json closed_form() {
     return {{"layers", 2},
             {"closed_form",

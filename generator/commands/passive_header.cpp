@@ -68,7 +68,7 @@ std::string passive_header(const ChainModel& model) {
                   : fmt::format("--horizon {} --G {}{}", model.horizon, to_string(model.G),
                                 step_option(model.time_step)),
         "passive.hpp",
-        is_closed ? "A passive end of the chain of atoms, chain1d, of fourth order, in closed form."
+        is_closed ? "A passive end of the chain of atoms, chain1d, |R| ~ xi^4, in closed form."
                   : fmt::format("A passive end of nopd1d, n = {}, G = {}, designed for {}.",
                                 model.horizon, to_string(model.G), made_for),
         "PassiveEnd",

@@ -51,11 +51,15 @@ std::string edge_line(const HalfSpace& half_space, Grade grade) {
     if (!edge) {
         return "";
     }
-    const auto* exact = std::get_if<AlgebraicNumber>(&edge->where);
+    constexpr double sampled_to = 1e-9;
+    if (edge->cfl > 1 - sampled_to) {
+        return fmt::format("{:<12} edge: cfl 1, the lattice's own\n", "");
+    }
+    const auto* critical = std::get_if<AlgebraicNumber>(&edge->where);
     const std::string where =
-        exact != nullptr ? fmt::format("{}, exactly: (dt/2)^2 {}", rounded_down(edge->cfl, 9),
-                                       half_step_squared(*exact))
-                         : fmt::format("{}, sampled to 1e-9", rounded_down(edge->cfl, 9));
+        rounded_down(edge->cfl, 9) + (critical != nullptr
+                                          ? ", critical: (dt/2)^2 " + half_step_squared(*critical)
+                                          : fmt::format(", sampled to {:g}", sampled_to));
     const std::string why =
         edge->beyond == Failure::none ? "" : fmt::format("; beyond it: {}", name_of(edge->beyond));
     return fmt::format("{:<12} edge: cfl {}{}\n", "", where, why);

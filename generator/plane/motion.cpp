@@ -49,15 +49,17 @@ Index Motion::row_of(Index entry) const {
     return entry < all ? entry : moving_[std::size_t(entry - all)];
 }
 
-MatrixXd::ConstRowXpr Motion::image_of(Index entry) const {
+double Motion::image_of(Index entry, Index column) const {
     const MatrixXd& image = entry < of_displacement_.rows() ? of_displacement_ : of_velocity_;
-    return image.row(row_of(entry));
+    return image(row_of(entry), column);
 }
 
 MatrixXd Motion::map() const {
     MatrixXd map(state_size(), state_size());
     for (Index entry = 0; entry < state_size(); ++entry) {
-        map.row(entry) = image_of(entry);
+        for (Index column = 0; column < state_size(); ++column) {
+            map(entry, column) = image_of(entry, column);
+        }
     }
     return map;
 }
@@ -82,7 +84,7 @@ MatrixXd Motion::map(const Mirror& mirror) const {
             entry < of_displacement_.rows() ? image.row : velocity_entry_[std::size_t(image.row)];
         const Index column = place[std::size_t(mirrored)];
         for (Index k = 0; k < map.rows(); ++k) {
-            map(k, column) += image.sign * image_of(part[std::size_t(k)])(entry);
+            map(k, column) += image.sign * image_of(part[std::size_t(k)], entry);
         }
     }
     return map;

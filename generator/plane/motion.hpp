@@ -61,7 +61,7 @@ class Motion {
 
   private:
     Eigen::Index row_of(Eigen::Index entry) const;
-    Eigen::MatrixXd::ConstRowXpr image_of(Eigen::Index entry) const;
+    double image_of(Eigen::Index entry, Eigen::Index column) const;
 
     std::vector<Eigen::Index> moving_;          ///< rows whose velocities are part of the state
     std::vector<Eigen::Index> velocity_entry_;  ///< of a row's velocity in the state; or -1

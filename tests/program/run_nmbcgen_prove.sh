@@ -10,9 +10,9 @@ expect_no_stderr
 expect "both grades to the sampled step" test "$(grep -c \
     'G = 1/2: proved in every step up to cfl 0.7; sampled: cfl 0.70' "$scratch/stdout")" -eq 2
 expect "where its steps end" test "$(grep -cF \
-    'edge: cfl 0.707106781, exactly: (dt/2)^2 = 1/8 = 0.125; beyond it: growing boundary mode' "$scratch/stdout")" -eq 2
+    'edge: cfl 0.707106781, critical: (dt/2)^2 = 1/8 = 0.125; beyond it: growing boundary mode' "$scratch/stdout")" -eq 2
 try prove --order 1 --horizon 2 --G 1
-expect "an edge of degree 3" grep -qF 'edge: cfl 0.825512078, exactly: (dt/2)^2 = 0.' "$scratch/stdout"
+expect "an edge of degree 3" grep -qF 'edge: cfl 0.825512078, critical: (dt/2)^2 = 0.' "$scratch/stdout"
 expect "NMBC1 is not contractive" grep -qx 'contractive  G = 1: nothing proved; sampled: none' "$scratch/stdout"
 # 1/3 is no double: proved at both its neighbours
 try prove --order 2 --horizon 1 --G 1/3
