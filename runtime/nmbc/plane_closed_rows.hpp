@@ -107,20 +107,27 @@ class ClosedRows {
         if (w == 0) {
             return;
         }
-        // z = u_J - u_I - g R of each bond: factors of u, of the node in question and of others.
+        // z = u_J - u_I - g R of each bond, in which the node in question has the factor f / w: the
+        // sums over the bonds come first, as every node of the gradient is in every z.
+        const auto add = [&](const Offset& other, double factor) {
+            block_of(other)[0] += factor;
+            block_of(other)[3] += factor;
+        };
+        double sum = 0;                  // of f
+        std::array<double, 2> moment{};  // of f R
         for (const PlaneNeighbours::Bond& bond : nodes.neighbours(x, y).bonds) {
-            const auto factor_of = [&](const Offset& other, const std::array<double, 2>& H) {
-                return (other == Offset{bond.x, bond.y} ? 1 : 0) - (other == Offset{} ? 1 : 0) -
-                       H[0] * bond.x - H[1] * bond.y;
-            };
-            const double of_node = w * bond.influence * factor_of(node, G);
-            if (of_node == 0) {
-                continue;
-            }
-            for (const auto& [other, H] : gradient) {
-                block_of(other)[0] += of_node * factor_of(other, H);
-                block_of(other)[3] += of_node * factor_of(other, H);
-            }
+            const Offset neighbour{bond.x, bond.y};
+            const double f = w * bond.influence *
+                             ((node == neighbour ? 1 : 0) - (node == Offset{} ? 1 : 0) -
+                              G[0] * bond.x - G[1] * bond.y);
+            add(neighbour, f);
+            sum += f;
+            moment[0] += f * bond.x;
+            moment[1] += f * bond.y;
+        }
+        add({}, -sum);
+        for (const auto& [other, H] : gradient) {
+            add(other, -H[0] * moment[0] - H[1] * moment[1]);
         }
     }
 

@@ -56,7 +56,7 @@ inline void check_linear_gradient(const nmbc::PlaneModel& model, const nmbc::Pla
     CHECK(energies.stabilisation < 1e-26 * energies.strain);
 }
 
-/// Of the energy and what has left, over what it is at the start.
+/// Of the energy and what has left, over what it is at the start, looked at every tenth step.
 inline double largest_drift(const nmbc::PlaneModel& model, const nmbc::PlaneSides& sides,
                             const nmbc::PlaneParameters& p, int steps) {
     nmbc::Plane plane(model, sides, p);
@@ -66,8 +66,8 @@ inline double largest_drift(const nmbc::PlaneModel& model, const nmbc::PlaneSide
     const double start = plane.energies().staggered;
     CHECK(start > 0);
     double drift = 0;
-    for (int step = 0; step < steps; ++step) {
-        plane.advance(1);
+    for (int step = 0; step < steps; step += 10) {
+        plane.advance(10);
         const auto left = plane.left();
         const double all = std::accumulate(left.begin(), left.end(), plane.energies().staggered);
         drift = std::max(drift, std::abs(all / start - 1));

@@ -165,7 +165,7 @@ TEST_CASE("a longest step is that of the body with its sides") {
                         {.nx = nx, .ny = ny, .time_step = longest * (is_below ? 0.999 : 1.02)});
             fill_at_random(plane, 9);
             plane.start();
-            plane.advance(3000);
+            plane.advance(1000);
             CAPTURE(nx);
             CAPTURE(is_below);
             CHECK((plane.energies().kinetic < 1e3) == is_below);

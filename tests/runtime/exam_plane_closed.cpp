@@ -114,9 +114,9 @@ TEST_CASE("closed sides pass the patch test at every radius and influence, corne
             CAPTURE(G);
             const nmbc::ClosedSide side = closed(model);
             const auto sides = nmbc::PlaneSides::all(side);
+            const auto p = parameters_of(model, sides);
             const auto failure = [&](const std::array<double, 4>& gradient) {
-                return failure_of_patch(model, sides, parameters_of(model, sides),
-                                        side.closure->surface, gradient);
+                return failure_of_patch(model, sides, p, side.closure->surface, gradient);
             };
             CHECK(failure({0.1, 0, 0, 0.02}) < 1e-11);
             CHECK(failure({0, 0.05, 0.05, 0}) < 1e-11);
@@ -152,7 +152,7 @@ TEST_CASE("between closed sides the energy is kept, and is a sum of squares") {
                   nmbc::PlaneSides{side, nmbc::FixedSide{}, nmbc::MirrorSide{}, side},
                   nmbc::PlaneSides{nmbc::PeriodicSide{}, nmbc::PeriodicSide{}, side, side}}) {
                 // Of so many steps of roundings.
-                CHECK(largest_drift(model, sides, parameters_of(model, sides), 500) < 1e-11);
+                CHECK(largest_drift(model, sides, parameters_of(model, sides), 200) < 1e-11);
             }
         }
     }
@@ -182,7 +182,7 @@ TEST_CASE("closed, free and passive sides in one box: what is left and what has 
                   nmbc::PlaneSides{passive, passive, side, nmbc::FreeSide{}},
                   nmbc::PlaneSides{nmbc::FreeSide{}, side, nmbc::FreeSide{}, passive},
                   nmbc::PlaneSides{side, passive, nmbc::SpongeSide{{0.1, 0.02}}, passive}}) {
-                CHECK(largest_drift(model, sides, parameters_of(model, sides), 500) < 1e-11);
+                CHECK(largest_drift(model, sides, parameters_of(model, sides), 200) < 1e-11);
             }
         }
     }
