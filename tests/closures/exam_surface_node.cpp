@@ -192,7 +192,8 @@ TEST_CASE("the series' frequencies are the paper's") {
     CHECK(std::abs(speed() * omega_over_speed(79 * std::numbers::pi / 2) - 304274.639) < 6e-4);
 }
 
-TEST_CASE("Fig. 3: errors at 0.1, 0.2 and 0.4 ms as listed, of the printed and corrected chain") {
+TEST_CASE("Fig. 3: errors at 0.1, 0.2 and 0.4 ms as listed, of the printed and corrected chain" *
+          doctest::test_suite("long")) {
     using enum nmbc::Closure;
     struct Column {
         std::size_t count;

@@ -108,7 +108,8 @@ void check_push(const Pair& pair, const std::string& source, std::size_t compone
 
 }  // namespace
 
-TEST_CASE("a force is as large on another lattice, at sides and in corners, too") {
+TEST_CASE("a force is as large on another lattice, at sides and in corners, too" *
+          doctest::test_suite("long")) {
     for (const std::string& force :
          {on_rectangle("[0.5, 0.5]", "[0, 0]"), on_rectangle("[12, 9]", "[1, 0]"),
           on_rectangle("[6, 4]", "[1.5, 20]"),
@@ -150,7 +151,8 @@ TEST_CASE("a field begins in the same places of the body") {
     }
 }
 
-TEST_CASE("what is moved is moved from the outermost node to the outermost") {
+TEST_CASE("what is moved is moved from the outermost node to the outermost" *
+          doctest::test_suite("long")) {
     struct Rectangle {
         const char* centre;
         const char* half_width;

@@ -16,7 +16,7 @@
 namespace nmbcrun::test {
 namespace {
 
-TEST_CASE("the first steps of every scene in tools/scenes") {
+TEST_CASE("the first steps of every scene in tools/scenes" * doctest::test_suite("long")) {
     int scenes = 0;
     for (const auto& entry : std::filesystem::directory_iterator(NMBC_SCENES)) {
         if (entry.path().extension() != ".toml") {
@@ -29,7 +29,7 @@ TEST_CASE("the first steps of every scene in tools/scenes") {
             CHECK(scene.title != scene.name);
             PlaneSimulation simulation(scene);
             REQUIRE(simulation.plan().steps >= 100);
-            simulation.advance(10);
+            simulation.advance(100);
             CHECK(std::isfinite(simulation.energies().total()));
             continue;
         }
