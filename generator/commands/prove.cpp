@@ -65,8 +65,24 @@ std::string edge_line(const HalfSpace& half_space, Grade grade) {
     return fmt::format("{:<12} edge: cfl {}{}\n", "", where, why);
 }
 
-std::string heading(const Specification& what) {
-    return fmt::format("NMBC{}, stride {}, at horizon {}\n", what.order, what.stride, what.horizon);
+std::string heading(const Specification& what, const Table& table) {
+    return fmt::format("NMBC{}, stride {}, at horizon {}{}\n{:<12} {}\n", what.order, what.stride,
+                       what.horizon,
+                       what.stabilisation && has_stabilisation(table.model)
+                           ? ", G = " + to_string(*what.stabilisation)
+                           : "",
+                       "lattice", table.model.description);
+}
+
+/// In continuous time, where no steps have a grade.
+std::string why_none(const HalfSpace& half_space, Grade grade) {
+    const ModalVerdict verdict = modal_verdict(half_space);
+    if (verdict.failure != Failure::none) {
+        return fmt::format(": {}", name_of(failure_of(verdict)));
+    }
+    return grade == Grade::contractive && !verdict.contractive
+               ? ": waves of one frequency can come back larger"
+               : "";
 }
 
 Prover prover_of(const Table& table) {
@@ -86,7 +102,7 @@ std::string at_one_G(const Specification& what, const Table& table, const Prover
         has_stabilisation(table.model) ? fmt::format("G = {}", to_string(G)) : "at every G";
     const nmbc::Window about = window_about(G);
     const HalfSpace half_space = make_half_space(derive(what), G);  // or there is none
-    std::string text = heading(what);
+    std::string text = heading(what, table);
     const auto in_one_step = [&](Grade grade) {
         return fmt::format(
             "{} {}; sampled: {}",
@@ -102,7 +118,8 @@ std::string at_one_G(const Specification& what, const Table& table, const Prover
                            proved < 0   ? "nothing proved"
                            : proved > 0 ? fmt::format("proved {}", in_steps(proved))
                                         : "proved in continuous time alone",
-                           sampled > 0 ? fmt::format("cfl {:.2f}", sampled) : "none");
+                           sampled > 0 ? fmt::format("cfl {:.2f}", sampled)
+                                       : "none" + why_none(half_space, grade));
     };
     std::size_t done = 0;
     for (const auto& [name, grade] :
@@ -154,7 +171,8 @@ std::string proof_text(const Specification& what, const ProofTask& task, const P
     }
     const Certificate certificate = certify(table);
     const bool is_stepped = own_step(what) > 0;
-    std::string text = heading(what) + (is_stepped ? in_own_step(what) : in_steps(task.cfl)) + "\n";
+    std::string text =
+        heading(what, table) + (is_stepped ? in_own_step(what) : in_steps(task.cfl)) + "\n";
     for (const auto& [name, grade, windows] :
          {std::tuple("paired", Grade::paired, &certificate.modal),
           std::tuple("contractive", Grade::contractive, &certificate.contractive)}) {

@@ -13,7 +13,15 @@ expect "where its steps end" test "$(grep -cF \
     'edge: cfl 0.707106781, critical: (dt/2)^2 = 1/8 = 0.125; beyond it: growing boundary mode' "$scratch/stdout")" -eq 2
 try prove --order 1 --horizon 2 --G 1
 expect "an edge of degree 3" grep -qF 'edge: cfl 0.825512078, critical: (dt/2)^2 = 0.' "$scratch/stdout"
-expect "NMBC1 is not contractive" grep -qx 'contractive  G = 1: nothing proved; sampled: none' "$scratch/stdout"
+expect_stdout_line "NMBC1, stride 1, at horizon 2, G = 1"
+expect_stdout_line "lattice      1D non-ordinary peridynamics, constant influence, horizon 2 dX, stabilisation G"
+expect_stdout_line "contractive  G = 1: nothing proved; sampled: none: waves of one frequency can come back larger"
+try prove --order 2 --horizon 2 --G 1
+expect_exit 0
+expect_stdout_line "paired       G = 1: nothing proved; sampled: none: growing boundary mode"
+try prove --order 1 --radius2 1 --nu 1/4 --polarisation S --G 1
+expect_exit 0
+expect "family, nu and polarisation" grep -qE '^lattice .*S waves.* nu = 1/4' "$scratch/stdout"
 # 1/3 is no double: proved at both its neighbours
 try prove --order 2 --horizon 1 --G 1/3
 expect "a proof" grep -q 'paired       G = 1/3: proved in every step' "$scratch/stdout"
