@@ -125,6 +125,24 @@ std::size_t settled_layers(const VectorChoice& choice, const std::optional<unsig
     }
 }
 
+/// What is at fault where P or S waves do not travel: the radius, where they do not in the plainest
+/// model of it either.
+const char* blamed_for_waves(const VectorFamily& family, const VectorChoice& choice,
+                             Polarisation polarisation, const char* otherwise) {
+    VectorChoice plainest = choice;
+    if (plainest.poisson) {
+        plainest.poisson = Rational(1, 4);
+    }
+    std::ranges::fill(plainest.weights, Rational(1));
+    try {
+        projected_model(
+            {.family = std::string(family.name), .model = plainest, .polarisation = polarisation});
+        return otherwise;
+    } catch (const NoSuchModel&) {
+        return "--radius2";
+    }
+}
+
 /// recommend and passive of a side of the plane.
 void settle_side(Request& request, const VectorFamily& family, const VectorChoice& choice,
                  const Pending& pending, const CLI::App& used, const char* blamed) {
@@ -144,7 +162,7 @@ void settle_side(Request& request, const VectorFamily& family, const VectorChoic
                                                largest_side_radius_squared));
     }
     for (const Polarisation polarisation : {Polarisation::P, Polarisation::S}) {
-        require_model(blamed, [&] {
+        require_model(blamed_for_waves(family, choice, polarisation, blamed), [&] {
             projected_model({.family = std::string(family.name),
                              .model = choice,
                              .polarisation = polarisation});

@@ -46,19 +46,27 @@ GhostSide side_absorbing(const std::vector<AbsorbedWave>& waves, const PlaneLatt
     return {.name = name, .condition = {{factors, factors}}};
 }
 
-std::vector<GhostSide> ghost_sides(const SideTask& model, const PlaneLattice& lattice) {
+/// Of what is published, and the name of what there is none of here.
+struct Published {
+    std::vector<GhostSide> sides;
+    std::string missing;
+};
+
+Published published_sides(const SideTask& model, const PlaneLattice& lattice) {
     std::vector<GhostSide> sides{
         {.name = "NMBC1 as printed, (81)", .condition = published_condition(lattice)},
         {.name = "NMBC1 by component", .condition = polarisation_wise_condition(lattice)}};
     const unsigned stride = horizon_of(model.choice);
     const Specification second_order{
         .family = {}, .horizon = stride, .order = 2, .stride = stride, .stabilisation = {}};
-    if (auto second = component_condition(model, lattice, second_order)) {
+    auto second = component_condition(model, lattice, second_order);
+    const std::string missing = second ? "" : component_name(2, stride);
+    if (second) {
         sides.push_back({.name = component_name(2, stride), .condition = std::move(*second)});
     }
     sides.push_back(
         {.name = "Higdon, P and S", .condition = higdon_condition(lattice, drift_shift)});
-    return sides;
+    return {std::move(sides), missing};
 }
 
 template <class Reflected>
@@ -84,15 +92,18 @@ struct SidesOfLattice {
     SideTask model;
     VectorModel described;
     PlaneLattice lattice;
-    std::vector<GhostSide> ghosts;  ///< all but the passive one
+    std::string missing{};            ///< what there is none of here
+    std::vector<GhostSide> ghosts{};  ///< all but the passive one
     std::size_t reach = 0;
 
     SidesOfLattice(const SideTask& task, const std::vector<AbsorbedWave>& absorbed)
         : model(task),
           described(find_vector_family(task.family).describe(task.choice)),
           lattice(plane_lattice(described, task.g, 0)),
-          ghosts(ghost_sides(task, lattice)),
           reach(lateral_chain(lattice, 0).reach()) {
+        auto [sides, missing_one] = published_sides(task, lattice);
+        ghosts = std::move(sides);
+        missing = std::move(missing_one);
         if (!absorbed.empty()) {
             ghosts.push_back(side_absorbing(absorbed, lattice));
         }
@@ -204,7 +215,13 @@ std::string choice_of(const SidesOfLattice& sides) {
     }
     const std::string at =
         fmt::format("{}, for which no passive sides are designed", sides.described.description);
-    return best == nullptr ? fmt::format("none of these sides is stable beside {}\n", at)
+    return best == nullptr ? fmt::format(
+                                 "none of these sides is stable beside {}\n"
+                                 "  instead    a lattice that goes on, or a layer with friction "
+                                 "(a sponge): they add no energy. Passive\n"
+                                 "             sides are for nopd2d and bond2d. --absorb looks at "
+                                 "products for other waves\n",
+                                 at)
                            : fmt::format(
                                  "{}, beside {}\n"
                                  "  stable     on samples alone: {} in steps up to {:.1f} of the "
@@ -250,6 +267,10 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
     }
     for (const GhostSide& side : sides.ghosts) {
         table += row_of(side, sides);
+    }
+    if (!sides.missing.empty()) {
+        table += fmt::format("{}: none, at g = {} its equations have no solution\n", sides.missing,
+                             to_string(sides.model.g));
     }
     return fmt::format("{}\n{}\n{}", passive ? choice_of(*passive, sides) : choice_of(sides), table,
                        legend());

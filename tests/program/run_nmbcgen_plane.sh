@@ -33,6 +33,12 @@ expect_exit 0
 expect_no_stderr
 expect "no passive row" test "$(grep -c '^passive' "$scratch/stdout")" -eq 0
 expect "what is recommended" grep -qE "for which no passive sides are designed" "$scratch/stdout"
+expect "as no side is stable, what else" grep -qF "  instead    a lattice that goes on, or a layer with friction" "$scratch/stdout"
+refuses 2 "--radius2: long waves of this polarisation do not travel in this model" recommend --family lps2d --radius2 1 --nu 1/4
+# A row that is not there is named.
+try recommend "${smallest[@]}" --G 0
+expect_exit 0
+expect_stdout_line "NMBC2 by component: none, at g = 0 its equations have no solution"
 refuses 2 "passive sides are of nopd2d and bond2d; tables of lps2d" passive --family lps2d --radius2 1 --nu 1/4
 
 # Conditions of one's own: Higdon's product is one of them.
