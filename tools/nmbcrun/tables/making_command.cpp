@@ -82,8 +82,7 @@ std::string how_to_make(const Scene& scene, const Boundary& boundary) {
         .damping = nmbcgen::parse_rational(scene.tau),
         .time_step = nmbcgen::parse_rational(matching ? boundary.matched_step : "0"),
         .weights = weights_of(scene)};
-    if (std::max({what.horizon, what.order, what.stride}) > nmbcgen::highest_count ||
-        !why_no_lattice(scene).empty()) {
+    if (std::max({what.horizon, what.order, what.stride}) > nmbcgen::highest_count) {
         return "";
     }
     if (what.order == 1 && what.time_step > 0) {

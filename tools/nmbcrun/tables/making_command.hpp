@@ -20,7 +20,8 @@ bool is_family(const std::string& name);
 std::string why_no_lattice(const Scene& scene);
 
 /// ". To make it: nmbcgen .., and model.tables = ..", of the table that an end needs, or one with
-/// the scene's lattice where it needs none of its own; empty where nmbcgen has no such lattice.
+/// the scene's lattice, which nmbcgen has (why_no_lattice()), where it needs none of its own; empty
+/// where a count is beyond those of nmbcgen.
 std::string how_to_make(const Scene& scene, const Boundary& boundary);
 
 }  // namespace nmbcrun
