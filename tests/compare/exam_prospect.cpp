@@ -126,6 +126,43 @@ TEST_CASE("what a force sends out late does not get to an end in time") {
     CHECK(prospect_of(Simulation(scene)).ends == "nothing gets there before time.end");
 }
 
+TEST_CASE("the pulse of a run of many steps is met") {
+    Scene scene = scene_of(2, 32.0 / 15, 200, 300);
+    scene.force = nmbcrun::Force{
+        {.history = nmbcrun::History::gaussian, .time = 60, .duration = 12, .file = {}}, 100, 0};
+    const std::string ends = prospect_of(Simulation(scene)).ends;
+    CHECK(ends.find("of the energy that reaches them comes back") != std::string::npos);
+    scene.end = 1e8;
+    CHECK(prospect_of(Simulation(scene)).ends == ends);
+}
+
+TEST_CASE("of energies that doubles do not hold nothing is predicted") {
+    Scene scene = with_pulse(scene_of(2, 1, 200, 300), Shape::gaussian, 8);
+    for (const double amplitude : {1e-165, 1e165}) {
+        scene.initial->pulse.amplitude = amplitude;
+        CHECK(prospect_of(Simulation(scene)).ends.starts_with("nothing is predicted: "));
+    }
+    scene.left = scene.right = {.kind = BoundaryKind::free};
+    CHECK(prospect_of(Simulation(scene)).ends.empty());
+}
+
+TEST_CASE("a source that would do is over before the run ends, or a later end is told") {
+    Scene scene = scene_of(2, 32.0 / 15, 100, 70);
+    scene.cfl = 0.3;
+    scene.force = nmbcrun::Force{
+        {.history = nmbcrun::History::ricker, .time = 60, .duration = 2, .file = {}}, 50, 0};
+    const auto warnings = prospect_of(Simulation(scene)).warnings;
+    REQUIRE(warnings.size() == 1);
+    const auto value_of = [&](const std::string& key) {
+        const std::size_t place = warnings.front().find(key + " = ");
+        REQUIRE(place != std::string::npos);
+        return std::stod(warnings.front().substr(place + key.size() + 3));
+    };
+    const double end = value_of("time.end");
+    CHECK(end > 70);
+    CHECK(value_of("force.time") + 4 * value_of("force.duration") <= end);
+}
+
 TEST_CASE("a width that would do does, and a packet of short waves has none") {
     Scene scene = with_pulse(scene_of(2, 1, 400, 300), Shape::gaussian, 1);
     scene.cfl = 0.3;

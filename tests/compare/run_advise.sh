@@ -187,6 +187,13 @@ expect "nothing written" test ! -e early
 
 try advise "${bar[@]}"
 expect_exit 2
+# What errs by all of max |u| is met by anything.
+for command in advise run; do
+    try "$command" "${bar[@]}" --tolerance 2
+    expect_exit 2
+    expect_stderr "'2' is not a number from 1e-16 to 1"
+    expect_no_stdout
+done
 try run "${bar[@]}" --tolerance 1e-3 --resume
 expect_exit 2
 expect_stderr "nmbcrun: --resume and --tolerance exclude each other: give one of them"

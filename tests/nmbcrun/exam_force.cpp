@@ -111,7 +111,10 @@ TEST_CASE("a history that is cut off at the beginning or the end of a run is tol
           std::string::npos);
     CHECK(only(of(History::sine, 2).warnings("force", step, 4.5)).find("up to 1 of its peak") !=
           std::string::npos);
-    CHECK(of(History::gaussian, 2).warnings("force", step, 3).size() == 2);
+    // What is proposed can be run.
+    const auto both = of(History::gaussian, 2).warnings("force", step, 3);
+    REQUIRE(both.size() == 2);
+    CHECK(both.front().ends_with("force.time = 8 with time.end = 16 would do"));
 
     const auto file = std::filesystem::temp_directory_path() / "exam_force_cut.csv";
     const auto of_rows = [&](const char* rows) {
@@ -133,6 +136,38 @@ TEST_CASE("a history that is cut off at the beginning or the end of a run is tol
           "load.top jumps to 0.5 of its peak at t = 0, and what is before is cut off: a first row "
           "of 0, at t = 0 or later, would do");
     std::filesystem::remove(file);
+}
+
+TEST_CASE("steps that do not resolve a force are refused with what is allowed") {
+    const auto refusal = [](const ForceHistory& history, double step) {
+        return refusal_of([&] { ForceInTime(history).require_resolved("force", step); });
+    };
+    ForceHistory pulse{.history = History::gaussian, .time = 8, .duration = 2, .file = {}};
+    CHECK(refusal(pulse, 2).empty());
+    CHECK(refusal(pulse, 2.25) ==
+          "force.duration is 2, less than a time step of 2.25: steps meet it by chance only. Give "
+          "force.duration = 2.3 or more, or time.step = 2 or less");
+    pulse.history = History::ricker;
+    CHECK(!refusal(pulse, 2.25).empty());
+    ForceHistory sine{.history = History::sine, .frequency = 0.25, .cycles = 1.5, .file = {}};
+    CHECK(refusal(sine, 1).empty());
+    CHECK(refusal(sine, 1.125) ==
+          "force.frequency is 0.25, with a period of 4, less than 4 time steps of 1.12: steps meet "
+          "it by chance only. Give force.frequency = 0.22 or less, or time.step = 1 or less");
+    sine.cycles = 0.375;
+    CHECK(refusal(sine, 1) ==
+          "force.cycles is 0.375, which lasts 1.5, less than 2 time steps of 1: steps meet it by "
+          "chance only. Give force.cycles = 0.5 or more, or time.step = 0.75 or less");
+    // Where the run makes one, and where a surface has it.
+    Scene scene = forced({pulse, 100, 0});
+    scene.step = 0.01;
+    scene.force->duration = 0.001;
+    CHECK_THROWS_WITH_AS(Simulation{scene}, doctest::Contains("force.duration is 0.001, less"),
+                         SceneError);
+    scene.left = {.kind = BoundaryKind::mirror, .value = scene.force};
+    scene.force.reset();
+    CHECK_THROWS_WITH_AS(Simulation{scene}, doctest::Contains("boundary.left.value.duration is"),
+                         SceneError);
 }
 
 TEST_CASE("a force moves the bar by its impulse over 2 rho c") {

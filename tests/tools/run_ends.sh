@@ -22,6 +22,13 @@ unstable "a fixed end on the left and NMBC1 on the right are not stable together
 # .. or at this time step: NMBC2 at n = 1, G = 1/2 is stable up to cfl = 0.70.
 unstable "cfl = 0.8" --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=0.8
 unstable "cfl = 1" --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=1
+# What is named in the place of steps beyond the lattice's own is certified, too.
+unstable "steps of 0.264567 (cfl = 2) are too long: these ends are certified in steps up to 0.0912" \
+    --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=2
+stable --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 \
+    --set "time.cfl=$(sed -n 's/.* Give time.cfl = \(.*\) or less$/\1/p' "$scratch/stderr")"
+rm -r results
+unstable "are stable, and none is certified" --set boundary.order=2 --set model.G=1 --set time.cfl=2
 
 # What is certified in its place: for the pair another order and stride, or a shorter step.
 unstable "Certified at this G: order 1, stride 2 up to cfl = 0.98; order 2, stride 2 up to cfl = 0.69; boundary.kind = \"passive\" without order and stride. " \
@@ -151,11 +158,14 @@ rm -r results
 try run "$scratch/steel.toml" --set boundary.kind=passive
 expect_exit 0
 rm -r results
+# Steps that do not resolve a source, of which nothing is predicted then.
+refuses 2 "force.duration is 1e-09, less than a time step of 3.74e-07: steps meet it by chance only. Give force.duration = 3.8e-07 or more" \
+    "$scratch/steel.toml" --set model.horizon=2 --set model.G=32/15 --set boundary.kind=passive --set force.duration=1e-9 --set time.cfl=0.5
 # Its few steps lie between two looks at the energy.
 for time in 4e-5 4.05e-5; do
     try run "$scratch/steel.toml" --set model.horizon=2 --set model.G=1.5 --set domain.spacing=1e-3 \
         --set boundary.left.kind=free --set force.history=gaussian --set force.centre=1e-3 \
-        --set force.time=$time --set force.duration=1e-7 --set time.cfl=0.5 --quiet \
+        --set force.time=$time --set force.duration=1e-7 --set time.cfl=0.25 --quiet \
         --set boundary.allow_amplifying=true
     expect_exit 0
 done

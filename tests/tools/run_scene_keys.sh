@@ -35,7 +35,7 @@ setting 2 "boundary.allow_unstable must be true or false, not 1" boundary.allow_
 setting 2 "--set boundary.rigth.kind: boundary.rigth is not a key of a scene" boundary.rigth.kind=free
 setting 2 "--set bogus.key: bogus is not a key of a scene" bogus.key=1
 setting 2 "no table for family nopd1d, horizon 2, order 9" boundary.right.order=9
-setting 4 "between these ends steps up to" time.step=0.6
+setting 4 "these ends are certified in steps up to" time.step=0.6
 setting 2 "drive.centre and drive.half_width select no node: the nodes are at X = 1 to 500" drive.centre=-99
 refuses 2 "a run of 250000 steps is too long for an \"exact\" end, which is made for 200000 at most" \
     "$scene" --set boundary.kind=exact --set time.end=5000
@@ -44,8 +44,10 @@ refuses 4 "NMBC2 is not stable at n = 2, G = 1, cfl = 0.0668: a mode at that end
 refuses 4 "NMBC1 is certified against a pml end at no time step at n = 2, G = 1; the step has cfl = 0.0668" \
     "$scene" --set boundary.left.kind=pml --set boundary.left.layer=10 --set model.G=1
 setting 2 "must not be 0" drive.amplitude=0
+setting 2 "drive.amplitude must be of size 1e-100 at least, not -1e-165: energies are of its square" drive.amplitude=-1e-165
 setting 2 "whole number from 1 to 100000000, not 0" domain.nodes=0
-setting 2 "from 1 to 100000000, written without a point and an exponent" domain.nodes=1e8
+setting 2 "from 1 to 100000000, written without a point and an exponent: 100000000" domain.nodes=1e8
+setting 2 "domain.nodes must be a whole number from 1 to 100000000, not 1000000000" domain.nodes=1e9
 setting 2 "domain.spacing must be a positive number of size 1e+300 at most, not 1e+308" domain.spacing=1e308
 sed '/^density /d' "$scene" >"$scratch/of_no_density.toml"
 refuses 2 "material.density is missing: both are given, or neither, which makes them 1" "$scratch/of_no_density.toml"

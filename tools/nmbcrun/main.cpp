@@ -165,6 +165,7 @@ int main(int argc, char** argv) {
         command->add_flag("--quiet", arguments.quiet, "no progress bar, only the last lines");
         return command;
     };
+    const auto tolerance_of_advice = nmbcgen::number_between(1e-16, 1);  // of all: any end meets it
     auto* const run = add_command("run", "run a scene and report its energies");
     run->add_option("--out", arguments.folder, "folder for the results (default results)")
         ->check(not_empty);
@@ -177,7 +178,7 @@ int main(int argc, char** argv) {
     run->add_option("--tolerance", arguments.tolerance,
                     "take the cheapest ends and time step that advise finds for it, instead of the "
                     "scene's ends")
-        ->check(nmbcgen::number_between(1e-16, 1e16))
+        ->check(tolerance_of_advice)
         ->excludes(resume);
     auto* const verify = add_command(
         "verify", "compare a scene with the same one without ends (docs/how-to/verify.md)");
@@ -205,7 +206,7 @@ int main(int argc, char** argv) {
     advise
         ->add_option("--tolerance", arguments.tolerance, "largest error over max |u| that is right")
         ->required()
-        ->check(nmbcgen::number_between(1e-16, 1e16));
+        ->check(tolerance_of_advice);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -43,7 +43,7 @@ std::string objection_to_given_steps(const Scene& scene) {
     const nmbc::Lattice lattice = lattice_of(scene);
     const double given =
         scene.step ? *scene.step : 2 * *scene.cfl / highest_frequency(scene, lattice);
-    return objection_to_steps(scene, lattice, given, surface_limits(scene, lattice));
+    return objection_to_steps(scene, lattice, given, surface_limits(scene, lattice), OfEnds::any);
 }
 
 /// least_work: of the candidates so far, but those whose ends cost as much as an interior.

@@ -178,7 +178,7 @@ SurfaceLimits surface_limits(const Scene& scene, const nmbc::Lattice& lattice) {
 }
 
 std::string objection_to_steps(const Scene& scene, const nmbc::Lattice& lattice, double time_step,
-                               const SurfaceLimits& surfaces) {
+                               const SurfaceLimits& surfaces, OfEnds of_ends) {
     const double omega_max = highest_frequency(scene, lattice);
     const double cfl = time_step * omega_max / 2;
     constexpr double roundings = 1e-12;  // the limit was a time step on its way here
@@ -187,15 +187,21 @@ std::string objection_to_steps(const Scene& scene, const nmbc::Lattice& lattice,
     if (cfl <= stable) {
         return "";
     }
-    const std::string longest = nmbcgen::rounded_down(2 * stable / omega_max, 6);
-    const std::string largest = nmbcgen::rounded_down(stable, 3);
+    const bool has_table = takes_table(scene.left.kind) || takes_table(scene.right.kind);
+    const double certified = has_table && of_ends == OfEnds::certified
+                                 ? std::min(stable, largest_certified_cfl(scene, lattice))
+                                 : stable;
+    const double allowed = certified > 0 ? certified : stable;
+    const std::string longest = nmbcgen::rounded_down(2 * allowed / omega_max, 6);
+    const std::string largest = nmbcgen::rounded_down(allowed, 3);
     return fmt::format(
-        "steps of {:.6g} (cfl = {:.3g}) are too long: between these ends steps up to {} (cfl = {}) "
-        "are stable{}",
-        time_step, cfl, longest, largest,
-        scene.step  ? fmt::format(". Give time.step = {} or less", longest)
-        : scene.cfl ? fmt::format(". Give time.cfl = {} or less", largest)
-                    : "");
+        "steps of {:.6g} (cfl = {:.3g}) are too long: {} up to {} (cfl = {}){}{}", time_step, cfl,
+        allowed < stable ? "these ends are certified in steps" : "between these ends steps",
+        longest, largest, allowed < stable ? "" : " are stable",
+        certified == 0 ? ", and none is certified"
+        : scene.step   ? fmt::format(". Give time.step = {} or less", longest)
+        : scene.cfl    ? fmt::format(". Give time.cfl = {} or less", largest)
+                       : "");
 }
 
 AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, double omega_max,

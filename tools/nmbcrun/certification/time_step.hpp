@@ -44,10 +44,16 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
 /// The largest cfl at which the scene's ends are certified, as automatic_step() seeks it; 0: none.
 double largest_certified_cfl(const Scene& scene, const nmbc::Lattice& lattice);
 
+/// Which steps are told to take in place of such that are too long.
+enum class OfEnds {
+    any,       ///< those in which interior and true ends are stable
+    certified  ///< of them, those that the scene's ends are certified for
+};
+
 /// In words, with the key that gives them, where the interior, or a mode beside a true end, is not
 /// stable in such steps [time], whatever is allowed; empty where both are.
 std::string objection_to_steps(const Scene& scene, const nmbc::Lattice& lattice, double time_step,
-                               const SurfaceLimits& surfaces);
+                               const SurfaceLimits& surfaces, OfEnds of_ends);
 
 /// Throws SceneError where an end is matched in another time step [time], or without midpoint
 /// ghosts.

@@ -2,6 +2,7 @@
 #include "tools/nmbcrun/compare/prospect.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include "tools/nmbcrun/compare/prediction.hpp"
 #include "tools/nmbcrun/compare/source_spectrum.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/sources/force_in_time.hpp"
 #include "tools/nmbcrun/sources/short_waves.hpp"
 #include "tools/nmbcrun/sources/two_digits.hpp"
 
@@ -156,6 +158,28 @@ struct Length {
     double* time = nullptr;
 };
 
+ForceHistory& history_of(Scene& scene, const std::string& source) {
+    return source == "boundary.left.value"    ? *scene.left.value
+           : source == "boundary.right.value" ? *scene.right.value
+                                              : *scene.force;
+}
+
+/// When a source that is given by keys is over, but for what is negligible of it [time].
+double end_of(Scene& scene, const std::string& source) {
+    if (source == "initial") {
+        return 0;
+    }
+    if (source == "drive") {
+        return scene.drive->duration;
+    }
+    if (source == "incoming") {
+        constexpr double widths = 4;
+        const Incoming& incoming = *scene.incoming;
+        return incoming.arrival + widths * incoming.pulse.width / wave_speed(scene);
+    }
+    return ForceInTime(history_of(scene, source)).end();
+}
+
 Length length_of(Scene& scene, const std::string& source) {
     if (source == "drive") {
         return {"drive.duration", &scene.drive->duration, false};
@@ -168,9 +192,7 @@ Length length_of(Scene& scene, const std::string& source) {
                 scene.initial->kind == InitialKind::file ? nullptr : &scene.initial->pulse.width,
                 false};
     }
-    ForceHistory& force = source == "boundary.left.value"    ? *scene.left.value
-                          : source == "boundary.right.value" ? *scene.right.value
-                                                             : *scene.force;
+    ForceHistory& force = history_of(scene, source);
     const bool is_sine = force.history == History::sine;
     return {source + (is_sine ? ".frequency" : ".duration"),
             is_sine                          ? &force.frequency
@@ -205,16 +227,24 @@ std::string what_would_do(const Simulation& simulation, const std::string& sourc
     const double own_time = time == nullptr ? 0 : *time;
     for (double factor = 1.25; factor < 1e3; factor *= 1.25) {
         *value = two_digits(is_inverse ? own_value / factor : own_value * factor, is_inverse);
-        scene.end = own_end * factor;
         if (own_time > 0) {
             *time = two_digits(own_time * factor, false);
         }
+        const double over = end_of(scene, source);
+        const bool is_in_run = over <= own_end;
+        scene.end = is_in_run ? own_end : two_digits(std::max(over, own_end * factor), false);
         const auto spectra = source_spectra(scene, lattice, step);
         if (not_carried(spectra.front(), lattice, step / unit_of_time(scene)) <= most_not_carried &&
             absorbs(scene)) {
-            return fmt::format(
-                "; {} = {:.2g}{} would do", key, *value,
-                own_time > 0 ? fmt::format(" with {} = {:.2g}", source + ".time", *time) : "");
+            std::vector<std::string> others;
+            if (own_time > 0) {
+                others.push_back(fmt::format("{}.time = {:.2g}", source, *time));
+            }
+            if (!is_in_run) {
+                others.push_back(fmt::format("time.end = {:.2g}", scene.end));
+            }
+            return fmt::format("; {} = {:.2g}{}{} would do", key, *value,
+                               others.empty() ? "" : " with ", fmt::join(others, " and "));
         }
     }
     return fmt::format("; no {} alone would do", key);
@@ -250,6 +280,12 @@ double energy_of(const std::vector<SourceSpectrum>& sources) {
     return energy;
 }
 
+/// Whether its parts are, too.
+bool is_known(double energy) {
+    constexpr double least = 1e-280;
+    return energy > least && std::isfinite(energy);
+}
+
 }  // namespace
 
 Prospect prospect_of(const Simulation& simulation) {
@@ -258,6 +294,14 @@ Prospect prospect_of(const Simulation& simulation) {
     const double step = simulation.plan().time_step / unit_of_time(scene);
     const auto sources = source_spectra(scene, lattice, simulation.plan().time_step);
     Prospect prospect;
+    const double sent = energy_of(sources);
+    if (!sources.empty() && !is_known(sent)) {
+        prospect.ends = is_physical(scene.left.kind) && is_physical(scene.right.kind)
+                            ? ""
+                            : "nothing is predicted: the energy that the sources send out is 0, "
+                              "or too little or too much for doubles";
+        return prospect;
+    }
     prospect.warnings = warnings_of(simulation, sources, step);
     Returned returned;
     std::string unknown;
@@ -295,7 +339,7 @@ Prospect prospect_of(const Simulation& simulation) {
         prospect.ends = unknown.empty()
                             ? returned.in_words()
                             : "nothing is predicted " + unknown + ": nmbcrun verify measures it";
-        prospect.sends_much_back = unknown.empty() && returned.is_much(energy_of(sources));
+        prospect.sends_much_back = unknown.empty() && returned.is_much(sent);
     }
     return prospect;
 }

@@ -128,12 +128,15 @@ ChangesSpectrum spectrum_of_changes(
     const ForceInTime in_time(force, column);
     const double unit = unit_of_time(scene);
     constexpr double most = 1 << 20;
+    double first = 0;
     double last = scene.end;
     if (force.history == History::sine) {  // the beginning of a long one has its band
-        last = std::min(last, force.time + force.cycles / force.frequency);
-        last = std::min(last, force.time + most * time_step);
+        first = std::max(0.0, force.time);
+        last = std::min({last, in_time.last(), force.time + most * time_step});
+    } else if (last > most * time_step) {  // of long runs, that the pulse be met
+        first = std::max(0.0, std::floor(in_time.first() / time_step) * time_step);
+        last = std::min(last, in_time.last());
     }
-    const double first = force.history == History::sine ? std::max(0.0, force.time) : 0;
     const double between =  // others that are as long are slow
         std::max(time_step, time_step * std::ceil((last - first) / time_step / most));
     std::vector<double> changes;

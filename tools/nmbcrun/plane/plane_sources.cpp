@@ -119,6 +119,7 @@ PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
     const SourceRegion region(scene, plane, extension);
     if (scene.force) {
         const ForceInTime force(scene.force->history);
+        force.require_resolved("force", time_step);
         Source source = source_of(force, force.warnings("force", time_step, scene.end));
         PickedNodes picked = region.within("force", scene.force->centre, scene.force->half_width);
         source.shares = std::move(picked.shares);
@@ -126,6 +127,11 @@ PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
     }
     for (const PlaneLoad& load : scene.loads) {
         Source source;
+        if (load.until < time_step) {
+            throw SceneError(fmt::format(
+                "{}.until is {:.6g}, less than a time step of {:.3g}: it would act for a whole one",
+                load.name, load.until, time_step));
+        }
         if (load.file.empty()) {
             source = source_of(load);
         } else {
@@ -152,6 +158,13 @@ PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
         add(std::move(source), load.component, entries, load.name, plane);
     }
     if (scene.drive) {
+        constexpr double least = 4;
+        if (scene.drive->duration < least * time_step) {
+            throw SceneError(fmt::format(
+                "drive.duration is {:.6g}, less than {} time steps of {:.3g}, so that they miss "
+                "how far it goes",
+                scene.drive->duration, least, time_step));
+        }
         add(source_of(*scene.drive), scene.drive->component,
             region.within("drive", scene.drive->centre, scene.drive->half_width).whole("drive"),
             "drive", plane);

@@ -2,6 +2,9 @@
 /// The keys of one table of a scene.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <filesystem>
 #include <initializer_list>
 #include <string>
@@ -30,10 +33,17 @@ class KeyGroup {
     double number_or(std::string_view name, const Bounds& bounds, double otherwise) const {
         return reader_.number(key(name), bounds).value_or(otherwise);
     }
+    /// Neither 0 nor so small that energies, which are of its square, are.
     double not_zero(std::string_view name) const {
         const double value = number(name, any_number);
+        constexpr double smallest = 1e-100;
         if (value == 0) {
             reader_.fail(key(name), "must not be 0");
+        }
+        if (std::abs(value) < smallest) {
+            reader_.fail(key(name), fmt::format("must be of size {:g} at least, not {:g}: energies "
+                                                "are of its square, too small for doubles",
+                                                smallest, value));
         }
         return value;
     }

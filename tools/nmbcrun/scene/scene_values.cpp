@@ -49,11 +49,12 @@ std::optional<long> SceneReader::whole_number(std::string_view key, long lowest,
     }
     const auto value = node->is_integer() ? node->value<long>() : std::nullopt;
     const auto decimal = node->is_floating_point() ? node->value<double>() : std::nullopt;
-    if (decimal && std::isfinite(*decimal) && std::trunc(*decimal) == *decimal) {
+    if (decimal && *decimal >= double(lowest) && *decimal <= double(highest) &&
+        std::trunc(*decimal) == *decimal) {
         fail(key,
              fmt::format("must be a whole number from {} to {}, written without a point and an "
-                         "exponent",
-                         lowest, highest));
+                         "exponent: {}",
+                         lowest, highest, as_written(*node)));
     }
     if (!value || *value < lowest || *value > highest) {
         fail(key, fmt::format("must be a whole number from {} to {}, not {}", lowest, highest,

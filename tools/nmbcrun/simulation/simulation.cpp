@@ -48,7 +48,9 @@ Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
         scene.step ? *scene.step : 2 * scene.cfl.value_or(automatic.cfl) / omega_max;
     require_matched(scene, time_step);
     const double cfl = time_step * omega_max / 2;
-    if (const std::string problem = objection_to_steps(scene, lattice, time_step, surfaces);
+    if (const std::string problem =
+            objection_to_steps(scene, lattice, time_step, surfaces,
+                               scene.allow_unstable ? OfEnds::any : OfEnds::certified);
         !problem.empty()) {
         throw Unstable(problem);
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -96,22 +97,59 @@ double ForceInTime::largest(double from, double to) const {
     return most;
 }
 
+double ForceInTime::end() const {
+    return has_middle(force_.history) ? force_.time + enough_durations * force_.duration : last_;
+}
+
+void ForceInTime::require_resolved(const std::string& table, double time_step) const {
+    const auto require = [&](double lasts, double steps, const std::string& what,
+                             const std::string& allowed) {
+        if (lasts < steps * time_step) {
+            throw SceneError(fmt::format(
+                "{}.{}, less than {}: steps meet it by chance only. Give {}, or time.step = {:.2g} "
+                "or less",
+                table, what,
+                steps == 1 ? fmt::format("a time step of {:.3g}", time_step)
+                           : fmt::format("{} time steps of {:.3g}", steps, time_step),
+                allowed, two_digits(lasts / steps, true)));
+        }
+    };
+    if (has_middle(force_.history)) {
+        require(force_.duration, 1, fmt::format("duration is {:.6g}", force_.duration),
+                fmt::format("{}.duration = {:.3g} or more", table, two_digits(time_step, false)));
+    }
+    if (force_.history == History::sine) {
+        constexpr double of_period = 4;
+        constexpr double of_all = 2;
+        require(1 / force_.frequency, of_period,
+                fmt::format("frequency is {:.6g}, with a period of {:.3g}", force_.frequency,
+                            1 / force_.frequency),
+                fmt::format("{}.frequency = {:.3g} or less", table,
+                            two_digits(1 / (of_period * time_step), true)));
+        require(force_.cycles / force_.frequency, of_all,
+                fmt::format("cycles is {:.6g}, which lasts {:.3g}", force_.cycles,
+                            force_.cycles / force_.frequency),
+                fmt::format("{}.cycles = {:.3g} or more", table,
+                            two_digits(of_all * time_step * force_.frequency, false)));
+    }
+}
+
 std::vector<std::string> ForceInTime::warnings(const std::string& table, double time_step) const {
-    std::vector<std::string> all{missed_rows(time_step), jump_at_start(table)};
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    std::vector<std::string> all{missed_rows(time_step), jump_at_start(table, endless)};
     std::erase(all, "");
     return all;
 }
 
 std::vector<std::string> ForceInTime::warnings(const std::string& table, double time_step,
                                                double end) const {
-    std::vector<std::string> all = warnings(table, time_step);
-    if (const std::string rest = rest_after(end, table); !rest.empty()) {
-        all.push_back(rest);
-    }
+    std::vector<std::string> all{missed_rows(time_step), jump_at_start(table, end),
+                                 rest_after(end, table)};
+    std::erase(all, "");
     return all;
 }
 
-std::string ForceInTime::jump_at_start(const std::string& table) const {
+std::string ForceInTime::jump_at_start(const std::string& table, double end) const {
     const bool is_cut = first_ < 0 && last_ >= 0;
     const double start = std::max(0.0, first_);
     const double jump =
@@ -120,11 +158,15 @@ std::string ForceInTime::jump_at_start(const std::string& table) const {
     if (std::max(cut, std::abs(jump)) <= negligible_part * peak()) {
         return "";
     }
+    const auto later = [&] {
+        const double middle = two_digits(enough_durations * force_.duration, false);
+        const double over = middle + enough_durations * force_.duration;
+        return fmt::format("{}.time = {:.4g}", table, middle) +
+               (over > end ? fmt::format(" with time.end = {:.4g}", two_digits(over, false)) : "");
+    };
     return fmt::format("{} jumps to {:.2g} of its peak at t = {:.4g}{}: {} would do", table,
                        jump / peak(), start, is_cut ? ", and what is before is cut off" : "",
-                       has_middle(force_.history)
-                           ? fmt::format("{}.time = {:.4g}", table,
-                                         two_digits(enough_durations * force_.duration, false))
+                       has_middle(force_.history)        ? later()
                        : force_.history == History::sine ? table + ".time = 0"
                                                          : "a first row of 0, at t = 0 or later,");
 }
@@ -134,12 +176,10 @@ std::string ForceInTime::rest_after(double end, const std::string& table) const 
     if (rest <= negligible_part * peak() || stays(end)) {
         return "";
     }
-    const double enough =
-        has_middle(force_.history) ? force_.time + enough_durations * force_.duration : last_;
     return fmt::format(
         "{} has not ended at time.end = {:.4g}: up to {:.2g} of its peak comes later. time.end = "
         "{:.4g} or more has all of it",
-        table, end, rest / peak(), two_digits(enough, false));
+        table, end, rest / peak(), two_digits(this->end(), false));
 }
 
 bool ForceInTime::stays(double time) const {

@@ -17,7 +17,17 @@ class ForceInTime {
 
     double at(double time) const;
 
+    /// Before and after these times it is below 1e-16 of its amplitude, or 0.
+    double first() const { return first_; }
     double last() const { return last_; }
+
+    /// From then on it has ended, but for 4e-6 of its amplitude.
+    double end() const;
+
+    /// Throws SceneError where steps of this length [time] are too long for what the history says
+    /// of itself: a pulse's duration, 1/4 of a sine's period, 1/2 of its cycles; nothing of files.
+    /// table: of the scene, that it is in.
+    void require_resolved(const std::string& table, double time_step) const;
 
     /// Whether the force acts, above 1e-16 of its amplitude, at this time or later.
     bool drives(double time) const { return time <= last_; }
@@ -34,7 +44,8 @@ class ForceInTime {
     double peak() const { return largest(first_, last_); }
     double largest(double from, double to) const;
     std::string missed_rows(double time_step) const;
-    std::string jump_at_start(const std::string& table) const;
+    /// end: of the run, beyond which nothing is proposed unless that is, too.
+    std::string jump_at_start(const std::string& table, double end) const;
     std::string rest_after(double end, const std::string& table) const;
     /// Whether a file has it as it is now up to its last row: of a load that lasts a run misses
     /// nothing.

@@ -15,8 +15,8 @@ namespace nmbcrun {
 /// Its share of every step: v += dt f(t) / rho at its nodes, t the step's beginning, where u is.
 class Forcing {
   public:
-    /// Throws SceneError where no node takes the force or its file does not make a history,
-    /// FileError where that cannot be read.
+    /// Throws SceneError where no node takes the force, its file does not make a history or the
+    /// steps are too long for it, FileError where the file cannot be read.
     Forcing(const Scene& scene, double time_step);
 
     /// From 0.

@@ -74,7 +74,8 @@ Sources::Sources(const Scene& scene, const nmbc::Lattice& lattice,
     }
     const auto add_surface = [&](const char* table, const Boundary& end) {
         if (end.value) {
-            surfaces_.emplace(table, value_in_time(*end.value));
+            surfaces_.emplace(table, value_in_time(*end.value))
+                .first->second.require_resolved(table, time_step_);
         }
     };
     add_surface("boundary.left.value", scene.left);
