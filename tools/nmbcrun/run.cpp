@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "tools/nmbcrun/compare/prospect.hpp"
 #include "tools/nmbcrun/output/chain_files.hpp"
 #include "tools/nmbcrun/output/energies_file.hpp"
+#include "tools/nmbcrun/output/step_warnings.hpp"
 #include "tools/nmbcrun/output/stoppable_run.hpp"
 #include "tools/nmbcrun/report.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
@@ -223,10 +225,12 @@ void run(const Scene& scene, const RunOptions& options) {
              4.0 * sizeof(double) * double(scene.nodes), 2 * scene.probes.size());
     if (!options.quiet) {
         const Plan& plan = run.simulation().plan();
+        const nmbc::Chain& chain = run.simulation().chain();
         const std::string& ends = run.prospect().ends;
-        fmt::print("{}{}time      {} steps of {}\n\n", run.heading(),
+        fmt::print("{}{}time      {} steps of {}{}\n\n", run.heading(),
                    ends.empty() ? "" : fmt::format("ends      {}\n", ends), plan.steps,
-                   heading_of(plan));
+                   heading_of(plan), length_of_run(plan.steps - chain.steps(), chain.nodes()));
+        std::fflush(stdout);  // through a pipe, too, it is read before the run
     }
     run.to_the_end();
     run.print();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/output/step_warnings.hpp"
 #include "tools/nmbcrun/output/warnings.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
@@ -128,6 +130,9 @@ bool verify(const Scene& scene, double tolerance, bool quiet) {
     Simulation simulation(scene);
     Simulation reference(endless(mirrored, simulation.plan().time_step));
     print_warnings(simulation.warnings());
+    print_warnings(warnings_of_steps(simulation.plan(), unit_of_time(scene),
+                                     simulation.plan().steps,
+                                     simulation.chain().nodes() + reference.chain().nodes()));
     if (!quiet) {
         fmt::print("scene      {}\n", scene.title);
         fmt::print("ends       {}; {}\n", heading_of(scene.left), heading_of(scene.right));
@@ -135,6 +140,7 @@ bool verify(const Scene& scene, double tolerance, bool quiet) {
                    heading_of(reference.scene().right));
         fmt::print("time       {} steps of {:.6g} (cfl = {:.3g})\n\n", simulation.plan().steps,
                    simulation.plan().time_step, simulation.plan().cfl);
+        std::fflush(stdout);  // through a pipe, too, it is read before the runs
     }
     note_interrupts();
     const Outcome outcome = run_both(simulation, reference, quiet);

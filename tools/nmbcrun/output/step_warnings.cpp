@@ -9,6 +9,24 @@
 #include "tools/nmbcrun/output/duration.hpp"
 
 namespace nmbcrun {
+namespace {
+
+constexpr double pace = 1e8;  // node-steps per second, of a fast core
+
+double seconds_of(std::size_t steps, std::size_t nodes) {
+    return double(steps) * double(nodes) / pace;
+}
+
+}  // namespace
+
+std::string length_of_run(std::size_t steps_left, std::size_t nodes) {
+    constexpr std::size_t many = 1'000'000;
+    constexpr double minute = 60;
+    const double seconds = seconds_of(steps_left, nodes);
+    return steps_left < many && seconds < minute
+               ? ""
+               : fmt::format(", about {} at {:g} node-steps a second", duration(seconds), pace);
+}
 
 std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_time,
                                            std::size_t steps_left, std::size_t nodes) {
@@ -29,9 +47,8 @@ std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_
             "above {:.2g} dX/c are unstable: the run has {:.3g} of them",
             longest, double(plan.steps)));
     }
-    constexpr double pace = 1e8;  // node-steps per second, of a fast core
     constexpr double hour = 3600;
-    const double seconds = double(steps_left) * double(nodes) / pace;
+    const double seconds = seconds_of(steps_left, nodes);
     if (seconds > hour) {
         warnings.push_back(fmt::format(
             "{:.3g} steps of {} nodes take about {} at {:g} node-steps a second: until time.end "

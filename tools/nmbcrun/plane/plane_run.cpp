@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@
 #include "tools/nmbcrun/output/energies_file.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/share_gone.hpp"
+#include "tools/nmbcrun/output/step_warnings.hpp"
 #include "tools/nmbcrun/output/stoppable_run.hpp"
 #include "tools/nmbcrun/output/warnings.hpp"
 #include "tools/nmbcrun/plane/crack_report.hpp"
@@ -176,9 +178,11 @@ void run_plane(const PlaneScene& scene, const RunOptions& options) {
     if (!options.quiet) {
         const PlanePlan& plan = run.simulation().plan();
         const std::string ends = prospect_of(scene, sides.passive);
-        fmt::print("{}{}time      {} steps of {}\n\n", heading_of(run.simulation()),
+        fmt::print("{}{}time      {} steps of {}{}\n\n", heading_of(run.simulation()),
                    ends.empty() ? "" : fmt::format("ends      {}\n", ends), plan.steps,
-                   heading_of(plan));
+                   heading_of(plan),
+                   length_of_run(plan.steps - run.simulation().plane().steps(), grid.nx * grid.ny));
+        std::fflush(stdout);  // through a pipe, too, it is read before the run
     }
     run.to_the_end();
     run.print();

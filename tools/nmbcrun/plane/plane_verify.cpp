@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/output/step_warnings.hpp"
 #include "tools/nmbcrun/output/warnings.hpp"
 #include "tools/nmbcrun/plane/finer_run.hpp"
 #include "tools/nmbcrun/plane/plane_report.hpp"
@@ -70,7 +72,13 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool finer, bool qu
     ReferenceRun reference =
         body ? finer_run(std::move(*body), time_step) : endless_run(scene, time_step, quiet);
     const CommonNodes nodes(simulation, reference.simulation);
+    const auto nodes_of = [](const PlaneSimulation& one) {
+        return one.plane().grid().nx * one.plane().grid().ny;
+    };
     print_warnings(warnings_of(simulation));
+    print_warnings(
+        warnings_of_steps(simulation.plan(), unit_of_time(scene), simulation.plan().steps,
+                          nodes_of(simulation) + reference.steps * nodes_of(reference.simulation)));
     if (!quiet) {
         fmt::print("{}time      {} steps of {}\nreference{}\n{}\n", heading_of(simulation),
                    simulation.plan().steps, heading_of(simulation.plan()),
@@ -78,6 +86,7 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool finer, bool qu
                                           reference.ratio, reference.steps)
                             : "",
                    heading_of(reference.simulation));
+        std::fflush(stdout);  // through a pipe, too, it is read before the runs
     }
     note_interrupts();
     constexpr std::size_t peak_every = 10;  // steps
