@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "generator/exact/rational.hpp"
+#include "generator/exact/rounded_text.hpp"
 #include "tools/nmbcrun/plane/plane_spectrum.hpp"
 #include "tools/nmbcrun/plane/side_prospect.hpp"
+#include "tools/nmbcrun/plane/steady_step.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -28,6 +31,41 @@ std::string warning_of_jumps(const PlaneSimulation& simulation) {
                      "stretch times dX: bonds may break for that alone. Give it a rise, or "
                      "time.step below {:.3g}",
                      *longest)
+               : "";
+}
+
+/// Steps that the scene gives are taken, whatever grows in them.
+std::string warning_of_growth(const PlaneSimulation& simulation) {
+    const PlaneScene& scene = simulation.scene();
+    const PlanePlan& plan = simulation.plan();
+    const nmbc::PlaneSides& sides = simulation.plane().sides();
+    const nmbc::PlaneParameters& p = simulation.plane().parameters();
+    const std::array nodes{p.nx, p.ny};
+    const double rate = rate_of(scene);
+    if ((!scene.step && !scene.cfl) ||
+        !strips_grow_in(scene, sides, nodes, plan.time_step * rate)) {
+        return "";
+    }
+    const auto steady = steady_step(scene, sides, nodes);
+    const double longest = steady->time_step / rate;
+    return fmt::format(
+        "in steps of {:.6g} (cfl = {:.3g}) strips between its sides grow{}", plan.time_step,
+        plan.cfl,
+        steady->share == 0
+            ? ", as in those of any length"
+            : fmt::format(": not up to time.step = {} (cfl = {})",
+                          nmbcgen::rounded_down(longest, 6),
+                          nmbcgen::rounded_down(longest / plan.time_step * plan.cfl, 3)));
+}
+
+/// Where boundary.allow_unstable has nothing to allow.
+std::string warning_of_idle_key(const PlaneScene& scene) {
+    const bool may_explode =
+        scene.is_bond_based() && !nmbc::is_positive(bonds_of(scene)) && scene.has(SideKind::free);
+    const bool may_feed = std::ranges::any_of(
+        scene.sides, [](const PlaneSideChoice& side) { return may_grow(side.kind); });
+    return scene.allow_unstable && !may_feed && !may_explode
+               ? "boundary.allow_unstable does nothing: no side of this scene may feed energy in"
                : "";
 }
 
@@ -76,7 +114,8 @@ std::vector<std::string> warnings_of(const PlaneSimulation& simulation) {
     const auto short_waves = warnings_of_short_waves(simulation);
     warnings.insert(warnings.end(), short_waves.begin(), short_waves.end());
     warnings.insert(warnings.end(),
-                    {warning_of_short_run(simulation.scene()), warning_of_jumps(simulation)});
+                    {warning_of_idle_key(simulation.scene()), warning_of_growth(simulation),
+                     warning_of_short_run(simulation.scene()), warning_of_jumps(simulation)});
     std::erase(warnings, "");
     return warnings;
 }

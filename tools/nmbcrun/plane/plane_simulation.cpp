@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "generator/exact/rounded_text.hpp"
@@ -108,11 +109,11 @@ const char* limit_of(const PlaneScene& scene) {
 
 /// Steps below `stable` in which sides do not feed, where there are such, and that are short enough
 /// for what moves the scene.
-void choose_step(const PlaneScene& scene, const nmbc::PlaneSides& sides, double stable,
-                 PlanePlan& plan) {
+void choose_step(const PlaneScene& scene, const nmbc::PlaneSides& sides,
+                 const std::array<std::size_t, 2>& nodes, double stable, PlanePlan& plan) {
     plan.time_step = of_stable_by_default * stable;
     plan.limit = fmt::format("{} of {}", of_stable_by_default, limit_of(scene));
-    if (const auto steady = steady_step(scene, sides)) {
+    if (const auto steady = steady_step(scene, sides, nodes)) {
         const double longest = steady->time_step / rate_of(scene);
         if (steady->share == 0) {
             plan.limit += ": strips between them grow in steps of any length";
@@ -154,27 +155,38 @@ PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
     const nmbc::PlaneModel model = model_of(scene);
     const double rate = rate_of(scene);
     const double interior = 2 / std::sqrt(nmbc::highest_eigenvalue(model)) / rate;
-    const double stable =
-        nmbc::longest_step(model, sides, scene.nodes[0] + extension[0] + extension[1],
-                           scene.nodes[1] + extension[2] + extension[3]) /
-        rate;
+    const std::array nodes{scene.nodes[0] + extension[0] + extension[1],
+                           scene.nodes[1] + extension[2] + extension[3]};
+    const double stable = nmbc::longest_step(model, sides, nodes[0], nodes[1]) / rate;
     PlanePlan plan;
     if (scene.step || scene.cfl) {
         plan.time_step = scene.step ? *scene.step : *scene.cfl * interior;
     } else {
-        choose_step(scene, sides, stable, plan);
+        choose_step(scene, sides, nodes, stable, plan);
     }
     plan.cfl = plan.time_step / interior;
     plan.of_stable = plan.time_step / stable;
     if (!(plan.of_stable < 1)) {
         constexpr double below = 1 - 1e-9;  // the limit itself is not stable
-        const std::string longest = nmbcgen::rounded_down(below * stable, 6);
-        const std::string largest = nmbcgen::rounded_down(below * stable / interior, 3);
+        const auto in_words = [&](double step) {
+            return std::pair(nmbcgen::rounded_down(step, 6),
+                             nmbcgen::rounded_down(step / interior, 3));
+        };
+        const auto [longest, largest] = in_words(below * stable);
+        auto [step, cfl] = std::pair(longest, largest);
+        std::string growth;
+        if (const auto steady = steady_step(scene, sides, nodes); steady && steady->share > 0) {
+            std::tie(step, cfl) = in_words(std::min(below * stable, steady->time_step / rate));
+            growth = fmt::format(", and strips between its sides do not grow up to {} (cfl = {})",
+                                 step, cfl);
+        } else if (steady) {
+            growth = ", and strips between its sides grow in steps of any length";
+        }
         throw Unstable(fmt::format(
-            "steps of {:.6g} (cfl = {:.3g}) are too long: {} is {} (cfl = {}). Give time.{} or "
+            "steps of {:.6g} (cfl = {:.3g}) are too long: {} is {} (cfl = {}){}. Give time.{} or "
             "less",
-            plan.time_step, plan.cfl, limit_of(scene), longest, largest,
-            scene.step ? "step = " + longest : "cfl = " + largest));
+            plan.time_step, plan.cfl, limit_of(scene), longest, largest, growth,
+            scene.step ? "step = " + step : "cfl = " + cfl));
     }
     plan.steps = steps_until(scene.end, plan.time_step);
     return plan;

@@ -36,36 +36,55 @@ std::optional<nmbcgen::SideCondition> condition_of(const nmbc::PlaneSide& side) 
     return std::nullopt;
 }
 
+/// Whether there are strips to look at; others may not have a lattice to be looked at in.
+bool has_strips(const PlaneScene& scene, const nmbc::PlaneSides& sides) {
+    const std::array all{&sides.left, &sides.right, &sides.bottom, &sides.top};
+    return scene.influence.empty() && std::ranges::any_of(all, [](const auto* side) {
+               return condition_of(*side).has_value();
+           });
+}
+
 class Strips {
   public:
-    explicit Strips(const PlaneScene& scene)
+    Strips(const PlaneScene& scene, const nmbc::PlaneSides& sides,
+           const std::array<std::size_t, 2>& nodes)
         : task_(side_task_of(scene)),
           lattice_(nmbcgen::plane_lattice(
               nmbcgen::find_vector_family(task_.family).describe(task_.choice), task_.g,
               scene.tau)),
           is_damped_(scene.tau != 0),
-          longest_(nmbcgen::longest_step(lattice_)) {}
-
-    void add(const nmbc::PlaneSide& low, const nmbc::PlaneSide& high) {
-        if (const auto condition = condition_of(low)) {
-            pairs_.emplace_back(*condition, opposite_of(*condition, high));
-        } else if (const auto other = condition_of(high)) {
-            pairs_.emplace_back(*other, opposite_of(*other, low));
-        }
+          longest_(nmbcgen::longest_step(lattice_)) {
+        add(sides.left, sides.right, nodes[0]);
+        add(sides.bottom, sides.top, nodes[1]);
     }
 
-    bool grow(double share) const {
-        constexpr std::array<std::size_t, 3> layers{5, 9, 20};
-        return std::ranges::any_of(pairs_, [&](const auto& pair) {
-            return nmbcgen::strips_grow(lattice_, pair.first, pair.second, layers,
-                                        share * longest_);
+    bool grow(double time_step) const {
+        return std::ranges::any_of(pairs_, [&](const Pair& pair) {
+            return nmbcgen::strips_grow(lattice_, pair.own, pair.opposite, pair.layers, time_step);
         });
     }
 
-    bool empty() const { return pairs_.empty(); }
     double longest_step() const { return longest_; }
 
   private:
+    struct Pair {
+        nmbcgen::SideCondition own;
+        nmbcgen::OppositeSide opposite;
+        std::vector<std::size_t> layers;
+    };
+
+    void add(const nmbc::PlaneSide& low, const nmbc::PlaneSide& high, std::size_t across) {
+        std::vector<std::size_t> layers{5, 9, 20};
+        if (across < layers.front()) {
+            layers.insert(layers.begin(), across);
+        }
+        if (const auto condition = condition_of(low)) {
+            pairs_.push_back({*condition, opposite_of(*condition, high), std::move(layers)});
+        } else if (const auto other = condition_of(high)) {
+            pairs_.push_back({*other, opposite_of(*other, low), std::move(layers)});
+        }
+    }
+
     nmbcgen::OppositeSide opposite_of(const nmbcgen::SideCondition& own,
                                       const nmbc::PlaneSide& side) const {
         if (const auto other = condition_of(side)) {
@@ -84,29 +103,30 @@ class Strips {
     nmbcgen::PlaneLattice lattice_;
     bool is_damped_;
     double longest_;
-    std::vector<std::pair<nmbcgen::SideCondition, nmbcgen::OppositeSide>> pairs_{};
+    std::vector<Pair> pairs_{};
 };
 
 }  // namespace
 
-std::optional<SteadyStep> steady_step(const PlaneScene& scene, const nmbc::PlaneSides& sides) {
-    if (!scene.influence.empty()) {
+std::optional<SteadyStep> steady_step(const PlaneScene& scene, const nmbc::PlaneSides& sides,
+                                      const std::array<std::size_t, 2>& nodes) {
+    if (!has_strips(scene, sides)) {
         return std::nullopt;
     }
-    Strips strips(scene);
-    strips.add(sides.left, sides.right);
-    strips.add(sides.bottom, sides.top);
-    if (strips.empty()) {
-        return std::nullopt;
-    }
+    const Strips strips(scene, sides, nodes);
     SteadyStep steady;
     for (const double share : nmbcgen::side_samples.steps) {
-        if (strips.grow(share)) {
+        if (strips.grow(share * strips.longest_step())) {
             break;
         }
         steady = {.share = share, .time_step = share * strips.longest_step()};
     }
     return steady;
+}
+
+bool strips_grow_in(const PlaneScene& scene, const nmbc::PlaneSides& sides,
+                    const std::array<std::size_t, 2>& nodes, double time_step) {
+    return has_strips(scene, sides) && Strips(scene, sides, nodes).grow(time_step);
 }
 
 }  // namespace nmbcrun

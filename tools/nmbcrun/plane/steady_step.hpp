@@ -2,6 +2,8 @@
 /// In which steps of a plane scene its sides do not feed.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <nmbc/plane_sides.hpp>
 #include <optional>
 
@@ -18,7 +20,13 @@ struct SteadyStep {
 /// that the lattice is stable in, up to which strips of it do not grow: between such a side and the
 /// one opposite where this is fixed, free (of an undamped lattice) or moves by a condition, too,
 /// else its like. Nothing of a scene without such sides, or with an influence of its own. On
-/// samples: strips of 5, 9 and 20 layers, 46 wave numbers along each.
-std::optional<SteadyStep> steady_step(const PlaneScene& scene, const nmbc::PlaneSides& sides);
+/// samples: strips of 5, 9 and 20 layers and, where a plane of these nodes (extended sides' layers
+/// are some) is narrower, of its own, 46 wave numbers along each.
+std::optional<SteadyStep> steady_step(const PlaneScene& scene, const nmbc::PlaneSides& sides,
+                                      const std::array<std::size_t, 2>& nodes);
+
+/// Whether such strips grow in steps of this length [dX sqrt(rho/E)].
+bool strips_grow_in(const PlaneScene& scene, const nmbc::PlaneSides& sides,
+                    const std::array<std::size_t, 2>& nodes, double time_step);
 
 }  // namespace nmbcrun
