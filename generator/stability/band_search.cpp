@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace nmbcgen {
 namespace {
@@ -28,16 +29,23 @@ std::vector<double> sample_places(Sampling sampling) {
 
 /// Golden-section search for a maximum near `peak`, between left and right.
 Peak refined(const std::function<double(double)>& function, Peak peak, double left, double right) {
+    const auto at = [&function](double omega) { return Peak{function(omega), omega}; };
+    const auto inset = [&left, &right] { return (right - left) * (1 - 1 / std::numbers::phi); };
+    Peak one = at(left + inset());
+    Peak other = at(right - inset());
     for (int i = 0; i < 20; ++i) {
-        const double inset = (right - left) * (1 - 1 / std::numbers::phi);
-        const Peak one{function(left + inset), left + inset};
-        const Peak other{function(right - inset), right - inset};
         const bool left_is_higher = one.value > other.value;
         const Peak& higher = left_is_higher ? one : other;
         if (higher.value > peak.value) {
             peak = higher;
         }
-        (left_is_higher ? right : left) = left_is_higher ? other.omega : one.omega;
+        if (left_is_higher) {
+            right = std::exchange(other, one).omega;
+            one = at(left + inset());
+        } else {
+            left = std::exchange(one, other).omega;
+            other = at(right - inset());
+        }
     }
     return peak;
 }
@@ -76,19 +84,24 @@ Peak largest_in_piece(double low, double high, const std::function<double(double
         settled = value >= 0.99 * samples[best].value;  // the function's own change is less
         samples[best].value = settled ? samples[best].value : value;
     }
-    // The samples at the ends are near enough.
-    if (best == 0 || best + 1 == samples.size()) {
-        return samples[best];
+    // Of the samples the best need not stand beside the highest summit. Those at the ends are near
+    // enough.
+    Peak highest = samples[best];
+    for (std::size_t i = 1; i + 1 < samples.size() && highest.value <= enough; ++i) {
+        const Peak& before = samples[i - 1];
+        const Peak& after = samples[i + 1];
+        // A plateau, such as the exact 1 of NMBC1, has no summit to look for.
+        constexpr double roundings = 1e-12;
+        const double lower = std::min(before.value, after.value);
+        if (samples[i].value >= std::max(before.value, after.value) &&
+            samples[i].value - lower > roundings * samples[i].value) {
+            const Peak summit = refined(function, samples[i], before.omega, after.omega);
+            if (summit.value > highest.value) {
+                highest = summit;
+            }
+        }
     }
-    const Peak& before = samples[best - 1];
-    const Peak& after = samples[best + 1];
-    // A plateau, such as the exact 1 of NMBC1, has no summit to look for.
-    constexpr double roundings = 1e-12;
-    const double lower = std::min(before.value, after.value);
-    if (samples[best].value - lower <= roundings * samples[best].value) {
-        return samples[best];
-    }
-    return refined(function, samples[best], before.omega, after.omega);
+    return highest;
 }
 
 }  // namespace

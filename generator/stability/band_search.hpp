@@ -23,10 +23,10 @@ inline constexpr double narrowest_piece = 1e-9;
 
 /// The largest value found in the pieces between neighbouring frequencies (ascending): samples,
 /// dense at both ends of a piece, where waves meet and a square root of the distance counts, then
-/// golden-section search around the best of the piece. Pieces narrower than `narrowest_piece` of
-/// the highest frequency are skipped: waves so near an extremum of the band creep at 1e-6 of the
-/// wave speed, and their wave numbers cannot be told apart from roundings. The search ends at the
-/// first value above `enough`.
+/// golden-section search around each sample that is higher than its neighbours. Pieces narrower
+/// than `narrowest_piece` of the highest frequency are skipped: waves so near an extremum of the
+/// band creep at 1e-6 of the wave speed, and their wave numbers cannot be told apart from
+/// roundings. The search ends at the first value above `enough`.
 Peak largest_over_band(const std::vector<double>& frequencies,
                        const std::function<double(double)>& function,
                        double enough = std::numeric_limits<double>::infinity(),

@@ -49,31 +49,39 @@ Reflection reflection(const HalfSpace& half_space, double omega, const std::vect
     for (const Mode& mode : out) {
         inverse.push_back(1.0 / mode.k);
     }
-    // Delta(k_o) prod_{l != o} (1/k_o - 1/k_l)
-    std::vector<Complex> denominators;
+    std::vector<Complex> apart;  // prod_{l != o} (1/k_o - 1/k_l)
     for (std::size_t o = 0; o < out.size(); ++o) {
-        Complex product = residual(out[o].k);
+        Complex product = 1;
         for (std::size_t l = 0; l < out.size(); ++l) {
             product *= l == o ? 1.0 : inverse[o] - inverse[l];
         }
-        denominators.push_back(product);
+        apart.push_back(product);
     }
+    std::vector<Complex> from_images;  // prod_l (k_i - 1/k_l)
     for (Eigen::Index i = 0; i < travelling; ++i) {
-        const Complex inverse_incident = out[std::size_t(i)].k;
-        Complex numerator = -residual(inverse[std::size_t(i)]);
+        Complex product = 1;
         for (const Complex other : inverse) {
-            numerator *= inverse_incident - other;
+            product *= out[std::size_t(i)].k - other;
         }
-        for (Eigen::Index o = 0; o < all; ++o) {
-            const Mode& mode = out[std::size_t(o)];
-            const Complex amplitude = numerator / ((inverse_incident - inverse[std::size_t(o)]) *
-                                                   denominators[std::size_t(o)]);
-            result.amplitudes(o, i) = amplitude;
-            if (o < travelling) {
-                const double flux = half_space.is_damped()
-                                        ? 1
-                                        : mode.group_velocity / out[std::size_t(i)].group_velocity;
-                result.matrix(o, i) = amplitude * std::sqrt(flux);
+        from_images.push_back(product);
+    }
+    // d(omega^2)/d xi but for a factor of all, since omega^2(k) - omega^2 has the zeros k_l and
+    // 1/k_l: of the same differences as the amplitudes. Where two waves meet, their roundings, of
+    // which those differences consist, so leave no trace in sigma_max.
+    const auto flux_of = [&](std::size_t wave) {
+        return std::abs(apart[wave] * from_images[wave]);
+    };
+    for (Eigen::Index i = 0; i < travelling; ++i) {
+        const auto incident = std::size_t(i);
+        const Complex numerator = -residual(inverse[incident]) * from_images[incident];
+        for (std::size_t o = 0; o < out.size(); ++o) {
+            const Complex amplitude =
+                numerator / ((out[incident].k - inverse[o]) * (residual(out[o].k) * apart[o]));
+            const auto row = Eigen::Index(o);
+            result.amplitudes(row, i) = amplitude;
+            if (row < travelling) {
+                const double flux = half_space.is_damped() ? 1 : flux_of(o) / flux_of(incident);
+                result.matrix(row, i) = amplitude * std::sqrt(flux);
             }
         }
     }
