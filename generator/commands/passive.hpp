@@ -3,6 +3,7 @@
 /// construction.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "generator/passive/chain_end.hpp"
@@ -10,8 +11,8 @@
 
 namespace nmbcgen {
 
-/// wave_at(). Throws NoSuchBoundary where the wave cannot be told from others.
-ArrivingWave told_wave(const PlaneLattice& lattice, bool is_P, double xi, double degrees);
+/// wave_at(); none where the wave cannot be told from others.
+std::optional<ArrivingWave> told_wave(const PlaneLattice& lattice, bool is_P, double xi, double degrees);
 
 /// passive_side(). Throws NoSuchBoundary where no design is found.
 DesignedSide designed(const SideTask& model, const DesignProgress& progress = {});

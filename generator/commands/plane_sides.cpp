@@ -72,11 +72,8 @@ Published published_sides(const SideTask& model, const PlaneLattice& lattice) {
 template <class Reflected>
 std::string reflections_of(const PlaneLattice& lattice, Reflected reflected) {
     const auto of_wave = [&](bool is_P, double angle) -> std::string {
-        try {
-            return fmt::format("{:.3f}", reflected(told_wave(lattice, is_P, long_xi, angle)));
-        } catch (const NoSuchBoundary&) {  // modes that cannot be told
-            return "?";
-        }
+        const auto wave = told_wave(lattice, is_P, long_xi, angle);
+        return wave ? fmt::format("{:.3f}", reflected(*wave)) : "?";
     };
     std::string text;
     for (const double angle : angles) {
@@ -170,8 +167,9 @@ std::string reflection_rows(std::string boundary, const PlaneLattice& lattice,
     for (const double xi : {0.1, 0.5, 1.0}) {
         for (const bool is_P : {true, false}) {
             for (int degrees = 0; degrees < 90; ++degrees) {
-                rows += fmt::format("{},{},{},{},{:.4g}\n", boundary, is_P ? 'P' : 'S', xi, degrees,
-                                    reflected(told_wave(lattice, is_P, xi, degrees)));
+                const auto wave = told_wave(lattice, is_P, xi, degrees);
+                rows += fmt::format("{},{},{},{},{}\n", boundary, is_P ? 'P' : 'S', xi, degrees,
+                                    wave ? fmt::format("{:.4g}", reflected(*wave)) : "");
             }
         }
     }
@@ -237,7 +235,9 @@ std::string legend() {
         "(in a strip or in\n"
         "  the box). Other strips may grow\n"
         "steps: leapfrog steps up to this part of the lattice's longest have the grade, as "
-        "continuous time has\n"
+        "continuous time has. Of\n"
+        "  passive that is the limit; of others the last tenth that was tried, so that up to a "
+        "tenth more may have it\n"
         "opposite: in these steps and in continuous time; not fixed, free: strips between it and "
         "such a side grow\n"
         "amplifies: amplitudes at one reflection between like sides, the largest; <=: a bound\n"

@@ -122,4 +122,36 @@ DesignedSide passive_end(const std::vector<double>& symbol, unsigned horizon, co
     return best_of_searches(std::move(task), waves);
 }
 
+DesignedSide atom_chain_end() {
+    const double root = std::sqrt(5.0);
+    const double x = (3 - root) / 2;
+    const double bond = std::sqrt(8 * (root - 2));
+    PassiveEdge edge{.strain = Eigen::Vector2d(bond, 1),
+                     .stabilisation = Eigen::Vector2d::Ones(),
+                     .mass = Eigen::Vector2d(x / bond, 0.5 + (1 - x) / bond),
+                     .dashpots = {Eigen::Matrix2d::Zero()},
+                     .null_lagrangian = 0};
+    edge.dashpots[0](0, 0) = 1;
+    // A bond belongs to the one of its nodes that is nearer to the end.
+    const NodeEnergy bonds = [](unsigned, const Rational&) {
+        return std::vector<VectorSquare>{
+            {EnergyPart::strain,
+             Polynomial(std::vector<Rational>{1}),
+             {{Offset{0, 0, 0}, {-1, 0, 0}}, {Offset{1, 0, 0}, {1, 0, 0}}}}};
+    };
+    constexpr double highest = 4;  // 4 sin^2(xi/2)
+    DesignedSide side{.task = {.squares = EdgeSquares(bonds, 1, 0, 0),
+                               .dimensions = 1,
+                               .reach = {.node = 1, .forces = 1, .layers = 2},
+                               .has_stabilisation = false,
+                               .largest_beta = 0,
+                               .highest_eigenvalue = highest},
+                      .design = {},
+                      .edge = std::move(edge),
+                      .highest_eigenvalue = highest};
+    side.highest_eigenvalue =
+        std::max(highest, highest_eigenvalue_of_edge(side.task, side.edge, 1));
+    return side;
+}
+
 }  // namespace nmbcgen

@@ -26,8 +26,12 @@ inline constexpr unsigned largest_designed_horizon = 6;
 DesignedSide passive_end(const std::vector<double>& symbol, unsigned horizon, const Rational& G,
                          const ChainEdge& at_edge, double time_step);
 
-/// The same as the runtime takes it, with 4n nodes more for what decays beside it. Its highest
-/// eigenvalue is said 1 % higher than it was found.
+/// Of the chain of atoms, in closed form: |R| ~ xi^4, two layers, beyond which all is the chain's;
+/// without `design`.
+DesignedSide atom_chain_end();
+
+/// A designed end as the runtime takes it, with 4n nodes more for what decays beside it. Its
+/// highest eigenvalue is said 1 % higher than it was found.
 nmbc::PassiveEnd for_runtime(const DesignedSide& side, const EdgeEnergies& energies);
 
 }  // namespace nmbcgen

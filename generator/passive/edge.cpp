@@ -115,10 +115,12 @@ MatrixXd EdgeEnergies::stiffness(const PassiveEdge& edge) const {
 CutSide free_side(const EdgeSquares& squares, Index node, Index forces, double wave_number) {
     const EdgeEnergies energies =
         squares.energies(2, {.node = node, .forces = forces, .layers = forces - node}, wave_number);
-    MatrixXd stiffness = energies.further.strain + energies.further.stabilisation;
-    for (const EdgeEnergies::Node& own : energies.outermost) {
-        stiffness += own.strain + own.stabilisation;
-    }
+    const Index layers = energies.reach.layers;
+    const MatrixXd stiffness = energies.stiffness({.strain = Eigen::VectorXd::Ones(layers),
+                                                   .stabilisation = Eigen::VectorXd::Ones(layers),
+                                                   .mass = {},
+                                                   .dashpots = {},
+                                                   .null_lagrangian = 0});
     const Index moved_by = std::min(stiffness.cols(), 4 * forces);  // both components
     return {stiffness.topLeftCorner(2 * forces, moved_by)};
 }

@@ -172,14 +172,4 @@ std::vector<double> strip_wave_numbers(std::size_t steps) {
     return all;
 }
 
-double largest_growth_in_strip(const PlaneLattice& lattice, const SideCondition& condition,
-                               std::size_t layers, std::size_t wave_numbers) {
-    double largest = -HUGE_VAL;
-    for (const double wave_number : strip_wave_numbers(wave_numbers)) {
-        largest = std::max(largest, growth_in_strip(lateral_chain(lattice, wave_number),
-                                                    Strip::between_like(condition, layers)));
-    }
-    return largest;
-}
-
 }  // namespace nmbcgen

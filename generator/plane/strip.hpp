@@ -40,8 +40,4 @@ double growth_in_strip(const LateralChain& chain, const Strip& strip);
 /// k_t in so many equal steps from 0 to pi, and the first of them halved up to five times.
 std::vector<double> strip_wave_numbers(std::size_t steps);
 
-/// The largest over strip_wave_numbers().
-double largest_growth_in_strip(const PlaneLattice& lattice, const SideCondition& condition,
-                               std::size_t layers, std::size_t wave_numbers);
-
 }  // namespace nmbcgen

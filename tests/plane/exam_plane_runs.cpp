@@ -116,30 +116,56 @@ TEST_CASE("in the runtime's own steps its rate is that of leapfrog with ghosts a
     }
 }
 
-TEST_CASE("strips of the runtime between unlike sides grow at the rate of their eigenvalues") {
-    constexpr std::size_t across = 8;
-    constexpr std::size_t along = 24;
-    constexpr double G = 0;
-    const nmbc::CorrespondenceModel model =
-        nmbc::nopd2d(1, 0.25, G, nmbc::StressState::plane_stress);
-    const PlaneLattice lattice = lattice_of_paper(1, G);
-    const SideCondition published = published_condition(lattice);
-    const EdgeSquares squares(
-        [](unsigned layer, const Rational& beta) {
-            return nopd2d_at_edge(of_paper(1), layer, beta);
-        },
-        1, g_of(G), 0);
-    const auto check = [&](const nmbc::PlaneSide& right, auto side_at, double of_longest) {
-        nmbc::PlaneSides sides{.left = side_of_81(model),
-                               .right = right,
-                               .bottom = nmbc::PeriodicSide{},
-                               .top = nmbc::PeriodicSide{}};
-        nmbc::Plane plane = started(model, sides, across, along, of_longest);
+namespace {
+
+/// A strip of nopd2d between a side of (81) and another one.
+class StripOf81 {
+  public:
+    StripOf81(unsigned radius_squared, double G)
+        : model_(nmbc::nopd2d(radius_squared, 0.25, G, nmbc::StressState::plane_stress)),
+          lattice_(lattice_of_paper(radius_squared, G)),
+          published_(published_condition(lattice_)),
+          node_(Eigen::Index(std::sqrt(radius_squared))),
+          squares_(
+              [radius_squared](unsigned layer, const Rational& beta) {
+                  return nopd2d_at_edge(of_paper(radius_squared), layer, beta);
+              },
+              node_, g_of(G), 0) {}
+
+    void check_opposite_like(double of_longest) const {
+        check(
+            side_of_81(model_), [this](double) { return StripSide(published_); }, of_longest);
+    }
+
+    void check_opposite_fixed(double of_longest) const {
+        check(
+            nmbc::FixedSide{}, [](double) { return StripSide(fixed_condition()); }, of_longest);
+    }
+
+    void check_opposite_free(double of_longest) const {
+        check(
+            nmbc::FreeSide{},
+            [this](double wave_number) {
+                return StripSide(free_side(squares_, node_, 2 * node_, wave_number));
+            },
+            of_longest);
+    }
+
+  private:
+    template <class SideAt>
+    void check(const nmbc::PlaneSide& right, SideAt side_at, double of_longest) const {
+        constexpr std::size_t across = 8;
+        constexpr std::size_t along = 24;
+        const nmbc::PlaneSides sides{.left = side_of_81(model_),
+                                     .right = right,
+                                     .bottom = nmbc::PeriodicSide{},
+                                     .top = nmbc::PeriodicSide{}};
+        nmbc::Plane plane = started(model_, sides, across, along, of_longest);
         double rate = 0;
         for (std::size_t i = 0; i <= along / 2; ++i) {
             const double wave_number = 2 * std::numbers::pi * double(i) / double(along);
-            rate = std::max(rate, growth_in_strip(lateral_chain(lattice, wave_number),
-                                                  {.left = published,
+            rate = std::max(rate, growth_in_strip(lateral_chain(lattice_, wave_number),
+                                                  {.left = published_,
                                                    .right = side_at(wave_number),
                                                    .layers = across,
                                                    .time_step = plane.parameters().time_step}));
@@ -147,17 +173,34 @@ TEST_CASE("strips of the runtime between unlike sides grow at the rate of their 
         CAPTURE(rate);
         REQUIRE(rate > 1e-3);
         CHECK(measured_rate(plane, rate) == doctest::Approx(rate).epsilon(0.05).scale(0));
-    };
-    check(
-        side_of_81(model), [&](double) { return StripSide(published); }, 0.9);
-    for (const double of_longest : {0.2, 0.9}) {
-        check(
-            nmbc::FixedSide{}, [&](double) { return StripSide(fixed_condition()); }, of_longest);
-        check(
-            nmbc::FreeSide{},
-            [&](double wave_number) { return StripSide(free_side(squares, 1, 2, wave_number)); },
-            of_longest);
     }
+
+    nmbc::CorrespondenceModel model_;
+    PlaneLattice lattice_;
+    SideCondition published_;
+    Eigen::Index node_;
+    EdgeSquares squares_;
+};
+
+}  // namespace
+
+TEST_CASE("strips of the runtime between unlike sides grow at the rate of their eigenvalues") {
+    const StripOf81 smallest(1, 0);
+    smallest.check_opposite_like(0.9);
+    for (const double of_longest : {0.2, 0.9}) {
+        smallest.check_opposite_fixed(of_longest);
+        smallest.check_opposite_free(of_longest);
+    }
+}
+
+// Stabilised nodes have a free side whose forces reach farther; delta = 2 has layers that no node
+// of the outermost one knows.
+TEST_CASE("so do stabilised strips beside a free side, and those of a larger radius") {
+    StripOf81(1, 0.1).check_opposite_free(0.9);
+    const StripOf81 larger(4, 0);
+    larger.check_opposite_like(0.9);
+    larger.check_opposite_free(0.9);
+    StripOf81(4, 0.5).check_opposite_free(0.9);
 }
 
 TEST_CASE("with the tau that ends its growth in boxes (81) does not grow") {

@@ -19,11 +19,11 @@ using namespace nmbcgen::test;
 namespace {
 
 constexpr std::size_t layers = 20;
-constexpr std::size_t wave_numbers = 40;
 constexpr double strip_roundings = 1e-11;
 
 double growth(const PlaneLattice& lattice, const SideCondition& condition) {
-    return paper_time_unit * largest_growth_in_strip(lattice, condition, layers, wave_numbers);
+    return paper_time_unit *
+           growth_in_strips(lattice, condition, always(condition), std::array{layers}, 0);
 }
 
 }  // namespace
@@ -118,8 +118,8 @@ TEST_CASE(
 TEST_CASE("without decay a product of two factors has a state that grows like t, with it none") {
     const PlaneLattice lattice = lattice_of_paper(1, 1);
     const auto largest = [&](double shift) {
-        return largest_growth_in_strip(lattice, higdon_condition(lattice, shift), layers,
-                                       wave_numbers);
+        const SideCondition condition = higdon_condition(lattice, shift);
+        return growth_in_strips(lattice, condition, always(condition), std::array{layers}, 0);
     };
     constexpr double of_a_double_root = 1e-6;  // about the root of its roundings
     CHECK(std::abs(largest(0)) < of_a_double_root);
