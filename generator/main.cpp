@@ -188,7 +188,12 @@ int run(const Request& request) {
             print(reflection_csv(derive(request.specification), request.samples));
             return done;
         case Action::prove:
-            print_with_progress(std::bind_front(proof_text, request.specification, request.proof));
+            if (request.as_json) {
+                print_with_progress(std::bind_front(proof_json, request.specification));
+            } else {
+                print_with_progress(
+                    std::bind_front(proof_text, request.specification, request.proof));
+            }
             return done;
         case Action::bonds:
             print_as(request.as_json, bonds_json, bonds_text, request.bonds);

@@ -101,11 +101,6 @@ Rational parse_element_length(const std::string& text) {
     return parse_short_number(text, Rational(1, 4), 4);
 }
 
-void add_format(CLI::App& command, Request& request) {
-    add_parsed(command, "--format", request.as_json, parse_is_json, "text or json (default text)");
-    command.add_flag("--stdout", request.to_stdout, "print it, as is done in any case");
-}
-
 /// Of summation by parts.
 std::vector<Rational> parts_weights(const WeightChoice& choice, unsigned horizon) {
     if (std::ranges::any_of(choice.values, [](const Rational& weight) { return weight < 0; })) {
@@ -120,6 +115,13 @@ std::vector<Rational> parts_weights(const WeightChoice& choice, unsigned horizon
 }
 
 }  // namespace
+
+CLI::Option* add_format(CLI::App& command, Request& request) {
+    auto* const format = add_parsed(command, "--format", request.as_json, parse_is_json,
+                                    "text or json (default text)");
+    command.add_flag("--stdout", request.to_stdout, "print it, as is done in any case");
+    return format;
+}
 
 CLI::App* add_bonds(CLI::App& app, Request& request) {
     auto* const bonds = app.add_subcommand("bonds",

@@ -9,6 +9,9 @@
 
 namespace nmbcgen {
 
+/// --format, and --stdout.
+CLI::Option* add_format(CLI::App& command, Request& request);
+
 CLI::App* add_bonds(CLI::App& app, Request& request);
 CLI::App* add_closure(CLI::App& app, Request& request);
 CLI::App* add_coupling(CLI::App& app, Request& request);

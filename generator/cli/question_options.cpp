@@ -5,6 +5,7 @@
 #include "generator/cli/model_options.hpp"
 #include "generator/cli/option_values.hpp"
 #include "generator/cli/parsed_option.hpp"
+#include "generator/cli/print_options.hpp"
 #include "generator/cli/whole_number.hpp"
 #include "generator/exact/rational.hpp"
 
@@ -37,6 +38,7 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
     add_parsed(*prove, "--finest", request.proof.finest, parse_fraction,
                "do not halve intervals of G below this (default: a thousandth of the window)")
         ->excludes(options.G);
+    add_format(*prove, request)->needs(options.G);
     return prove;
 }
 

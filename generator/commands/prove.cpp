@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "generator/emit/certificate_json.hpp"
 #include "generator/emit/formula.hpp"
 #include "generator/enclosures/prove.hpp"
 #include "generator/exact/algebraic_number.hpp"
@@ -15,12 +17,13 @@
 #include "generator/exact/rounded_text.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/certify.hpp"
-#include "generator/stability/discrete.hpp"
 #include "generator/stability/modal.hpp"
 #include "generator/stability/step_edges.hpp"
 
 namespace nmbcgen {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr double farthest = 8;  ///< from the low end of a window that has no high one
 
@@ -45,24 +48,46 @@ std::string half_step_squared(const AlgebraicNumber& square) {
                                            nearest_double(square), degree);
 }
 
+constexpr double edges_sampled_to = 1e-9;
+
+bool is_of_lattice(const StepEdge& edge) {
+    return edge.cfl > 1 - edges_sampled_to;
+}
+
 /// Where the steps of a grade end, a line of its own; nothing where there are none.
-std::string edge_line(const HalfSpace& half_space, Grade grade) {
-    const auto edge = step_edge(half_space, grade);
+std::string edge_line(const std::optional<StepEdge>& edge) {
     if (!edge) {
         return "";
     }
-    constexpr double sampled_to = 1e-9;
-    if (edge->cfl > 1 - sampled_to) {
+    if (is_of_lattice(*edge)) {
         return fmt::format("{:<12} edge: cfl 1, the lattice's own\n", "");
     }
     const auto* critical = std::get_if<AlgebraicNumber>(&edge->where);
     const std::string where =
         rounded_down(edge->cfl, 9) + (critical != nullptr
                                           ? ", critical: (dt/2)^2 " + half_step_squared(*critical)
-                                          : fmt::format(", sampled to {:g}", sampled_to));
+                                          : fmt::format(", sampled to {:g}", edges_sampled_to));
     const std::string why =
         edge->beyond == Failure::none ? "" : fmt::format("; beyond it: {}", name_of(edge->beyond));
     return fmt::format("{:<12} edge: cfl {}{}\n", "", where, why);
+}
+
+Json edge_object(const std::optional<StepEdge>& edge) {
+    if (!edge) {
+        return nullptr;
+    }
+    if (is_of_lattice(*edge)) {
+        return {{"kind", "lattice"}, {"cfl", 1.0}};
+    }
+    const Json beyond = edge->beyond == Failure::none ? Json() : Json(name_of(edge->beyond));
+    if (const auto* critical = std::get_if<AlgebraicNumber>(&edge->where)) {
+        return {{"kind", "critical"},
+                {"cfl", edge->cfl},
+                {"half_step_squared", number_object(*critical)},
+                {"beyond", beyond}};
+    }
+    const auto [low, high] = std::get<CflBracket>(edge->where);
+    return {{"kind", "sampled"}, {"cfl", low}, {"bracket", {low, high}}, {"beyond", beyond}};
 }
 
 std::string heading(const Specification& what, const Table& table) {
@@ -102,6 +127,10 @@ std::string at_one_G(const Specification& what, const Table& table, const Prover
         has_stabilisation(table.model) ? fmt::format("G = {}", to_string(G)) : "at every G";
     const nmbc::Window about = window_about(G);
     const HalfSpace half_space = make_half_space(derive(what), G);  // or there is none
+    std::optional<StepEdges> edges;
+    if (own_step(what) == 0) {
+        edges.emplace(half_space);
+    }
     std::string text = heading(what, table);
     const auto in_one_step = [&](Grade grade) {
         return fmt::format(
@@ -113,7 +142,7 @@ std::string at_one_G(const Specification& what, const Table& table, const Prover
     };
     const auto in_all_steps = [&](Grade grade) {
         const double proved = prover.largest_cfl(about, grade);
-        const double sampled = stable_range(half_space, grade).largest;
+        const double sampled = edges->range(grade).largest;
         return fmt::format("{}; sampled: {}",
                            proved < 0   ? "nothing proved"
                            : proved > 0 ? fmt::format("proved {}", in_steps(proved))
@@ -126,8 +155,8 @@ std::string at_one_G(const Specification& what, const Table& table, const Prover
          {std::pair("paired", Grade::paired), std::pair("contractive", Grade::contractive)}) {
         progress(done++, 2);
         text += fmt::format("{:<12} {}: {}\n", name, place,
-                            own_step(what) > 0 ? in_one_step(grade) : in_all_steps(grade));
-        text += own_step(what) > 0 ? "" : edge_line(half_space, grade);
+                            edges ? in_all_steps(grade) : in_one_step(grade));
+        text += edges ? edge_line(edges->edge(grade)) : "";
     }
     return text;
 }
@@ -185,6 +214,39 @@ std::string proof_text(const Specification& what, const ProofTask& task, const P
         }
     }
     return text;
+}
+
+std::string proof_json(const Specification& what, const Progress& progress) {
+    Specification open = what;
+    open.stabilisation.reset();
+    const Prover prover = prover_of(derive(open));
+    const Rational& G = *what.stabilisation;
+    const nmbc::Window about = window_about(G);
+    const HalfSpace half_space = make_half_space(derive(what), G);  // or there is none
+    std::optional<StepEdges> edges;
+    if (own_step(what) == 0) {
+        edges.emplace(half_space);
+    }
+    const auto object_of = [&](Grade grade) -> Json {
+        if (!edges) {
+            return {{"proved", prover.holds_in_step(about, own_step(what), grade)},
+                    {"sampled", stability_grade(stepped(half_space, own_step(what))) >= grade}};
+        }
+        const double proved = prover.largest_cfl(about, grade);
+        return {{"proved_cfl", proved < 0 ? Json() : Json(proved)},
+                {"sampled_cfl", edges->range(grade).largest},
+                {"edge", edge_object(edges->edge(grade))}};
+    };
+    Json object = {{"order", what.order},
+                   {"horizon", what.horizon},
+                   {"stride", what.stride},
+                   {"G", to_string(G)},
+                   {"time_step", to_string(what.time_step)}};
+    progress(0, 2);
+    object["paired"] = object_of(Grade::paired);
+    progress(1, 2);
+    object["contractive"] = object_of(Grade::contractive);
+    return object.dump(2) + "\n";
 }
 
 }  // namespace nmbcgen

@@ -25,4 +25,7 @@ struct NotProvable : std::runtime_error {
 /// Throws NotProvable.
 std::string proof_text(const Specification& what, const ProofTask& task, const Progress& progress);
 
+/// The same of one G, which is given, as an object (docs/reference/json-other.md).
+std::string proof_json(const Specification& what, const Progress& progress);
+
 }  // namespace nmbcgen

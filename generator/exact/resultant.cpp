@@ -28,15 +28,6 @@ std::size_t largest_degree(const Coefficients& f) {
     return degree;
 }
 
-/// The polynomial in w at one G.
-Polynomial at(const Coefficients& f, const Rational& G) {
-    std::vector<Rational> values;
-    for (const Polynomial& coefficient : f) {
-        values.push_back(evaluate(coefficient, G));
-    }
-    return {std::move(values)};
-}
-
 /// The resultant of two polynomials over Z, neither of them zero, by the subresultant algorithm:
 /// Euclid's with every remainder divided by the factor it is known to have (Cohen, A Course in
 /// Computational Algebraic Number Theory, algorithm 3.3.7).
@@ -111,8 +102,8 @@ Polynomial resultant(const std::vector<Polynomial>& f, const std::vector<Polynom
     std::vector<Integer> points;
     std::vector<Rational> values;
     for (Integer point = 0; points.size() <= degree; point = point > 0 ? -point : 1 - point) {
-        const Polynomial f_there = at(F, Rational(point));
-        const Polynomial h_there = at(H, Rational(point));
+        const Polynomial f_there = at_parameter(F, Rational(point));
+        const Polynomial h_there = at_parameter(H, Rational(point));
         // Where a leading coefficient vanishes, the resultant of the values is another one.
         if (f_there.size() == F.size() && h_there.size() == H.size()) {
             points.push_back(point);
@@ -130,6 +121,22 @@ Polynomial discriminant(const std::vector<Polynomial>& f) {
     const std::size_t degree = F.size() - 1;
     const Polynomial quotient = resultant(F, derivative(F)) / F.back();
     return degree * (degree - 1) / 2 % 2 == 0 ? quotient : -quotient;
+}
+
+std::vector<Polynomial> free_of_parameter(const Polynomial& in_w) {
+    std::vector<Polynomial> found;
+    for (const Rational& coefficient : in_w.data()) {
+        found.push_back(constant(coefficient));
+    }
+    return found;
+}
+
+Polynomial at_parameter(const std::vector<Polynomial>& in_w, const Rational& G) {
+    std::vector<Rational> values;
+    for (const Polynomial& coefficient : in_w) {
+        values.push_back(evaluate(coefficient, G));
+    }
+    return Polynomial(std::move(values));
 }
 
 }  // namespace nmbcgen

@@ -25,6 +25,12 @@ Polynomial resultant(const std::vector<Polynomial>& f, const std::vector<Polynom
 /// The polynomial of degree < number of points with the given values at them.
 Polynomial interpolate(const std::vector<Integer>& points, std::vector<Rational> values);
 
+/// A polynomial in w over Q, its coefficients as constants of Q[G].
+std::vector<Polynomial> free_of_parameter(const Polynomial& in_w);
+
+/// A polynomial in w at one G.
+Polynomial at_parameter(const std::vector<Polynomial>& in_w, const Rational& G);
+
 /// (-1)^(m(m-1)/2) resultant(f, df/dw)/a = a^(2m-2) prod_(i<k) (alpha_i - alpha_k)^2: zero where
 /// and only where f has a multiple factor of degree > 0 in w. 1 at degree 1.
 /// Throws std::domain_error where f is zero or constant in w.

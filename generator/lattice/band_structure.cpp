@@ -35,22 +35,6 @@ Polynomial part(const InX& polynomial, std::size_t power) {
     return Polynomial(std::move(coefficients));
 }
 
-InX free_of_G(const Polynomial& polynomial) {
-    InX result;
-    for (const Rational& coefficient : polynomial.data()) {
-        result.push_back(constant(coefficient));
-    }
-    return result;
-}
-
-Polynomial at_G(const InX& polynomial, const Rational& G) {
-    std::vector<Rational> values;
-    for (const Polynomial& coefficient : polynomial) {
-        values.push_back(evaluate(coefficient, G));
-    }
-    return Polynomial(std::move(values));
-}
-
 std::size_t zeros_in_band(const Polynomial& in_x) {
     return count_real_roots(in_x, -1, 1, Ends::open);
 }
@@ -70,16 +54,16 @@ std::vector<std::size_t> zeros_above(const std::vector<AlgebraicNumber>& critica
     for (std::size_t i = 0; i < critical.size(); ++i) {
         const Rational G = i + 1 < critical.size() ? rational_between(critical[i], critical[i + 1])
                                                    : rational_above(critical[i]);
-        zeros.push_back(zeros_in_band(at_G(H, G)));
+        zeros.push_back(zeros_in_band(at_parameter(H, G)));
     }
     return zeros;
 }
 
 /// The largest value of w(x) at the zeros of a polynomial in x.
 AlgebraicNumber largest_value(const Polynomial& w, const Polynomial& zeros) {
-    InX level = free_of_G(-w);  // W - w(x), the parameter being W
+    InX level = free_of_parameter(-w);  // W - w(x), the parameter being W
     level.front() += parameter();
-    return real_roots(resultant(free_of_G(zeros), level), 0).back();
+    return real_roots(resultant(free_of_parameter(zeros), level), 0).back();
 }
 
 /// The polynomial without the common factor of its coefficients, which are integer then, as is
@@ -140,7 +124,8 @@ BandStructure band_structure(const Model& model, unsigned horizon) {
     require((part(omega_squared, 0) % still).is_zero(),
             "at an extremum that does not move, omega^2 is not a multiple of G");
 
-    const InX H = plus(free_of_G(part(slope, 0) / F), free_of_G(part(slope, 1) / F), parameter());
+    const InX H = plus(free_of_parameter(part(slope, 0) / F), free_of_parameter(part(slope, 1) / F),
+                       parameter());
     const std::vector<AlgebraicNumber> critical = critical_values(H);
     std::vector<std::size_t> moving = zeros_above(critical, H);
     require(moving.back() == 0, "some extrema move at every large G");

@@ -19,14 +19,6 @@ namespace {
 /// Ascending in w, coefficients in Q[T], T = (dt/2)^2.
 using InW = std::vector<Polynomial>;
 
-InW constant_in_T(const Polynomial& in_w) {
-    InW found;
-    for (const Rational& coefficient : in_w.data()) {
-        found.push_back(constant(coefficient));
-    }
-    return found;
-}
-
 /// constant + T * slope
 InW affine(const Polynomial& constant, const Polynomial& slope) {
     InW found;
@@ -64,14 +56,11 @@ Polynomial modes_of_one_frequency(const HalfSpace& h) {
     std::vector<Integer> points;
     std::vector<Rational> values;
     for (Integer T = 1; points.size() <= h.reach() * (2 * count - 2); ++T) {
-        InW there;
-        for (const Polynomial& coefficient : modes) {
-            there.push_back(constant(evaluate(coefficient, Rational(T))));
-        }
-        const Polynomial N = resultant(there, apart);
-        if (!there.back().is_zero() && N.size() == count + 1) {
+        const Polynomial there = at_parameter(modes, Rational(T));
+        const Polynomial N = resultant(free_of_parameter(there), apart);
+        if (there.size() == modes.size() && N.size() == count + 1) {
             points.push_back(T);
-            const Polynomial square = discriminant(constant_in_T(N));
+            const Polynomial square = discriminant(free_of_parameter(N));
             values.push_back(square.is_zero() ? Rational(0) : square[0]);
         }
     }
@@ -80,7 +69,7 @@ Polynomial modes_of_one_frequency(const HalfSpace& h) {
 
 /// (1-w)^{r+1} times the slope of omega^2
 InW slope_of(const HalfSpace& h) {
-    const InW L = constant_in_T(h.L);
+    const InW L = free_of_parameter(h.L);
     InW slope =
         plus(times(derivative(L), {constant(-1), constant(1)}), L, constant(-Rational(h.reach())));
     trim(slope);
@@ -112,84 +101,6 @@ double cfl_at(const AlgebraicNumber& square, double top) {
     return top * std::sqrt(nearest_double(square)) * (1 - 1e-15);
 }
 
-/// Bisection of the grade in cfl.
-class EdgeSearch {
-  public:
-    EdgeSearch(const HalfSpace& half_space, Grade least)
-        : half_space_(half_space),
-          least_(least),
-          grades_(half_space),
-          top_(grades_.maximum_frequency()),
-          critical_(critical_steps(half_space)) {}
-
-    std::optional<StepEdge> edge() {
-        const auto [from, stable] = stable_range(grades_, least_);
-        if (stable == 0) {
-            return std::nullopt;
-        }
-        double low = from;
-        double high = std::min(1.0, stable + 0.01);
-        for (const double cfl : middles_between(from, stable)) {
-            if (!holds(cfl)) {
-                high = cfl;
-                break;
-            }
-            low = cfl;
-        }
-        low = high > stable ? stable : low;
-        constexpr double width = 1e-9;
-        while (high - low > width) {
-            const double middle = low + (high - low) / 2;
-            (holds(middle) ? low : high) = middle;
-        }
-        return described(low, high);
-    }
-
-  private:
-    bool holds(double cfl) { return cfl < 1 && grades_.in(2 * cfl / top_) >= least_; }
-
-    /// One cfl in each piece between critical steps that lies between.
-    std::vector<double> middles_between(double from, double to) const {
-        std::vector<double> found;
-        double before = from;
-        for (const AlgebraicNumber& square : critical_) {
-            const double at = cfl_at(square, top_);
-            if (from < at && at < to) {
-                found.push_back((before + at) / 2);
-                before = at;
-            }
-        }
-        return found;
-    }
-
-    StepEdge described(double low, double high) const {
-        constexpr double near = 1e-6;
-        constexpr double indistinct = 1e-4;
-        StepEdge edge{.where = CflBracket{low, high}, .cfl = low};
-        double distance = HUGE_VAL;
-        for (const AlgebraicNumber& square : critical_) {
-            const double at = cfl_at(square, top_);
-            if (low - indistinct <= at && at <= high + near && std::abs(at - low) < distance) {
-                distance = std::abs(at - low);
-                edge.where = square;
-                edge.cfl = at;
-            }
-        }
-        const double farther = std::min(1e-4, (1 - high) / 2);
-        if (farther > 0) {
-            edge.beyond =
-                failure_of(modal_verdict(stepped(half_space_, 2 * (high + farther) / top_)));
-        }
-        return edge;
-    }
-
-    const HalfSpace& half_space_;
-    Grade least_;
-    StepGrades grades_;
-    double top_;
-    std::vector<AlgebraicNumber> critical_;
-};
-
 }  // namespace
 
 std::vector<AlgebraicNumber> critical_steps(const HalfSpace& h) {
@@ -206,21 +117,85 @@ std::vector<AlgebraicNumber> critical_steps(const HalfSpace& h) {
         polynomials.push_back(resultant(slowed, slope));
     }
     if (h.E.size() > 1) {
-        polynomials.push_back(resultant(slowed, constant_in_T(h.E)));
+        polynomials.push_back(resultant(slowed, free_of_parameter(h.E)));
     }
     // Of larger ones the roots take ten seconds and more.
     constexpr std::size_t largest = 90;
     if (h.reach() * (modes.size() - 1) <= largest) {
         polynomials.push_back(modes_of_one_frequency(h));
         for (const Polynomial& waves : waves_of_extrema(h)) {
-            polynomials.push_back(resultant(modes, constant_in_T(waves)));
+            polynomials.push_back(resultant(modes, free_of_parameter(waves)));
         }
     }
     return positive_roots(std::move(polynomials));
 }
 
-std::optional<StepEdge> step_edge(const HalfSpace& half_space, Grade least) {
-    return EdgeSearch(half_space, least).edge();
+StepEdges::StepEdges(const HalfSpace& half_space)
+    : half_space_(half_space),
+      grades_(half_space),
+      top_(grades_.maximum_frequency()),
+      critical_(critical_steps(half_space)) {}
+
+StepRange StepEdges::range(Grade least) {
+    return stable_range(grades_, least);
+}
+
+std::optional<StepEdge> StepEdges::edge(Grade least) {
+    const auto [from, stable] = range(least);
+    if (stable == 0) {
+        return std::nullopt;
+    }
+    const auto holds = [&](double cfl) { return cfl < 1 && grades_.in(2 * cfl / top_) >= least; };
+    double low = from;
+    double high = std::min(1.0, stable + 0.01);
+    for (const double cfl : middles_between(from, stable)) {
+        if (!holds(cfl)) {
+            high = cfl;
+            break;
+        }
+        low = cfl;
+    }
+    low = high > stable ? stable : low;
+    constexpr double width = 1e-9;
+    while (high - low > width) {
+        const double middle = low + (high - low) / 2;
+        (holds(middle) ? low : high) = middle;
+    }
+    return described(low, high);
+}
+
+/// One cfl in each piece between critical steps that lies between.
+std::vector<double> StepEdges::middles_between(double from, double to) const {
+    std::vector<double> found;
+    double before = from;
+    for (const AlgebraicNumber& square : critical_) {
+        const double at = cfl_at(square, top_);
+        if (from < at && at < to) {
+            found.push_back((before + at) / 2);
+            before = at;
+        }
+    }
+    return found;
+}
+
+StepEdge StepEdges::described(double low, double high) const {
+    constexpr double near = 1e-6;
+    constexpr double indistinct = 1e-4;
+    StepEdge edge{.where = CflBracket{low, high}, .cfl = low};
+    double distance = HUGE_VAL;
+    for (const AlgebraicNumber& square : critical_) {
+        const double at = cfl_at(square, top_);
+        if (low - indistinct <= at && at <= high + near && std::abs(at - low) < distance) {
+            distance = std::abs(at - low);
+            edge.where = square;
+            edge.cfl = at;
+        }
+    }
+    const double farther = std::min(1e-4, (1 - high) / 2);
+    if (farther > 0) {
+        edge.beyond = failure_of(modal_verdict(stepped(half_space_, 2 * (high + farther) / top_)));
+    }
+    return edge;
 }
 
 }  // namespace nmbcgen

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-/// Where the certified steps at one exact G end, exactly: an algebraic number.
+/// Where the certified steps at one exact G end: the algebraic number next to the sampled edge.
 #pragma once
 
 #include <optional>
 #include <variant>
 #include <vector>
 
-#include "generator/stability/step_grades.hpp"
+#include "generator/stability/discrete.hpp"
 #include "generator/table/algebraic.hpp"
 
 namespace nmbcgen {
@@ -37,10 +37,28 @@ struct StepEdge {
     Failure beyond = Failure::none;                   ///< none: of a lower grade
 };
 
-/// The upper end of the first unbroken run of steps of at least this grade of an undamped half
-/// space; none where there are no such steps. The grade is sampled in the middle between any two
-/// critical steps below, and every 0.05 of cfl, then bisected; the edge is the critical step within
-/// 1e-6 of cfl, or one less by up to 1e-4, where what is amplified cannot be told from 1.
-std::optional<StepEdge> step_edge(const HalfSpace& half_space, Grade least);
+/// Of an undamped half space.
+class StepEdges {
+  public:
+    explicit StepEdges(const HalfSpace& half_space);
+
+    /// stable_range()
+    StepRange range(Grade least);
+
+    /// The upper end of the first unbroken run of steps of at least this grade; none where there
+    /// are no such steps. The grade is sampled in the middle between any two critical steps below,
+    /// and every 0.05 of cfl, then bisected; the edge is the critical step within 1e-6 of cfl, or
+    /// one less by up to 1e-4, where what is amplified cannot be told from 1.
+    std::optional<StepEdge> edge(Grade least);
+
+  private:
+    std::vector<double> middles_between(double from, double to) const;
+    StepEdge described(double low, double high) const;
+
+    HalfSpace half_space_;
+    StepGrades grades_;
+    double top_;  ///< omega_max [c/dX]
+    std::vector<AlgebraicNumber> critical_;
+};
 
 }  // namespace nmbcgen

@@ -11,6 +11,24 @@ expect "both grades to the sampled step" test "$(grep -c \
     'G = 1/2: proved in every step up to cfl 0.7; sampled: cfl 0.70' "$scratch/stdout")" -eq 2
 expect "where its steps end" test "$(grep -cF \
     'edge: cfl 0.707106781, critical: (dt/2)^2 = 1/8 = 0.125; beyond it: growing boundary mode' "$scratch/stdout")" -eq 2
+try prove --order 2 --horizon 1 --G 1/2 --format json
+expect_exit 0
+expect "fields" python3 - "$scratch/stdout" <<'PYTHON'
+import json, sys
+found = json.load(open(sys.argv[1]))
+for grade in "paired", "contractive":
+    assert found[grade]["proved_cfl"] == found[grade]["sampled_cfl"] == 0.7, found
+    edge = found[grade]["edge"]
+    assert edge["kind"] == "critical" and edge["half_step_squared"]["exact"] == "1/8", edge
+    assert edge["beyond"] == "growing boundary mode", edge
+    assert edge["cfl"] < 0.5 ** 0.5 < edge["cfl"] + 1e-14, edge
+PYTHON
+try prove --order 1 --horizon 1 --G 0 --format json
+expect "no edge without steps" grep -qx '    "edge": null' "$scratch/stdout"
+try prove --order 1 --horizon 1 --G 1/2 --format json
+expect "the lattice's own" grep -qx '      "kind": "lattice",' "$scratch/stdout"
+try prove --order 2 --horizon 1 --time-step 1/2 --G 1/2 --format json
+expect "in its step" test "$(grep -cxE '    "(proved|sampled)": true,?' "$scratch/stdout")" -eq 4
 try prove --order 1 --horizon 2 --G 1
 expect "an edge of degree 3" grep -qF 'edge: cfl 0.825512078, critical: (dt/2)^2 = 0.' "$scratch/stdout"
 expect_stdout_line "NMBC1, stride 1, at horizon 2, G = 1"
@@ -55,7 +73,7 @@ for wrong in '--horizon 1' '--order 2' '--order 2 --horizon 1 --up-to 1' \
     '--order 2 --horizon 1 --up-to 0' '--order 2 --horizon 1 --finest x' \
     '--order 2 --horizon 1 --G 1 --up-to 0.5' '--order 2 --horizon 1 --damping 1/10' \
     '--order 2 --horizon 1 --time-step 1/2 --up-to 0.3' '--order 2 --horizon 1 --time-step -1' \
-    '--order 2 --horizon 1 --cfl 0.3' '--order 2 --horizon 1 --G -1'; do
+    '--order 2 --horizon 1 --format json' '--order 2 --horizon 1 --cfl 0.3' '--order 2 --horizon 1 --G -1'; do
     # shellcheck disable=SC2086  # words
     try prove $wrong
     expect_exit 2

@@ -50,7 +50,7 @@ TEST_CASE("steps of the chain of atoms end at rational (dt/2)^2") {
         CAPTURE(each.order);
         const HalfSpace h = half_space_of(1, each.order, 1, "1/2");
         for (const Grade grade : {Grade::paired, Grade::contractive}) {
-            const auto edge = step_edge(h, grade);
+            const auto edge = nmbcgen::StepEdges(h).edge(grade);
             REQUIRE(edge.has_value());
             const auto* exact = std::get_if<AlgebraicNumber>(&edge->where);
             REQUIRE(exact != nullptr);
@@ -76,7 +76,8 @@ TEST_CASE("edges of several waves are algebraic, of any degree") {
           Case{2, 2, 2, "1", 0.750171109, 14}, Case{2, 3, 2, "1", 0.379908794, 22}}) {
         CAPTURE(each.order);
         const auto edge =
-            step_edge(half_space_of(each.horizon, each.order, each.stride, each.G), Grade::paired);
+            nmbcgen::StepEdges(half_space_of(each.horizon, each.order, each.stride, each.G))
+                .edge(Grade::paired);
         REQUIRE(edge.has_value());
         const auto* exact = std::get_if<AlgebraicNumber>(&edge->where);
         REQUIRE(exact != nullptr);
@@ -90,7 +91,7 @@ TEST_CASE("edges of several waves are algebraic, of any degree") {
 TEST_CASE("chains grow beyond an edge at once, and below it they do not") {
     for (const HalfSpace& h : {half_space_of(1, 2, 1, "1/2"), half_space_of(1, 3, 1, "1/2"),
                                half_space_of(2, 2, 2, "1"), half_space_of(2, 3, 2, "1")}) {
-        const auto edge = step_edge(h, Grade::paired);
+        const auto edge = nmbcgen::StepEdges(h).edge(Grade::paired);
         REQUIRE(edge.has_value());
         CHECK(edge->beyond == Failure::growing_mode);
         constexpr double near = 1e-4;
@@ -104,7 +105,7 @@ TEST_CASE("chains grow beyond an edge at once, and below it they do not") {
 TEST_CASE("an edge in the midst of the band is a bracket") {
     // paired to 0.617.., contractive to 0.464..
     const HalfSpace h = half_space_of(3, 2, 3, "27/7");
-    const auto edge = step_edge(h, Grade::contractive);
+    const auto edge = nmbcgen::StepEdges(h).edge(Grade::contractive);
     REQUIRE(edge.has_value());
     const auto* bracket = std::get_if<CflBracket>(&edge->where);
     REQUIRE(bracket != nullptr);
@@ -112,7 +113,7 @@ TEST_CASE("an edge in the midst of the band is a bracket") {
     CHECK(edge->cfl == bracket->low);
     CHECK(edge->cfl == doctest::Approx(0.464221137).epsilon(1e-8));
     CHECK(edge->beyond == Failure::none);  // paired goes on
-    CHECK(!step_edge(half_space_of(2, 1, 1, "1"), Grade::contractive).has_value());
+    CHECK(!nmbcgen::StepEdges(half_space_of(2, 1, 1, "1")).edge(Grade::contractive).has_value());
 }
 
 }  // namespace
