@@ -12,7 +12,8 @@
 namespace nmbcgen {
 
 /// wave_at(); none where the wave cannot be told from others.
-std::optional<ArrivingWave> told_wave(const PlaneLattice& lattice, bool is_P, double xi, double degrees);
+std::optional<ArrivingWave> told_wave(const PlaneLattice& lattice, bool is_P, double xi,
+                                      double degrees);
 
 /// passive_side(). Throws NoSuchBoundary where no design is found.
 DesignedSide designed(const SideTask& model, const DesignProgress& progress = {});
