@@ -133,6 +133,7 @@ std::vector<Polynomial> free_of_parameter(const Polynomial& in_w) {
 
 Polynomial at_parameter(const std::vector<Polynomial>& in_w, const Rational& G) {
     std::vector<Rational> values;
+    values.reserve(in_w.size());
     for (const Polynomial& coefficient : in_w) {
         values.push_back(evaluate(coefficient, G));
     }

@@ -318,11 +318,12 @@ TEST_CASE("waves that meet at an extremum are contractive up to where sigma_max 
         unsigned horizon, order, stride;
         double end;
     };
-    for (const auto& [horizon, order, stride, end] :
+    for (const Condition& condition :
          {Condition{2, 3, 1, 1.8866070877}, Condition{2, 2, 4, 0.1866286775},
           Condition{3, 1, 3, 11.1363908749}, Condition{3, 2, 3, 4.0265227645}}) {
-        CAPTURE(horizon);
-        CAPTURE(order);
+        CAPTURE(condition.horizon);
+        CAPTURE(condition.order);
+        const auto& [horizon, order, stride, end] = condition;
         const Table table = nmbcgen::derive({"nopd1d", horizon, order, stride, std::nullopt});
         const auto grade_at = [&](double G) {
             return nmbcgen::stability_grade(nmbcgen::make_half_space(table, Rational(G)));

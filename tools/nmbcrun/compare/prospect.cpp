@@ -286,6 +286,15 @@ bool is_known(double energy) {
     return energy > least && std::isfinite(energy);
 }
 
+/// Of the ends, where it is not.
+std::string of_unknown_energy(const Scene& scene) {
+    return is_physical(scene.left.kind) && is_physical(scene.right.kind)
+               ? ""
+               : "nothing is predicted: the energy that the sources send out is 0, or too little "
+                 "or "
+                 "too much for doubles";
+}
+
 }  // namespace
 
 Prospect prospect_of(const Simulation& simulation) {
@@ -296,10 +305,7 @@ Prospect prospect_of(const Simulation& simulation) {
     Prospect prospect;
     const double sent = energy_of(sources);
     if (!sources.empty() && !is_known(sent)) {
-        prospect.ends = is_physical(scene.left.kind) && is_physical(scene.right.kind)
-                            ? ""
-                            : "nothing is predicted: the energy that the sources send out is 0, "
-                              "or too little or too much for doubles";
+        prospect.ends = of_unknown_energy(scene);
         return prospect;
     }
     prospect.warnings = warnings_of(simulation, sources, step);
