@@ -57,7 +57,8 @@ struct Loaded {
     const char* beside;
 };
 
-TEST_CASE("the work of a load on a closed side is what the ledger says") {
+TEST_CASE("the work of a load on a closed side is what the ledger says" *
+          doctest::test_suite("long")) {
     for (const Loaded& one :
          {Loaded{model_of_radius(1), "sbp", "passive"},
           Loaded{model_of_radius(2), "sbp", "passive"}, Loaded{model_of_radius(1), "sbp", "sponge"},

@@ -153,7 +153,7 @@ TEST_CASE("a plane that goes on from a state does so bit for bit") {
     CHECK_THROWS_AS(larger.resume(plane.state()), std::invalid_argument);
 }
 
-TEST_CASE("a longest step is that of the body with its sides") {
+TEST_CASE("a longest step is that of the body with its sides" * doctest::test_suite("long")) {
     const PassiveSide passive = some_passive_side(0);
     const PlaneSide free = FreeSide{};
     const PlaneSide periodic = PeriodicSide{};

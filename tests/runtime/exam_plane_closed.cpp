@@ -169,7 +169,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("closed, free and passive sides in one box: what is left and what has gone out is all") {
+TEST_CASE("closed, free and passive sides in one box: what is left and what has gone out is all" *
+          doctest::test_suite("long")) {
     for (const unsigned radius_squared : {2U, 4U, 9U, 10U}) {
         for (const double G : {0.0, 0.5}) {
             CAPTURE(radius_squared);

@@ -74,7 +74,8 @@ TEST_CASE("waves of a damped plane go as the polynomial of their step says") {
     }
 }
 
-TEST_CASE("the ledger of a damped plane closes, and steps up to the longest one lose energy") {
+TEST_CASE("the ledger of a damped plane closes, and steps up to the longest one lose energy" *
+          doctest::test_suite("long")) {
     const PlaneSide periodic = PeriodicSide{};
     const PlaneSide passive = some_passive_side(0);
     for (const PlaneSides& sides :

@@ -151,7 +151,8 @@ TEST_CASE("head-on it is the layer of first order of the chain") {
     }
 }
 
-TEST_CASE("from random data nothing grows at G = 1/4 and 1, nearly at the interior's limit") {
+TEST_CASE("from random data nothing grows at G = 1/4 and 1, nearly at the interior's limit" *
+          doctest::test_suite("long")) {
     for (const unsigned radius_squared : {1U, 2U, 4U, 5U, 8U, 9U}) {
         for (const double G : {0.25, 1.0}) {
             for (const double target : {1e-2, 1e-8}) {
