@@ -162,11 +162,14 @@ void settle_side(Request& request, const VectorFamily& family, const VectorChoic
                                                largest_side_radius_squared));
     }
     for (const Polarisation polarisation : {Polarisation::P, Polarisation::S}) {
-        require_model(blamed_for_waves(family, choice, polarisation, blamed), [&] {
+        try {
             projected_model({.family = std::string(family.name),
                              .model = choice,
                              .polarisation = polarisation});
-        });
+        } catch (const NoSuchModel& reason) {
+            throw CLI::ValidationError(blamed_for_waves(family, choice, polarisation, blamed),
+                                       reason.what());
+        }
     }
     if (family.at_edge != nullptr &&
         std::ranges::any_of(choice.weights, [](const Rational& w) { return w < 0; })) {

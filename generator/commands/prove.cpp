@@ -120,43 +120,67 @@ Prover prover_of(const Table& table) {
     }
 }
 
-std::string at_one_G(const Specification& what, const Table& table, const Prover& prover,
-                     const Progress& progress) {
-    const Rational& G = *what.stabilisation;
-    const std::string place =
-        has_stabilisation(table.model) ? fmt::format("G = {}", to_string(G)) : "at every G";
-    const nmbc::Window about = window_about(G);
-    const HalfSpace half_space = make_half_space(derive(what), G);  // or there is none
-    std::optional<StepEdges> edges;
-    if (own_step(what) == 0) {
-        edges.emplace(half_space);
+/// What is proved, and what is sampled, at one G: in the condition's own step, or in steps up to a
+/// largest one.
+class AtOneG {
+  public:
+    AtOneG(const Specification& what, const Table& table)
+        : prover_(prover_of(table)),
+          about_(window_about(*what.stabilisation)),
+          half_space_(make_half_space(derive(what), *what.stabilisation)),  // or there is none
+          own_step_(own_step(what)) {
+        if (own_step_ == 0) {
+            edges_.emplace(half_space_);
+        }
     }
+
+    bool is_stepped() const { return own_step_ > 0; }
+    bool holds(Grade grade) const { return prover_.holds_in_step(about_, own_step_, grade); }
+    bool is_sampled(Grade grade) const {
+        return stability_grade(stepped(half_space_, own_step_)) >= grade;
+    }
+
+    /// Below 0: of no step.
+    double proved_cfl(Grade grade) const { return prover_.largest_cfl(about_, grade); }
+    double sampled_cfl(Grade grade) { return edges_->range(grade).largest; }
+    std::optional<StepEdge> edge(Grade grade) { return edges_->edge(grade); }
+    const HalfSpace& half_space() const { return half_space_; }
+
+  private:
+    Prover prover_;
+    nmbc::Window about_;
+    HalfSpace half_space_;
+    double own_step_;
+    std::optional<StepEdges> edges_;
+};
+
+std::string at_one_G(const Specification& what, const Table& table, const Progress& progress) {
+    const std::string place = has_stabilisation(table.model)
+                                  ? fmt::format("G = {}", to_string(*what.stabilisation))
+                                  : "at every G";
+    AtOneG at(what, table);
     std::string text = heading(what, table);
     const auto in_one_step = [&](Grade grade) {
-        return fmt::format(
-            "{} {}; sampled: {}",
-            prover.holds_in_step(about, own_step(what), grade) ? "proved" : "not proved",
-            in_own_step(what),
-            stability_grade(stepped(half_space, own_step(what))) >= grade ? "stable"
-                                                                          : "not stable");
+        return fmt::format("{} {}; sampled: {}", at.holds(grade) ? "proved" : "not proved",
+                           in_own_step(what), at.is_sampled(grade) ? "stable" : "not stable");
     };
     const auto in_all_steps = [&](Grade grade) {
-        const double proved = prover.largest_cfl(about, grade);
-        const double sampled = edges->range(grade).largest;
+        const double proved = at.proved_cfl(grade);
+        const double sampled = at.sampled_cfl(grade);
         return fmt::format("{}; sampled: {}",
                            proved < 0   ? "nothing proved"
                            : proved > 0 ? fmt::format("proved {}", in_steps(proved))
                                         : "proved in continuous time alone",
                            sampled > 0 ? fmt::format("cfl {:.2f}", sampled)
-                                       : "none" + why_none(half_space, grade));
+                                       : "none" + why_none(at.half_space(), grade));
     };
     std::size_t done = 0;
     for (const auto& [name, grade] :
          {std::pair("paired", Grade::paired), std::pair("contractive", Grade::contractive)}) {
         progress(done++, 2);
         text += fmt::format("{:<12} {}: {}\n", name, place,
-                            edges ? in_all_steps(grade) : in_one_step(grade));
-        text += edges ? edge_line(edges->edge(grade)) : "";
+                            at.is_stepped() ? in_one_step(grade) : in_all_steps(grade));
+        text += at.is_stepped() ? "" : edge_line(at.edge(grade));
     }
     return text;
 }
@@ -191,10 +215,10 @@ std::string proof_text(const Specification& what, const ProofTask& task, const P
     Specification open = what;
     open.stabilisation.reset();
     const Table table = derive(open);
-    const Prover prover = prover_of(table);
     if (what.stabilisation) {
-        return at_one_G(what, table, prover, progress);
+        return at_one_G(what, table, progress);
     }
+    const Prover prover = prover_of(table);
     if (!has_stabilisation(table.model)) {
         throw NotProvable("no G in this model: prove it at --G 0");
     }
@@ -219,28 +243,20 @@ std::string proof_text(const Specification& what, const ProofTask& task, const P
 std::string proof_json(const Specification& what, const Progress& progress) {
     Specification open = what;
     open.stabilisation.reset();
-    const Prover prover = prover_of(derive(open));
-    const Rational& G = *what.stabilisation;
-    const nmbc::Window about = window_about(G);
-    const HalfSpace half_space = make_half_space(derive(what), G);  // or there is none
-    std::optional<StepEdges> edges;
-    if (own_step(what) == 0) {
-        edges.emplace(half_space);
-    }
+    AtOneG at(what, derive(open));
     const auto object_of = [&](Grade grade) -> Json {
-        if (!edges) {
-            return {{"proved", prover.holds_in_step(about, own_step(what), grade)},
-                    {"sampled", stability_grade(stepped(half_space, own_step(what))) >= grade}};
+        if (at.is_stepped()) {
+            return {{"proved", at.holds(grade)}, {"sampled", at.is_sampled(grade)}};
         }
-        const double proved = prover.largest_cfl(about, grade);
+        const double proved = at.proved_cfl(grade);
         return {{"proved_cfl", proved < 0 ? Json() : Json(proved)},
-                {"sampled_cfl", edges->range(grade).largest},
-                {"edge", edge_object(edges->edge(grade))}};
+                {"sampled_cfl", at.sampled_cfl(grade)},
+                {"edge", edge_object(at.edge(grade))}};
     };
     Json object = {{"order", what.order},
                    {"horizon", what.horizon},
                    {"stride", what.stride},
-                   {"G", to_string(G)},
+                   {"G", to_string(*what.stabilisation)},
                    {"time_step", to_string(what.time_step)}};
     progress(0, 2);
     object["paired"] = object_of(Grade::paired);

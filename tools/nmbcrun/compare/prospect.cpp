@@ -291,8 +291,7 @@ std::string of_unknown_energy(const Scene& scene) {
     return is_physical(scene.left.kind) && is_physical(scene.right.kind)
                ? ""
                : "nothing is predicted: the energy that the sources send out is 0, or too little "
-                 "or "
-                 "too much for doubles";
+                 "or too much for doubles";
 }
 
 }  // namespace

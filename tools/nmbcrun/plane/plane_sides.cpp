@@ -145,8 +145,8 @@ void require_proved(const PlaneScene& scene) {
         throw Unstable(
             "a lattice with bond weights below 0 has no passive side: cut off there, its energy is "
             "no sum of squares and it may explode, whatever boundary.allow_unstable says. Take a "
-            "set "
-            "above 0 (nmbcgen bonds --positive), or sides of the kinds sponge, extended, fixed or "
+            "set above 0 (nmbcgen bonds --positive), or sides of the kinds sponge, extended, fixed "
+            "or "
             "periodic");
     }
     if (scene.has(SideKind::free) && !scene.allow_unstable) {
