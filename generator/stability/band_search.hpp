@@ -26,7 +26,8 @@ inline constexpr double narrowest_piece = 1e-9;
 /// golden-section search around each sample that is higher than its neighbours. Pieces narrower
 /// than `narrowest_piece` of the highest frequency are skipped: waves so near an extremum of the
 /// band creep at 1e-6 of the wave speed, and their wave numbers cannot be told apart from
-/// roundings. The search ends at the first value above `enough`.
+/// roundings. The search ends at the first value above `enough`; a summit below a finite `enough`
+/// is not followed to its top.
 Peak largest_over_band(const std::vector<double>& frequencies,
                        const std::function<double(double)>& function,
                        double enough = std::numeric_limits<double>::infinity(),

@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 /// stencil is shorter x is so large that a difference would be 0.
 Complex inner_root(Complex x) {
     const Complex root = std::sqrt(x * x - 1.0);
-    return 1.0 / (std::abs(x + root) > 1 ? x + root : x - root);
+    return 1.0 / (std::norm(x + root) > 1 ? x + root : x - root);
 }
 
 /// Of k, |k| about 1, and 1/k the one that decays inwards when the wave grows in time. The
@@ -108,14 +108,6 @@ std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega,
 
 const Mode& least_fading(const std::vector<Mode>& modes) {
     return *std::ranges::max_element(modes, {}, [](const Mode& mode) { return std::abs(mode.k); });
-}
-
-const std::vector<Mode>& KnownModes::at(double omega) {
-    const auto [entry, is_new] = known_.try_emplace(omega);
-    if (is_new) {
-        entry->second = outgoing_modes(half_space_, omega);
-    }
-    return entry->second;
 }
 
 }  // namespace nmbcgen

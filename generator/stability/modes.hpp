@@ -4,7 +4,6 @@
 #pragma once
 
 #include <complex>
-#include <unordered_map>
 #include <vector>
 
 #include "generator/stability/half_space.hpp"
@@ -34,19 +33,5 @@ std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega,
 
 /// The one that decays least on its way, which brings most of what comes back.
 const Mode& least_fading(const std::vector<Mode>& modes);
-
-/// outgoing_modes() of one undamped lattice, each frequency's found once: time steps and boundary
-/// conditions change, the modes do not.
-class KnownModes {
-  public:
-    explicit KnownModes(const HalfSpace& half_space) : half_space_(half_space) {}
-
-    /// The reference holds as long as this object.
-    const std::vector<Mode>& at(double omega);
-
-  private:
-    const HalfSpace& half_space_;
-    std::unordered_map<double, std::vector<Mode>> known_;
-};
 
 }  // namespace nmbcgen

@@ -21,7 +21,7 @@ Complex polished(const std::vector<Scalar>& a, Complex x) {
     for (int i = 0; i < 3 && here.slope != 0.0; ++i) {
         const Complex next = x - here.value / here.slope;
         const ValueAndSlope<Complex> there = evaluate_with_slope(a, next);
-        if (std::abs(there.value) >= std::abs(here.value)) {
+        if (std::norm(there.value) >= std::norm(here.value)) {
             break;
         }
         x = next;

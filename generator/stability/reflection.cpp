@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "generator/dense/decompositions.hpp"
 
@@ -11,87 +12,89 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Delta(k) = sigma C(k) - B(k) at one frequency.
-class Residual {
-  public:
-    Residual(const HalfSpace& half_space, double omega)
-        : half_space_(half_space), sigma_(boundary_rate(half_space, omega)) {}
-
-    Complex operator()(Complex k) const {
-        const auto [C, B] = evaluate_condition(half_space_, k);
-        return sigma_ * C - B;
-    }
-
-  private:
-    const HalfSpace& half_space_;
-    Complex sigma_;
-};
+/// Delta(k) = sigma C(k) - B(k)
+Complex residual(CAndB at_k, Complex sigma) {
+    return sigma * at_k.C - at_k.B;
+}
 
 }  // namespace
 
-Reflection reflection(const HalfSpace& half_space, double omega) {
-    return reflection(half_space, omega, outgoing_modes(half_space, omega));
-}
-
-Reflection reflection(const HalfSpace& half_space, double omega, const std::vector<Mode>& out) {
-    Reflection result;
-    result.outgoing = out;
-    const auto all = Eigen::Index(out.size());
+ReflectionInSteps::ReflectionInSteps(const HalfSpace& half_space, std::vector<Mode> outgoing) {
+    const std::size_t all = outgoing.size();
     const auto travelling = half_space.is_damped()
                                 ? all
-                                : Eigen::Index(std::ranges::count_if(
-                                      out, [](const Mode& mode) { return mode.travels(); }));
-    result.amplitudes = Eigen::MatrixXcd(all, travelling);
-    result.matrix = Eigen::MatrixXcd(travelling, travelling);
-    const Residual residual(half_space, omega);
+                                : std::size_t(std::ranges::count_if(
+                                      outgoing, [](const Mode& mode) { return mode.travels(); }));
     std::vector<Complex> inverse;  // 1/k_l
-    inverse.reserve(out.size());
-    for (const Mode& mode : out) {
+    inverse.reserve(all);
+    for (const Mode& mode : outgoing) {
         inverse.push_back(1.0 / mode.k);
+        sent_.push_back(evaluate_condition(half_space, mode.k));
     }
     std::vector<Complex> apart;  // prod_{l != o} (1/k_o - 1/k_l)
-    for (std::size_t o = 0; o < out.size(); ++o) {
+    for (std::size_t o = 0; o < all; ++o) {
         Complex product = 1;
-        for (std::size_t l = 0; l < out.size(); ++l) {
+        for (std::size_t l = 0; l < all; ++l) {
             product *= l == o ? 1.0 : inverse[o] - inverse[l];
         }
         apart.push_back(product);
     }
     std::vector<Complex> from_images;  // prod_l (k_i - 1/k_l)
-    for (Eigen::Index i = 0; i < travelling; ++i) {
-        Complex product = 1;
-        for (const Complex other : inverse) {
-            product *= out[std::size_t(i)].k - other;
-        }
-        from_images.push_back(product);
-    }
     // d(omega^2)/d xi but for a factor of all, since omega^2(k) - omega^2 has the zeros k_l and
     // 1/k_l: of the same differences as the amplitudes. Where two waves meet, their roundings, of
     // which those differences consist, so leave no trace in sigma_max.
-    const auto flux_of = [&](std::size_t wave) {
-        return std::abs(apart[wave] * from_images[wave]);
-    };
-    for (Eigen::Index i = 0; i < travelling; ++i) {
-        const auto incident = std::size_t(i);
-        const Complex numerator = -residual(inverse[incident]) * from_images[incident];
-        for (std::size_t o = 0; o < out.size(); ++o) {
-            const Complex amplitude =
-                numerator / ((out[incident].k - inverse[o]) * (residual(out[o].k) * apart[o]));
-            const auto row = Eigen::Index(o);
-            result.amplitudes(row, i) = amplitude;
-            if (row < travelling) {
-                const double flux = half_space.is_damped() ? 1 : flux_of(o) / flux_of(incident);
-                result.matrix(row, i) = amplitude * std::sqrt(flux);
-            }
+    std::vector<double> fluxes;
+    for (std::size_t i = 0; i < travelling; ++i) {
+        Complex product = 1;
+        for (const Complex other : inverse) {
+            product *= outgoing[i].k - other;
+        }
+        from_images.push_back(product);
+        fluxes.push_back(half_space.is_damped() ? 1 : std::abs(apart[i] * product));
+        incident_.push_back(evaluate_condition(half_space, inverse[i]));
+    }
+    cauchy_.resize(Eigen::Index(all), Eigen::Index(travelling));
+    flux_ratios_.resize(Eigen::Index(travelling), Eigen::Index(travelling));
+    for (std::size_t i = 0; i < travelling; ++i) {
+        const auto column = Eigen::Index(i);
+        for (std::size_t o = 0; o < all; ++o) {
+            cauchy_(Eigen::Index(o), column) =
+                -from_images[i] / ((outgoing[i].k - inverse[o]) * apart[o]);
+        }
+        for (std::size_t o = 0; o < travelling; ++o) {
+            flux_ratios_(Eigen::Index(o), column) = std::sqrt(fluxes[o] / fluxes[i]);
         }
     }
-    return result;
+    reflection_.outgoing = std::move(outgoing);
+}
+
+const Reflection& ReflectionInSteps::at(Complex sigma) {
+    reflection_.amplitudes = cauchy_;
+    for (Eigen::Index o = 0; o < cauchy_.rows(); ++o) {
+        reflection_.amplitudes.row(o) /= residual(sent_[std::size_t(o)], sigma);
+    }
+    for (Eigen::Index i = 0; i < cauchy_.cols(); ++i) {
+        reflection_.amplitudes.col(i) *= residual(incident_[std::size_t(i)], sigma);
+    }
+    reflection_.matrix = reflection_.amplitudes.topRows(cauchy_.cols()).cwiseProduct(flux_ratios_);
+    return reflection_;
+}
+
+Reflection reflection(const HalfSpace& half_space, double omega) {
+    return reflection(half_space, omega, outgoing_modes(half_space, omega));
+}
+
+Reflection reflection(const HalfSpace& half_space, double omega, std::vector<Mode> outgoing) {
+    return ReflectionInSteps(half_space, std::move(outgoing)).at(boundary_rate(half_space, omega));
 }
 
 Complex scalar_reflection(const HalfSpace& half_space, double xi) {
     const double omega = std::sqrt(omega_squared(half_space, xi));
-    const Residual residual(half_space, omega);
-    return -residual(std::polar(1.0, xi)) / residual(std::polar(1.0, -xi));
+    const Complex sigma = boundary_rate(half_space, omega);
+    const auto residual_at = [&](double wave_number) {
+        return residual(evaluate_condition(half_space, std::polar(1.0, wave_number)), sigma);
+    };
+    return -residual_at(xi) / residual_at(-xi);
 }
 
 double round_trip_supremum(const Reflection& one, const Reflection& other) {

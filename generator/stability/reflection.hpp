@@ -5,7 +5,7 @@
 /// modes form the matrix [Delta(k_m) k_m^-M], a Vandermonde matrix times a diagonal one, and can
 /// be solved by Cramer's rule: an incident k_i makes the outgoing k_o with the amplitude
 ///     A_o = -Delta(k_i)/Delta(k_o) prod_{l != o} (1/k_i - 1/k_l)/(1/k_o - 1/k_l),
-/// Delta(k) = i omega C(k) - B(k).
+/// Delta(k) = sigma C(k) - B(k), sigma = i omega, or boundary_rate() in time steps.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,11 +26,29 @@ struct Reflection {
     Eigen::MatrixXcd amplitudes;
 };
 
+/// The reflection of the same modes in steps of any length: of an undamped lattice at one
+/// frequency, whose modes do not depend on the step.
+class ReflectionInSteps {
+  public:
+    /// outgoing: outgoing_modes() at that frequency.
+    ReflectionInSteps(const HalfSpace& half_space, std::vector<Mode> outgoing);
+
+    /// sigma: boundary_rate() of the step. The reference holds until the next call.
+    const Reflection& at(std::complex<double> sigma);
+
+  private:
+    std::vector<CAndB> sent_;      ///< of the outgoing modes
+    std::vector<CAndB> incident_;  ///< of their images that come in
+    Eigen::MatrixXcd cauchy_;      ///< the amplitudes but for both Delta
+    Eigen::MatrixXd flux_ratios_;  ///< of `Reflection::matrix` to its amplitudes
+    Reflection reflection_;
+};
+
 /// The reflection at frequency omega > 0.
 Reflection reflection(const HalfSpace& half_space, double omega);
 
 /// Likewise, where outgoing_modes() at this frequency are known.
-Reflection reflection(const HalfSpace& half_space, double omega, const std::vector<Mode>& outgoing);
+Reflection reflection(const HalfSpace& half_space, double omega, std::vector<Mode> outgoing);
 
 /// The paper's scalar -Delta(xi)/Delta(-xi) at real wave number xi, omega > 0.
 std::complex<double> scalar_reflection(const HalfSpace& half_space, double xi);

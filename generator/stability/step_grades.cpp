@@ -11,9 +11,7 @@
 namespace nmbcgen {
 
 StepGrades::StepGrades(HalfSpace half_space)
-    : half_space_(std::move(half_space)),
-      critical_(critical_frequencies(half_space_)),
-      modes_(half_space_) {}
+    : half_space_(std::move(half_space)), critical_(critical_frequencies(half_space_)) {}
 
 Grade StepGrades::in(double time_step) {
     const auto [entry, is_new] = known_.try_emplace(time_step);
@@ -48,10 +46,17 @@ Grade StepGrades::found() {
     return most >= Grade::paired && holds(like_ends_supremum) ? Grade::paired : Grade::none;
 }
 
+const Reflection& StepGrades::reflection_at(double omega) {
+    auto found = reflections_.find(omega);
+    if (found == reflections_.end()) {
+        ReflectionInSteps in_steps(half_space_, outgoing_modes(half_space_, omega));
+        found = reflections_.emplace(omega, std::move(in_steps)).first;
+    }
+    return found->second.at(boundary_rate(half_space_, omega));
+}
+
 bool StepGrades::holds(double (*size)(const Reflection&)) {
-    const auto size_at = [&](double omega) {
-        return size(reflection(half_space_, omega, modes_.at(omega)));
-    };
+    const auto size_at = [&](double omega) { return size(reflection_at(omega)); };
     return largest_over_band(critical_, size_at, amplification_limit).value <= amplification_limit;
 }
 

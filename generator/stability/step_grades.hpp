@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <unordered_map>
 #include <vector>
 
 #include "generator/stability/half_space.hpp"
@@ -30,11 +31,12 @@ class StepGrades {
 
   private:
     Grade found();
+    const Reflection& reflection_at(double omega);
     bool holds(double (*size)(const Reflection&));
 
     HalfSpace half_space_;  ///< in the step that is asked for
     std::vector<double> critical_;
-    KnownModes modes_;
+    std::unordered_map<double, ReflectionInSteps> reflections_;  ///< by frequency
     std::map<double, Grade> known_;
 };
 
