@@ -13,8 +13,8 @@
 #include "tools/nmbcrun/compare/prediction.hpp"
 #include "tools/nmbcrun/compare/source_spectrum.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/sources/force_in_time.hpp"
 #include "tools/nmbcrun/sources/short_waves.hpp"
+#include "tools/nmbcrun/sources/source_length.hpp"
 #include "tools/nmbcrun/sources/two_digits.hpp"
 
 namespace nmbcrun {
@@ -149,74 +149,11 @@ double not_carried(const SourceSpectrum& source, const nmbc::Lattice& lattice, d
     return share;
 }
 
-/// The key that makes a source longer, and where the scene has its value.
-struct Length {
-    std::string key;
-    double* value;    ///< nullptr: a source from a file has none
-    bool is_inverse;  ///< the source is the longer, the smaller the value is
-    /// The middle or start of a force, which goes along, so that none of it is cut off at t = 0.
-    double* time = nullptr;
-};
-
-ForceHistory& history_of(Scene& scene, const std::string& source) {
-    return source == "boundary.left.value"    ? *scene.left.value
-           : source == "boundary.right.value" ? *scene.right.value
-                                              : *scene.force;
-}
-
-/// When a source that is given by keys is over, but for what is negligible of it [time].
-double end_of(Scene& scene, const std::string& source) {
-    if (source == "initial") {
-        return 0;
-    }
-    if (source == "drive") {
-        return scene.drive->duration;
-    }
-    if (source == "incoming") {
-        constexpr double widths = 4;
-        const Incoming& incoming = *scene.incoming;
-        return incoming.arrival + widths * incoming.pulse.width / wave_speed(scene);
-    }
-    return ForceInTime(history_of(scene, source)).end();
-}
-
-Length length_of(Scene& scene, const std::string& source) {
-    if (source == "drive") {
-        return {"drive.duration", &scene.drive->duration, false};
-    }
-    if (source == "incoming") {
-        return {"incoming.width", &scene.incoming->pulse.width, false};
-    }
-    if (source == "initial") {
-        return {"initial.width",
-                scene.initial->kind == InitialKind::file ? nullptr : &scene.initial->pulse.width,
-                false};
-    }
-    ForceHistory& force = history_of(scene, source);
-    const bool is_sine = force.history == History::sine;
-    return {source + (is_sine ? ".frequency" : ".duration"),
-            is_sine                          ? &force.frequency
-            : force.history == History::file ? nullptr
-                                             : &force.duration,
-            is_sine, &force.time};
-}
-
 /// "; KEY = VALUE would do" or that none would: zero-energy modes answer to a single node at any
 /// pace. What would do is carried by the lattice, and absorbed by the ends.
 std::string what_would_do(const Simulation& simulation, const std::string& source) {
-    Scene scene = simulation.scene();
-    const auto drop_unless = [&](const char* name, auto& other) {
-        if (source != name) {
-            other.reset();
-        }
-    };
-    drop_unless("drive", scene.drive);
-    drop_unless("initial", scene.initial);
-    drop_unless("force", scene.force);
-    drop_unless("incoming", scene.incoming);
-    drop_unless("boundary.left.value", scene.left.value);
-    drop_unless("boundary.right.value", scene.right.value);
-    const auto [key, value, is_inverse, time] = length_of(scene, source);
+    Scene scene = with_source_alone(simulation.scene(), source);
+    const auto [key, value, is_inverse, time] = length_of_source(scene, source);
     if (value == nullptr) {
         return "";
     }
@@ -230,7 +167,7 @@ std::string what_would_do(const Simulation& simulation, const std::string& sourc
         if (own_time > 0) {
             *time = two_digits(own_time * factor, false);
         }
-        const double over = end_of(scene, source);
+        const double over = end_of_source(scene, source);
         const bool is_in_run = over <= own_end;
         scene.end = is_in_run ? own_end : two_digits(std::max(over, own_end * factor), false);
         const auto spectra = source_spectra(scene, lattice, step);
