@@ -46,13 +46,15 @@ GhostSide side_absorbing(const std::vector<AbsorbedWave>& waves, const PlaneLatt
     return {.name = name, .condition = {{factors, factors}}};
 }
 
-/// Of what is published, and the name of what there is none of here.
-struct Published {
-    std::vector<GhostSide> sides;
-    std::string missing;
+/// All sides of a lattice but the passive one.
+struct GhostSides {
+    std::vector<GhostSide> found;
+    std::string missing;  ///< the published one that there is none of here; empty: all are found
 };
 
-Published published_sides(const SideTask& model, const PlaneLattice& lattice) {
+/// What is published, then what absorbs these waves, where there are any.
+GhostSides ghost_sides(const SideTask& model, const PlaneLattice& lattice,
+                       const std::vector<AbsorbedWave>& absorbed) {
     std::vector<GhostSide> sides{
         {.name = "NMBC1 as printed, (81)", .condition = published_condition(lattice)},
         {.name = "NMBC1 by component", .condition = polarisation_wise_condition(lattice)}};
@@ -66,6 +68,9 @@ Published published_sides(const SideTask& model, const PlaneLattice& lattice) {
     }
     sides.push_back(
         {.name = "Higdon, P and S", .condition = higdon_condition(lattice, drift_shift)});
+    if (!absorbed.empty()) {
+        sides.push_back(side_absorbing(absorbed, lattice));
+    }
     return {std::move(sides), missing};
 }
 
@@ -89,22 +94,15 @@ struct SidesOfLattice {
     SideTask model;
     VectorModel described;
     PlaneLattice lattice;
-    std::string missing{};            ///< what there is none of here
-    std::vector<GhostSide> ghosts{};  ///< all but the passive one
-    std::size_t reach = 0;
+    std::size_t reach;
+    GhostSides ghosts;
 
     SidesOfLattice(const SideTask& task, const std::vector<AbsorbedWave>& absorbed)
         : model(task),
           described(find_vector_family(task.family).describe(task.choice)),
           lattice(plane_lattice(described, task.g, 0)),
-          reach(lateral_chain(lattice, 0).reach()) {
-        auto [sides, missing_one] = published_sides(task, lattice);
-        ghosts = std::move(sides);
-        missing = std::move(missing_one);
-        if (!absorbed.empty()) {
-            ghosts.push_back(side_absorbing(absorbed, lattice));
-        }
-    }
+          reach(lateral_chain(lattice, 0).reach()),
+          ghosts(ghost_sides(task, lattice, absorbed)) {}
 
     bool has_passive() const { return find_vector_family(model.family).at_edge != nullptr; }
 
@@ -119,7 +117,7 @@ void for_each_side(const SidesOfLattice& sides, const Progress& progress, Passiv
                    Ghost ghost_side) {
     std::atomic<std::size_t> done = 0;
     const std::size_t designs = sides.has_passive() ? 1 : 0;
-    const std::size_t all = sides.ghosts.size() + designs;
+    const std::size_t all = sides.ghosts.found.size() + designs;
     progress(0, all);
     on_all_cores(all, [&](std::size_t i) {
         if (i < designs) {
@@ -204,10 +202,10 @@ std::string choice_of(const DesignedSide& passive, const SidesOfLattice& sides) 
 std::string choice_of(const SidesOfLattice& sides) {
     const GhostSide* best = nullptr;
     for (const char* grade : {"contractive", "paired"}) {
-        const auto found = std::ranges::find_if(sides.ghosts, [&](const GhostSide& side) {
+        const auto found = std::ranges::find_if(sides.ghosts.found, [&](const GhostSide& side) {
             return side.is_stable() && grade_of(side) == grade;
         });
-        if (best == nullptr && found != sides.ghosts.end()) {
+        if (best == nullptr && found != sides.ghosts.found.end()) {
             best = &*found;
         }
     }
@@ -260,17 +258,17 @@ std::string side_recommendation(const SideTask& model, const std::vector<Absorbe
     std::optional<DesignedSide> passive;
     for_each_side(
         sides, progress, [&](DesignedSide&& side) { passive = std::move(side); },
-        [&](std::size_t i) { examine(sides.ghosts[i], model, sides.lattice); });
+        [&](std::size_t i) { examine(sides.ghosts.found[i], model, sides.lattice); });
     std::string table = heading();
     if (passive) {
         table += row_of(*passive, sides);
     }
-    for (const GhostSide& side : sides.ghosts) {
+    for (const GhostSide& side : sides.ghosts.found) {
         table += row_of(side, sides);
     }
-    if (!sides.missing.empty()) {
-        table += fmt::format("{}: none, at g = {} its equations have no solution\n", sides.missing,
-                             to_string(sides.model.g));
+    if (!sides.ghosts.missing.empty()) {
+        table += fmt::format("{}: none, at g = {} its equations have no solution\n",
+                             sides.ghosts.missing, to_string(sides.model.g));
     }
     return fmt::format("{}\n{}\n{}", passive ? choice_of(*passive, sides) : choice_of(sides), table,
                        legend());
@@ -280,7 +278,7 @@ std::string side_reflection_csv(const SideTask& model, const std::vector<Absorbe
                                 const Progress& progress) {
     const SidesOfLattice sides(model, absorbed);
     std::string of_passive;
-    std::vector<std::string> rows(sides.ghosts.size());
+    std::vector<std::string> rows(sides.ghosts.found.size());
     for_each_side(
         sides, progress,
         [&](const DesignedSide& passive) {
@@ -289,7 +287,7 @@ std::string side_reflection_csv(const SideTask& model, const std::vector<Absorbe
             });
         },
         [&](std::size_t i) {
-            const GhostSide& side = sides.ghosts[i];
+            const GhostSide& side = sides.ghosts.found[i];
             rows[i] = reflection_rows(side.name, sides.lattice, [&](const ArrivingWave& wave) {
                 return sides.reflected_by(side, wave);
             });
