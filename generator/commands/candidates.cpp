@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <span>
@@ -25,10 +26,18 @@ constexpr unsigned highest_order = 6;
 constexpr unsigned highest_damped_order = 4;  // above, certified damping is rare and takes long
 constexpr double smallest_cfl = 0.25;         // below, more damping is the better bargain
 
-/// What is tried of the ladder.
+/// The values of tau that are tried, ascending from 0; 0 alone for a family without stabilisation.
 std::span<const Rational> dampings_of(const Specification& what) {
-    const std::span<const Rational> all = damping_ladder(what.family);
-    return what.order > highest_damped_order ? all.first(1) : all;
+    static const std::array<Rational, 8> all{0,
+                                             Rational(1, 100),
+                                             Rational(1, 50),
+                                             Rational(1, 20),
+                                             Rational(1, 10),
+                                             Rational(1, 5),
+                                             Rational(3, 10),
+                                             Rational(1, 2)};
+    const bool is_damped = is_stabilised(what.family) && what.order <= highest_damped_order;
+    return std::span(all).first(is_damped ? all.size() : 1);
 }
 
 /// Certified with a time step worth having.
@@ -47,9 +56,9 @@ Certified least_damped(Specification what) {
 /// shortest ones, in the two longest in which it is certified then.
 std::vector<Certified> matched_in_steps(Specification what, double top,
                                         const std::optional<double>& cfl) {
-    std::vector<double> ladder{0.99, 0.95, 0.85, 0.75, 0.65, 0.55, 0.45, 0.35, smallest_cfl};
+    std::vector<double> cfls{0.99, 0.95, 0.85, 0.75, 0.65, 0.55, 0.45, 0.35, smallest_cfl};
     if (cfl) {
-        ladder = {*cfl};
+        cfls = {*cfl};
     }
     const auto matched = [&](double steps) {
         what.time_step = time_step_below(2 * steps / top);
@@ -59,13 +68,13 @@ std::vector<Certified> matched_in_steps(Specification what, double top,
     const std::span<const Rational> dampings = dampings_of(what);
     const auto least = std::ranges::find_if(dampings, [&](const Rational& damping) {
         what.damping = damping;
-        return matched(ladder.back()).steps.largest > 0;
+        return matched(cfls.back()).steps.largest > 0;
     });
     if (least == dampings.end()) {
         return found;
     }
     constexpr std::size_t enough = 2;
-    for (const double steps : ladder) {
+    for (const double steps : cfls) {
         if (found.size() == enough) {
             break;
         }
@@ -89,7 +98,7 @@ Candidate in_steps(const Certified& certified, const Question& question, double 
             certified.what.order > highest_damped_order
                 ? fmt::format("not certified with cfl {} or more; no tau was tried", smallest_cfl)
                 : fmt::format("not certified with cfl {} or more and any tau up to {}",
-                              smallest_cfl, to_string(damping_ladder(question.family).back()));
+                              smallest_cfl, to_string(dampings_of(certified.what).back()));
         return candidate;
     }
     const HalfSpace& half_space = *certified.half_space;
@@ -149,19 +158,6 @@ bool is_matched_alike(const Candidate& better, const Candidate& candidate) {
 }
 
 }  // namespace
-
-const std::vector<Rational>& damping_ladder(const std::string& family) {
-    static const std::vector<Rational> undamped{0};
-    static const std::vector<Rational> ladder{0,
-                                              Rational(1, 100),
-                                              Rational(1, 50),
-                                              Rational(1, 20),
-                                              Rational(1, 10),
-                                              Rational(1, 5),
-                                              Rational(3, 10),
-                                              Rational(1, 2)};
-    return is_stabilised(family) ? ladder : undamped;
-}
 
 Certified certified(const Specification& what) {
     try {

@@ -13,15 +13,12 @@ namespace nmbcgen {
 
 inline constexpr double faded_wavelength = 20;  ///< [dX], of the loss that is stated
 
-/// A condition with the least damping of the ladder that certifies it at the G of the question.
+/// A condition with the least damping tried that certifies it at the G of the question.
 struct Certified {
     Specification what;
     StepRange steps{};                    ///< certified; none with any damping: largest is 0
     std::optional<HalfSpace> half_space;  ///< where it is certified
 };
-
-/// The values of tau that are tried, ascending from 0; 0 alone for a family without stabilisation.
-const std::vector<Rational>& damping_ladder(const std::string& family);
 
 /// The steps of one condition with its G and tau, whatever they are; none where it is unstable, and
 /// where it is matched in others. Without a half space where there is no such condition.
@@ -34,9 +31,8 @@ std::string in_words(const StepRange& steps);
 StepRange certified_steps(const HalfSpace& half_space, double time_step);
 
 /// Orders 1 to 6, or the one asked for, with strides 1 to n + 2; above 4 those alone that are
-/// certified without damping; those above order 1 also matched
-/// in time steps, of the two largest cfl of a ladder in which they are certified, or of the
-/// question's.
+/// certified without damping; those above order 1 also matched in time steps, of the two largest
+/// cfl tried in which they are certified, or of the question's.
 std::vector<Certified> all_certified(const Question& question, const Progress& progress);
 
 /// One in the question's steps, or in those it is matched in, or else in the largest certified
