@@ -5,6 +5,17 @@
 #include "generator/families/vector_family.hpp"
 
 namespace nmbcgen {
+namespace {
+
+/// alpha of a unit weight, over pi.
+Quadratic alpha_over_weight(unsigned horizon, const BondClass& bond) {
+    const int square = bond[0] * bond[0] + bond[1] * bond[1];
+    Quadratic factor = square_root(unsigned(square));
+    factor *= Rational(5 * square * int(horizon * horizon * horizon), 48);
+    return factor;
+}
+
+}  // namespace
 
 std::vector<BondClass> square_bond_classes(unsigned horizon) {
     if (horizon < 2 || horizon > most_square_bonds) {
@@ -37,13 +48,6 @@ std::array<Rational, 2> speeds_of_unit_weight(const BondClass& bonds) {
 std::array<Rational, 2> mean_of_square_times_cosine(int m) {
     return m == 0 ? std::array<Rational, 2>{0, Rational(1, 3)}
                   : std::array<Rational, 2>{Rational(m % 2 == 0 ? 2 : -2) / (m * m), 0};
-}
-
-Quadratic alpha_over_weight(unsigned horizon, const BondClass& bond) {
-    const int square = bond[0] * bond[0] + bond[1] * bond[1];
-    Quadratic factor = square_root(unsigned(square));
-    factor *= Rational(5 * square * int(horizon * horizon * horizon), 48);
-    return factor;
 }
 
 Real alpha_of_unit_weight(unsigned horizon, const BondClass& bond) {

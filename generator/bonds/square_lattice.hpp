@@ -44,8 +44,6 @@ std::array<Rational, 2> speeds_of_unit_weight(const BondClass& bonds);
 /// The mean of k^2 cos(m k) on 0 .. pi, as the factors of 1 and pi^2.
 std::array<Rational, 2> mean_of_square_times_cosine(int m);
 
-/// alpha of a unit weight, over pi.
-Quadratic alpha_over_weight(unsigned horizon, const BondClass& bond);
 Real alpha_of_unit_weight(unsigned horizon, const BondClass& bond);
 
 /// The weight factors[0] + factors[1] pi^2 and its alpha, without a closed form where that is in

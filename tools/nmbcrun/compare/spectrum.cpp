@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <nmbc/lattice.hpp>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <utility>
 
 namespace nmbcrun {
@@ -14,6 +16,9 @@ double middle_of(std::size_t part, std::size_t parts) {
     return std::numbers::pi * (double(part) + 0.5) / double(parts);
 }
 
+namespace {
+
+/// sum_j field_j exp(-i xi j), j counted from 0.
 std::complex<double> fourier_sum(std::span<const double> field, double xi) {
     const std::complex<double> factor = std::polar(1.0, -xi);
     std::complex<double> sum = 0;
@@ -22,8 +27,6 @@ std::complex<double> fourier_sum(std::span<const double> field, double xi) {
     }
     return sum;
 }
-
-namespace {
 
 std::vector<double> energies_of(const nmbc::Chain& chain, std::size_t parts) {
     const nmbc::ChainParameters& p = chain.parameters();

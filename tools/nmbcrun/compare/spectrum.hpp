@@ -2,15 +2,10 @@
 /// How the energy of a field is spread over wave numbers.
 #pragma once
 
-#include <complex>
 #include <nmbc/chain.hpp>
-#include <span>
 #include <vector>
 
 namespace nmbcrun {
-
-/// sum_j field_j exp(-i xi j), j counted from 0.
-std::complex<double> fourier_sum(std::span<const double> field, double xi);
 
 /// The wave number [1/dX] in the middle of one of so many equal parts of 0 .. pi.
 double middle_of(std::size_t part, std::size_t parts);
