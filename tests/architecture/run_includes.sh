@@ -57,7 +57,7 @@ run output 'scene|simulation' 'generator/(names/(checksum|printable)|support/pos
 below='scene|sides|sources|tables|certification|simulation'
 run compare "$below" 'generator/(table|exact|closures|stability)/|boost/math/|unsupported/Eigen/FFT'
 run chart "$below|compare|output" 'generator/(support/|names/printable.hpp)|boost/math/'
-run advise "$below|compare|chart|output" 'generator/(table|exact|stability)/|unsupported/Eigen/FFT|boost/math/|unistd.h'
+run advise "$below|compare|chart|output" 'generator/(table|exact|stability)/|generator/support/progress_line.hpp|unsupported/Eigen/FFT|boost/math/'
 run plane 'scene|stepping|sides|sources|output' 'generator/(table|exact|closures|families|names|plane|passive)/|generator/support/(files|posix_file|progress_line).hpp|boost/math/'
 run plane_compare 'scene|stepping|output|chart|plane' 'generator/(support/|names/printable.hpp)'
 allow tools/nmbcrun "tools/nmbcrun/|generator/names/(checksum|printable).hpp|generator/support/(command_line_problem|exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"

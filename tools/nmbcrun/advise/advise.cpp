@@ -7,12 +7,13 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include "generator/support/progress_line.hpp"
 #include "tools/nmbcrun/advise/search.hpp"
-#include "tools/nmbcrun/advise/watch.hpp"
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/duration.hpp"
@@ -221,19 +222,22 @@ const char* what_counts(const Scene& scene) {
                                    : "of the ends and of the time step together";
 }
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 /// About: from the first of its steps.
 double seconds_of_run(const Scene& scene) {
-    using Clock = std::chrono::steady_clock;
     constexpr double enough = 0.02;
     Simulation simulation(scene);
     const auto start = Clock::now();
-    const auto seconds = [&] {
-        return std::chrono::duration<double>(Clock::now() - start).count();
-    };
     do {
         simulation.step();
-    } while (!simulation.is_done() && seconds() < enough);
-    return seconds() * double(simulation.plan().steps) / double(simulation.chain().steps());
+    } while (!simulation.is_done() && seconds_since(start) < enough);
+    return seconds_since(start) * double(simulation.plan().steps) /
+           double(simulation.chain().steps());
 }
 
 std::vector<std::string> uncounted_closures(const Scene& scene) {
@@ -249,11 +253,14 @@ std::vector<std::string> uncounted_closures(const Scene& scene) {
     return warnings;
 }
 
-Advice watched_advice(const Scene& scene, double tolerance, Watch& watch, const Pause& pause) {
-    Advice advice = advice_for(scene, tolerance, [&] {
-        watch.look();
-        pause();
-    });
+/// With a line on stderr meanwhile, unless quiet, and the warnings after it.
+Advice announced_advice(const Scene& scene, double tolerance, bool quiet, const Pause& pause) {
+    std::optional<nmbcgen::ProgressLine> line;
+    if (!quiet) {
+        line.emplace("nmbcrun: looking for set-ups");
+    }
+    Advice advice = advice_for(scene, tolerance, pause);
+    line.reset();
     print_warnings(uncounted_closures(scene));
     return advice;
 }
@@ -286,8 +293,7 @@ Advice advice_for(const Scene& scene, double tolerance, const Pause& pause) {
 }
 
 Scene as_advised(const Scene& scene, double tolerance, bool quiet, const Pause& pause) {
-    Watch watch(quiet);
-    const Candidate best = watched_advice(scene, tolerance, watch, pause).ranked.front();
+    const Candidate best = announced_advice(scene, tolerance, quiet, pause).ranked.front();
     const std::string settings = settings_of(scene, best);
     fmt::print("advice     {}\n", settings);
     Scene result = advised(scene, best);
@@ -296,8 +302,8 @@ Scene as_advised(const Scene& scene, double tolerance, bool quiet, const Pause& 
 }
 
 void advise(const Scene& scene, double tolerance, bool quiet, const Pause& pause) {
-    Watch watch(quiet);
-    const Advice advice = watched_advice(scene, tolerance, watch, pause);
+    const auto start = Clock::now();
+    const Advice advice = announced_advice(scene, tolerance, quiet, pause);
     const Candidate& best = advice.ranked.front();
     if (!quiet) {
         fmt::print("scene      {}\n", scene.title);
@@ -306,14 +312,14 @@ void advise(const Scene& scene, double tolerance, bool quiet, const Pause& pause
         print_left_out(scene, advice);
     }
     const double run = seconds_of_run(advised(scene, best));
+    const double took = seconds_since(start);
     constexpr double patience = 2;  // [s]
     constexpr double many_runs = 10;
-    if (!quiet && (watch.seconds() > patience || watch.seconds() > many_runs * run)) {
+    if (!quiet && (took > patience || took > many_runs * run)) {
         fmt::print(
             "took       {}, as {:.{}f} runs of what is advised: boundaries are predicted in time "
             "steps from the longest down{}, and those that meet the tolerance timed\n",
-            duration(watch.seconds()), watch.seconds() / run,
-            watch.seconds() < many_runs * run ? 1 : 0,
+            duration(took), took / run, took < many_runs * run ? 1 : 0,
             has_open_lattice(scene) ? ", on lattices of each horizon and many G" : "");
     }
     fmt::print("advice     {}, cfl = {:.3g}\nsettings   {}\n", with_lattice_named(scene, best),
