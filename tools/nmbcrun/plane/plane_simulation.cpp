@@ -6,198 +6,31 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
-#include "generator/exact/rounded_text.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/plane/plane_extension.hpp"
 #include "tools/nmbcrun/plane/plane_initial.hpp"
+#include "tools/nmbcrun/plane/plane_lattice.hpp"
 #include "tools/nmbcrun/plane/plane_sides.hpp"
-#include "tools/nmbcrun/plane/steady_step.hpp"
 
 namespace nmbcrun {
 namespace {
 
-constexpr double of_stable_by_default = 0.9;
-
-/// The largest group velocity of any wave [dX rate], on wave vectors in steps of pi/64.
-double fastest_group(const nmbc::PlaneModel& model) {
-    constexpr int steps = 64;
-    const double spacing = std::numbers::pi / steps;
-    double fastest = 0;
-    for (const bool is_P : {true, false}) {
-        const auto omega = [&](int x, int y) {
-            return std::sqrt(
-                nmbc::plane_wave(model, {spacing * x, spacing * y}, is_P).omega_squared);
-        };
-        for (int x = 0; x < steps; ++x) {
-            for (int y = 0; y < steps; ++y) {
-                const double here = omega(x, y);
-                fastest = std::max(
-                    fastest, std::hypot(omega(x + 1, y) - here, omega(x, y + 1) - here) / spacing);
-            }
-        }
-    }
-    return fastest;
-}
-
-/// So many that no wave has gone there and back again; what is faster than the fastest group is
-/// below 1e-12 some nodes off.
-std::size_t nodes_until_end(const PlaneScene& scene) {
-    const nmbc::PlaneModel model = model_of(scene);
-    const double far = fastest_group(model) * rate_of(scene) * scene.end / 2;
-    constexpr std::size_t ahead = 20;
-    return std::size_t(std::min(far, double(most_nodes))) + ahead * model.horizon();
-}
-
-/// In words, of so many nodes.
-std::string too_many(const PlaneScene& scene, double nodes) {
-    const bool is_open = has_open_layer(scene);
-    if (scene.original && scene.original->ratio > 1) {
-        return fmt::format(
-            "the reference, the same body on nodes dX/{} apart, has {:.3g} nodes{}; at most {} are "
-            "allowed",
-            scene.original->ratio, nodes,
-            is_open ? fmt::format(", with those in the place of artificial sides until time.end = "
-                                  "{:g}",
-                                  scene.end)
-                    : "",
-            most_nodes);
-    }
-    return fmt::format(
-        "with the layers of its sides the plane has {:.3g} nodes; at most {} are "
-        "allowed{}",
-        nodes, most_nodes,
-        is_open ? fmt::format(". Extended sides have as many as it takes until "
-                              "time.end = {:g}, unless boundary.layer says how many",
-                              scene.end)
-                : "");
-}
-
-std::array<std::size_t, 4> extension_of(const PlaneScene& scene) {
-    std::array<std::size_t, 4> layers{};
-    const std::size_t enough = has_open_layer(scene) ? nodes_until_end(scene) : 0;
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        if (scene.sides[i].kind == SideKind::extended) {
-            layers[i] = scene.sides[i].layer > 0 ? scene.sides[i].layer : enough;
-        }
-    }
-    const auto along = [&](std::size_t axis) {
-        auto nodes = double(scene.nodes[axis]);
-        for (const std::size_t i : {2 * axis, 2 * axis + 1}) {
-            nodes += double(layers[i]) +
-                     (has_layer(scene.sides[i].kind) ? double(scene.sides[i].layer) : 0);
-        }
-        return nodes;
-    };
-    const double nodes = along(0) * along(1);
-    if (nodes > double(most_nodes)) {
-        throw SceneError(too_many(scene, nodes));
-    }
-    return layers;
-}
-
-/// What the longest step is of.
-const char* limit_of(const PlaneScene& scene) {
-    const bool may_feed = std::ranges::any_of(
-        scene.sides, [](const PlaneSideChoice& side) { return may_grow(side.kind); });
-    return may_feed ? "what the lattice allows, whatever its sides feed in"
-                    : "what is stable between these sides";
-}
-
-/// Steps below `stable` in which sides do not feed, where there are such, and that are short enough
-/// for what moves the scene.
-void choose_step(const PlaneScene& scene, const nmbc::PlaneSides& sides,
-                 const std::array<std::size_t, 2>& nodes, double stable, PlanePlan& plan) {
-    plan.time_step = of_stable_by_default * stable;
-    plan.limit = fmt::format("{} of {}", of_stable_by_default, limit_of(scene));
-    if (const auto steady = steady_step(scene, sides, nodes)) {
-        const double longest = steady->time_step / rate_of(scene);
-        if (steady->share == 0) {
-            plan.limit += ": strips between them grow in steps of any length";
-        } else if (steady->share < of_stable_by_default && longest < plan.time_step) {
-            plan.time_step = longest;
-            plan.limit = fmt::format(
-                "{} of what the lattice allows: in longer ones strips between its sides grow",
-                steady->share);
-        }
-    }
-    constexpr double part = 0.3;
-    if (const auto longest = longest_step_of_loads(scene);
-        longest && part * *longest < plan.time_step) {
-        plan.time_step = part * *longest;
-        plan.limit = "short enough for loads that set in at once";
-    }
-    constexpr double per_time = 20;
-    const auto limit = [&](double time, const char* key) {
-        if (time > 0 && time / per_time < plan.time_step) {
-            plan.time_step = time / per_time;
-            plan.limit = fmt::format("1/{} of {}", per_time, key);
-        }
-    };
-    if (scene.force) {
-        const ForceHistory& history = scene.force->history;
-        limit(history.duration, "force.duration");
-        limit(history.frequency > 0 ? 1 / history.frequency : 0, "the period of force.frequency");
-    }
-    if (scene.drive) {
-        limit(scene.drive->duration, "drive.duration");
-    }
-    for (const PlaneLoad& load : scene.loads) {
-        limit(load.rise, "a load's rise");
-    }
-}
-
-PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
-                  const std::array<std::size_t, 4>& extension) {
-    const nmbc::PlaneModel model = model_of(scene);
-    const double rate = rate_of(scene);
-    const double interior = 2 / std::sqrt(nmbc::highest_eigenvalue(model)) / rate;
-    const std::array nodes{scene.nodes[0] + extension[0] + extension[1],
-                           scene.nodes[1] + extension[2] + extension[3]};
-    const double stable = nmbc::longest_step(model, sides, nodes[0], nodes[1]) / rate;
-    PlanePlan plan;
-    if (scene.step || scene.cfl) {
-        plan.time_step = scene.step ? *scene.step : *scene.cfl * interior;
-    } else {
-        choose_step(scene, sides, nodes, stable, plan);
-    }
-    plan.cfl = plan.time_step / interior;
-    plan.of_stable = plan.time_step / stable;
-    if (!(plan.of_stable < 1)) {
-        constexpr double below = 1 - 1e-9;  // the limit itself is not stable
-        const auto in_words = [&](double step) {
-            return std::pair(nmbcgen::rounded_down(step, 6),
-                             nmbcgen::rounded_down(step / interior, 3));
-        };
-        const auto [longest, largest] = in_words(below * stable);
-        auto [step, cfl] = std::pair(longest, largest);
-        std::string growth;
-        if (const auto steady = steady_step(scene, sides, nodes); steady && steady->share > 0) {
-            std::tie(step, cfl) = in_words(std::min(below * stable, steady->time_step / rate));
-            growth = fmt::format(", and strips between its sides do not grow up to {} (cfl = {})",
-                                 step, cfl);
-        } else if (steady) {
-            growth = ", and strips between its sides grow in steps of any length";
-        }
-        throw Unstable(fmt::format(
-            "steps of {:.6g} (cfl = {:.3g}) are too long: {} is {} (cfl = {}){}. Give time.{} or "
-            "less",
-            plan.time_step, plan.cfl, limit_of(scene), longest, largest, growth,
-            scene.step ? "step = " + step : "cfl = " + cfl));
-    }
-    plan.steps = steps_until(scene.end, plan.time_step);
-    return plan;
+/// Along x and y, those of extended sides included.
+std::array<std::size_t, 2> extended_nodes(const PlaneScene& scene,
+                                          const std::array<std::size_t, 4>& extension) {
+    return {scene.nodes[0] + extension[0] + extension[1],
+            scene.nodes[1] + extension[2] + extension[3]};
 }
 
 nmbc::Plane plane_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
-                     const std::array<std::size_t, 4>& extension, double time_step) {
+                     const std::array<std::size_t, 2>& nodes, double time_step) {
     return {model_of(scene),
             sides,
-            {.nx = scene.nodes[0] + extension[0] + extension[1],
-             .ny = scene.nodes[1] + extension[2] + extension[3],
+            {.nx = nodes[0],
+             .ny = nodes[1],
              .spacing = scene.spacing,
              .youngs_modulus = scene.youngs_modulus,
              .density = scene.density,
@@ -223,10 +56,6 @@ bool is_at_rest(const nmbc::Plane& plane) {
 
 }  // namespace
 
-void require_room(const PlaneScene& scene) {
-    extension_of(scene);
-}
-
 PlaneSimulation::PlaneSimulation(const PlaneScene& scene, bool quiet)
     : PlaneSimulation(scene, sides_of(scene, quiet).all) {}
 
@@ -237,8 +66,8 @@ PlaneSimulation::PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides
                                  const std::array<std::size_t, 4>& extension)
     : scene_(std::move(scene)),
       extension_(extension),
-      plan_(plan_of(scene_, sides, extension_)),
-      plane_(plane_of(scene_, sides, extension_, plan_.time_step)),
+      plan_(plan_of(scene_, sides, extended_nodes(scene_, extension_))),
+      plane_(plane_of(scene_, sides, extended_nodes(scene_, extension_), plan_.time_step)),
       sources_(scene_, plane_, {extension_[0], extension_[2]}, plan_.time_step) {
     const bool is_staggered = scene_.initial && set_initial_fields(scene_, extension_, plane_);
     cut();

@@ -5,22 +5,17 @@
 #include <array>
 #include <cstddef>
 #include <nmbc/plane_pml.hpp>
-#include <nmbc/plane_stability.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tools/nmbcrun/plane/plane_body.hpp"
+#include "tools/nmbcrun/plane/plane_plan.hpp"
 #include "tools/nmbcrun/plane/plane_scene.hpp"
 #include "tools/nmbcrun/plane/plane_sources.hpp"
-#include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/stepping/plane_stepping.hpp"
 
 namespace nmbcrun {
-
-struct PlanePlan : StepPlan {
-    double of_stable = 0;  ///< dt over the longest step that is stable between these sides
-};
 
 /// What has gone where since the start. Not a number where it is not measured: what goes out
 /// through sides that may feed energy in, and the drift beside such.
@@ -33,10 +28,6 @@ struct PlaneBalance {
     /// energy of the whole plane - (at the start + work - left - fracture - damped): roundings
     double drift = 0;
 };
-
-/// Throws SceneError where the plane has more than most_nodes with the layers of its sides and what
-/// extended ones add.
-void require_room(const PlaneScene& scene);
 
 class PlaneSimulation {
   public:

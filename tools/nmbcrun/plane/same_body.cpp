@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/plane/plane_extension.hpp"
 #include "tools/nmbcrun/plane/plane_sides.hpp"
 
 namespace nmbcrun {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// In which steps of a plane scene its sides do not feed.
+/// In which steps of a plane scene strips between its sides do not grow.
 #pragma once
 
 #include <array>

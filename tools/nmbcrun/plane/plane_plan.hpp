@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+/// The time steps of a plane scene.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <nmbc/plane_sides.hpp>
+
+#include "tools/nmbcrun/plane/plane_scene.hpp"
+#include "tools/nmbcrun/scene/step_plan.hpp"
+
+namespace nmbcrun {
+
+struct PlanePlan : StepPlan {
+    double of_stable = 0;  ///< dt over the longest step that is stable between these sides
+};
+
+/// In the steps that the scene gives, or else in 0.9 of the longest stable ones, or shorter ones
+/// where strips between its sides grow or what moves it is faster. nodes: along x and y, those of
+/// extended sides included. Throws Unstable where the steps are too long for the sides, SceneError
+/// as steps_until().
+PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
+                  const std::array<std::size_t, 2>& nodes);
+
+}  // namespace nmbcrun
