@@ -60,8 +60,8 @@ double steps_of_grade(const PlaneLattice& lattice, const SideCondition& conditio
 }
 
 /// Strips so narrow that a free side changes all of their layers are not looked at.
-std::vector<std::string> fed(const SideTask& model, const PlaneLattice& lattice,
-                             const SideCondition& condition, double steps) {
+std::vector<std::string> growing_opposite(const SideTask& model, const PlaneLattice& lattice,
+                                          const SideCondition& condition, double steps) {
     std::vector<std::pair<std::string, OppositeSide>> others{{"fixed", always(fixed_condition())}};
     if (const auto free = free_opposite(model)) {
         others.emplace_back("free", *free);
@@ -128,7 +128,7 @@ void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice
         side.steps = steps_of_grade(lattice, side.condition, grade);
     }
     if (grade == "paired") {
-        side.feeds = fed(model, lattice, side.condition, side.steps);
+        side.grows_opposite = growing_opposite(model, lattice, side.condition, side.steps);
     }
     const VectorFamily& family = find_vector_family(model.family);
     if (!side.grows() || !family.has_stabilisation) {
@@ -156,7 +156,9 @@ std::string opposite_of(const GhostSide& side) {
     if (grade_of(side) == "contractive") {
         return "any";
     }
-    return side.feeds.empty() ? "its like" : fmt::format("not {}", fmt::join(side.feeds, ", "));
+    return side.grows_opposite.empty()
+               ? "its like"
+               : fmt::format("not {}", fmt::join(side.grows_opposite, ", "));
 }
 
 std::string steps_of(const GhostSide& side) {

@@ -25,8 +25,8 @@ struct GhostSide {
     /// The largest leapfrog step, over the longest one, in which the grade is what it is in
     /// continuous time, as in all shorter ones that are looked at; 0: none, or not sought.
     double steps = 0;
-    /// Opposite which strips grow: "fixed", "free".
-    std::vector<std::string> feeds{};
+    /// Opposite which sides strips grow: "fixed", "free".
+    std::vector<std::string> grows_opposite{};
 
     bool grows() const { return growth > 0 || growth_with_corners > 0; }
     bool is_stable() const;  ///< contractive or paired, in steps too

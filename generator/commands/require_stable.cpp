@@ -88,8 +88,10 @@ PlaneGrade require_stable_in_plane(const Specification& what, const ProjectedFam
     examine(side, model, lattice);
     const std::string grade = grade_of(side);
     if (side.is_stable()) {
-        return {
-            .grade = grade, .samples = samples_text(), .steps = side.steps, .feeds = side.feeds};
+        return {.grade = grade,
+                .samples = samples_text(),
+                .steps = side.steps,
+                .grows_opposite = side.grows_opposite};
     }
     std::string sides;
     if (family.at_edge != nullptr) {

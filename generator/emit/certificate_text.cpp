@@ -153,9 +153,9 @@ std::string plane_statement(const Table& table) {
         "to {:.1f} of the longest of the lattice{}, sampled: {}; all else for waves at normal "
         "incidence. ",
         found.grade, found.steps,
-        found.feeds.empty()
+        found.grows_opposite.empty()
             ? ""
-            : fmt::format(", growing opposite {} sides", fmt::join(found.feeds, " and ")),
+            : fmt::format(", growing opposite {} sides", fmt::join(found.grows_opposite, " and ")),
         found.samples);
 }
 

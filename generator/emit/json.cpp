@@ -125,7 +125,7 @@ Json table_object(const Table& table, Json lattice) {
                            {"evidence", "sampled"},
                            {"samples", table.in_plane->samples},
                            {"steps", table.in_plane->steps},
-                           {"grows_opposite", table.in_plane->feeds}};
+                           {"grows_opposite", table.in_plane->grows_opposite}};
     }
     add_points(object, table);
     return object;

@@ -85,7 +85,8 @@ struct PlaneGrade {
     std::string samples;  ///< on which: a clause
     /// In leapfrog steps up to this part of the longest one that the lattice is stable in.
     double steps = 0;
-    std::vector<std::string> feeds{};  ///< opposite which strips grow: "fixed", "free"
+    /// Opposite which sides strips grow: "fixed", "free".
+    std::vector<std::string> grows_opposite{};
 };
 
 /// A matching boundary condition with everything it was derived from.

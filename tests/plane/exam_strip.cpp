@@ -165,7 +165,7 @@ TEST_CASE("where (81) is paired in continuous time it is in short leapfrog steps
     CHECK(paired(.5, .95).alone < sampled);
 }
 
-TEST_CASE("a paired side feeds opposite a fixed one at any step, a contractive one never") {
+TEST_CASE("a paired side grows opposite a fixed one at any step, a contractive one never") {
     for (const double share : {0., .1, .9}) {
         CAPTURE(share);
         CHECK(grows_in_steps(.25, share, fixed_condition()));
