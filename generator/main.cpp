@@ -8,7 +8,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "generator/bonds/square_bonds.hpp"
+#include "generator/bonds/square_lattice.hpp"
 #include "generator/cli/command_line.hpp"
 #include "generator/commands/bonds.hpp"
 #include "generator/commands/check.hpp"

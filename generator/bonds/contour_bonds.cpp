@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "generator/exact/echelon.hpp"
-#include "generator/exact/rational.hpp"
 
 namespace nmbcgen {
 namespace {

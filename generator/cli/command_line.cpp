@@ -11,8 +11,6 @@
 #include "generator/cli/print_options.hpp"
 #include "generator/cli/question_options.hpp"
 #include "generator/cli/settle.hpp"
-#include "generator/cli/whole_number.hpp"
-#include "generator/exact/rational.hpp"
 #include "generator/names/printable.hpp"
 #include "generator/support/command_line_problem.hpp"
 #include "generator/support/files.hpp"

@@ -4,7 +4,6 @@
 #include "generator/cli/model_options.hpp"
 #include "generator/cli/option_values.hpp"
 #include "generator/cli/parsed_option.hpp"
-#include "generator/cli/whole_number.hpp"
 #include "generator/exact/rational.hpp"
 
 namespace nmbcgen {

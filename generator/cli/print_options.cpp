@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "generator/bonds/square_bonds.hpp"
+#include "generator/bonds/square_lattice.hpp"
 #include "generator/cli/comma_list.hpp"
 #include "generator/cli/model_options.hpp"
 #include "generator/cli/option_values.hpp"

@@ -18,7 +18,6 @@
 #include "generator/families/projected.hpp"
 #include "generator/families/vector_family.hpp"
 #include "generator/passive/plane_side.hpp"
-#include "generator/pipeline.hpp"
 #include "generator/plane/side_reflection.hpp"
 #include "generator/support/on_all_cores.hpp"
 

@@ -5,7 +5,6 @@
 #include "generator/emit/certificate_json.hpp"
 #include "generator/emit/certificate_text.hpp"
 #include "generator/emit/emit.hpp"
-#include "generator/exact/algebraic_number.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 #include "generator/names/names.hpp"
