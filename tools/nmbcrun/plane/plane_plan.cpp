@@ -23,10 +23,8 @@ constexpr double of_stable_by_default = 0.9;
 
 /// What the longest step is of.
 const char* limit_of(const PlaneScene& scene) {
-    const bool may_feed = std::ranges::any_of(
-        scene.sides, [](const PlaneSideChoice& side) { return may_grow(side.kind); });
-    return may_feed ? "what the lattice allows, whatever its sides feed in"
-                    : "what is stable between these sides";
+    return scene.may_grow() ? "what the lattice allows, whatever its sides feed in"
+                            : "what is stable between these sides";
 }
 
 /// Steps below `stable` in which strips between the sides do not grow, where there are such, and

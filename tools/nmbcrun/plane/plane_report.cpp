@@ -62,9 +62,7 @@ std::string warning_of_growth(const PlaneSimulation& simulation) {
 std::string warning_of_idle_key(const PlaneScene& scene) {
     const bool may_explode =
         scene.is_bond_based() && !nmbc::is_positive(bonds_of(scene)) && scene.has(SideKind::free);
-    const bool may_feed = std::ranges::any_of(
-        scene.sides, [](const PlaneSideChoice& side) { return may_grow(side.kind); });
-    return scene.allow_unstable && !may_feed && !may_explode
+    return scene.allow_unstable && !scene.may_grow() && !may_explode
                ? "boundary.allow_unstable does nothing: no side of this scene may feed energy in"
                : "";
 }

@@ -133,8 +133,7 @@ void PlaneRun::print() {
                          strain)});
     }
     if (rows.back()[4] > 10 * least && !simulation_.is_driven(simulation_.plane().time()) &&
-        std::ranges::any_of(simulation_.scene().sides,
-                            [](const PlaneSideChoice& side) { return may_grow(side.kind); })) {
+        simulation_.scene().may_grow()) {
         print_warnings(
             {fmt::format("the energy has grown to {:.2g} times the least of the table: "
                          "its sides feed it",

@@ -268,6 +268,11 @@ bool PlaneScene::has(SideKind kind) const {
                                [kind](const PlaneSideChoice& side) { return side.kind == kind; });
 }
 
+bool PlaneScene::may_grow() const {
+    return std::ranges::any_of(
+        sides, [](const PlaneSideChoice& side) { return nmbcrun::may_grow(side.kind); });
+}
+
 std::vector<std::filesystem::path> inputs_of(const PlaneScene& scene) {
     std::vector<std::filesystem::path> files;
     if (scene.initial) {

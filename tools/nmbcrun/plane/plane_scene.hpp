@@ -123,6 +123,7 @@ struct PlaneScene : AnyScene {
     std::optional<PlaneOriginal> original{};           ///< of a reference; never read
 
     bool has(SideKind kind) const;
+    bool may_grow() const;  ///< any of its sides can feed energy in
     bool is_bond_based() const { return !weights.empty(); }
 };
 
