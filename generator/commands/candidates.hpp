@@ -24,7 +24,7 @@ struct Certified {
 /// where it is matched in others. Without a half space where there is no such condition.
 Certified certified(const Specification& what);
 
-/// "steps of cfl .. or less", or "from .. to ..".
+/// "steps of cfl 0.69 or less", or "steps of cfl 0.041 to 0.15".
 std::string in_words(const StepRange& steps);
 
 /// The certified steps of a condition; time_step [dX/c] is to be one of them, unless that is 0.
