@@ -224,15 +224,15 @@ ReflectionError::End ReflectionError::end(const Boundary& boundary, double time_
         return [waves = sent_back_by_passive_end(lattice_of(scene_), time_step)](
                    const WaveBand& band) { return waves(band.xi); };
     }
-    const nmbcgen::HalfSpace& in_time = half_space(boundary);
-    if (modes_ == nullptr) {
-        modes_ = std::make_unique<nmbcgen::KnownModes>(in_time);
-    }
-    return [this, end = stepped(in_time, time_step)](const WaveBand& band) {
-        return waves_of(end.is_damped()
-                            ? nmbcgen::reflection(end, band.omega)
-                            : nmbcgen::reflection(end, band.omega, modes_->at(band.omega)),
-                        band.xi);
+    return [this, end = stepped(half_space(boundary), time_step)](const WaveBand& band) {
+        if (end.is_damped()) {
+            return waves_of(nmbcgen::reflection(end, band.omega), band.xi);
+        }
+        const auto [entry, is_new] = modes_.try_emplace(band.omega);
+        if (is_new) {
+            entry->second = nmbcgen::outgoing_modes(end, band.omega);
+        }
+        return waves_of(nmbcgen::reflection(end, band.omega, entry->second), band.xi);
     };
 }
 

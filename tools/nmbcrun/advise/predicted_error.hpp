@@ -3,8 +3,8 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <nmbc/node_line.hpp>
+#include <unordered_map>
 #include <vector>
 
 #include "generator/stability/half_space.hpp"
@@ -70,7 +70,8 @@ class ReflectionError {
         left_;  // none at a physical end; directly, and from a physical end opposite
     std::vector<Arrivals> right_;
     std::map<const nmbc::MatchingTable*, nmbcgen::HalfSpace> half_spaces_;
-    std::unique_ptr<nmbcgen::KnownModes> modes_;  // of an undamped lattice, which all ends share
+    /// Of an undamped lattice, by frequency: neither ends nor steps change them.
+    std::unordered_map<double, std::vector<nmbcgen::Mode>> modes_;
 };
 
 }  // namespace nmbcrun
