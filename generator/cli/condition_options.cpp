@@ -59,9 +59,15 @@ SpecificationOptions add_specification(CLI::App& app, Request& request, Pending&
 }
 
 void require_condition(const SpecificationOptions& options, const std::string& otherwise) {
-    if (options.order->count() + options.match->count() == 0 ||
-        options.horizon->count() + options.radius->count() == 0) {
-        throw CLI::RequiredError("--order (or --match) and --horizon (or --radius2)" + otherwise);
+    const bool has_condition = options.order->count() + options.match->count() > 0;
+    const bool has_lattice = options.horizon->count() + options.radius->count() > 0;
+    const std::string condition = "--order (or --match)";
+    const std::string lattice = "--horizon (or --radius2)";
+    if (!has_condition && !has_lattice) {
+        throw CLI::RequiredError(condition + " and " + lattice + otherwise);
+    }
+    if (!has_condition || !has_lattice) {
+        throw CLI::RequiredError(has_condition ? lattice : condition);
     }
 }
 

@@ -118,7 +118,7 @@ TEST_CASE("a certificate at one G is proved or sampled") {
     using nmbcgen::Evidence;
     CHECK(evidence(2, {1, 2}) == std::pair(Evidence::proved, Evidence::proved));
     CHECK(evidence(2, {1, 3}) == std::pair(Evidence::proved, Evidence::proved));  // no double
-    // sampled to cfl 0.50, proved to 0.49, which it is certified to
+    // the edge is at cfl 0.5
     CHECK(evidence(3, {1, 2}) == std::pair(Evidence::proved, Evidence::proved));
     CHECK(certified(3, {1, 2}, 0).max_cfl.front().cfl == 0.49);
     CHECK(certified(3, {1, 2}, 0).max_cfl_contractive.front().cfl == 0.49);

@@ -36,6 +36,8 @@ TEST_CASE("largest cfl") {
         CAPTURE(known.order);
         CHECK(std::abs(stable_range(h).largest - known.cfl) < 0.0101);
     }
+    // Its edge is cfl 0.5 itself, (dt/2)^2 = 1/16, where a mode neither grows nor dies.
+    CHECK(stable_range(half_space(1, 3, 1, half)).largest == 0.49);
 }
 
 /// One step of a chain from a rough state, ghosts included, by the map and by the runtime.

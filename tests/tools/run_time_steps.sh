@@ -54,6 +54,11 @@ expect_stderr "To try it, give boundary.allow_unstable = true"
 try run "$automatic" "${long_step[@]}" --set boundary.allow_unstable=true
 expect_exit 0
 expect_stderr "not stable"
+# On the edge, (dt/2)^2 = 1/16, a mode neither grows nor dies.
+try run "$automatic" --set model.horizon=1 --set model.G=0.5 --set boundary.order=3 \
+    --set time.end=4 --set time.cfl=0.5
+expect_exit 4
+expect_stderr "Certified for these ends is cfl = 0.49"
 # Unlike ends: NMBC2 of stride 3 has 0.55 with its like, and less against a fixed end.
 unlike=(--set model.horizon=3 --set boundary.order=2 --set boundary.stride=3 --set model.G=4
     --set time.end=4)

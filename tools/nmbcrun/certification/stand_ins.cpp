@@ -8,6 +8,7 @@
 #include <nmbc/table.hpp>
 #include <vector>
 
+#include "generator/exact/rounded_text.hpp"
 #include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/sides/passive_design.hpp"
@@ -92,8 +93,8 @@ std::string choices_in_place(const Scene& scene, const Suits& suits) {
 std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice) {
     const double omega_max = highest_frequency(scene, lattice);
     if (const double own = largest_certified_cfl(scene, lattice); own > 0) {
-        return fmt::format("Certified for these ends is cfl = {:.3g}, time.step = {:.4g}", own,
-                           2 * own / omega_max);
+        return fmt::format("Certified for these ends is cfl = {:.3g}, time.step = {}", own,
+                           nmbcgen::rounded_down(2 * own / omega_max, 4));
     }
     const std::string choices = choices_in_place(scene);
     return choices.empty() ? "No other end that there is a table of is certified here; "
