@@ -52,7 +52,7 @@ struct Squares {
 /// The cosines of the waves that travel, ascending.
 using Points = std::vector<double>;
 
-/// The forms of band_grade.hpp as matrices, at some waves; those close to each other are a cluster.
+/// The forms of wave_grade.hpp as matrices, at some waves; those close to each other are a cluster.
 class Forms {
   public:
     Forms(const Squares& squares, const Points& points, double seen_squared)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// What waves do between two critical frequencies that are nearly one, as where two extrema of the
 /// band meet or change their order. There reflection.hpp tells waves from each other no more, and
-/// the divided differences of generator/enclosures/band_grade.hpp, which stay finite, decide.
+/// the divided differences of generator/enclosures/wave_grade.hpp, which stay finite, decide.
 #pragma once
 
 #include <vector>

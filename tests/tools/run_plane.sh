@@ -767,6 +767,7 @@ expect_stderr "there is nothing to advise"
 try advise "$band" --set boundary.bottom.kind=fixed --set boundary.top.kind=fixed --tolerance 0.1
 expect_exit 0
 expect_stdout_with "1 of the 20 nodes there gives the same u to roundings"
+expect_stdout_with "is for scenes of the chain of these"
 advised=$(sed -n 's/^settings *//p' "$scratch/stdout")
 try run "$band" --quiet --set time.step=0.05 --set boundary.bottom.kind=fixed --set boundary.top.kind=fixed
 expect_exit 0

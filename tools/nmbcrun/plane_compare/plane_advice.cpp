@@ -96,7 +96,9 @@ std::string settings_of(const PlaneScene& scene, const SideAdvice& advice) {
 void print_strip(const PlaneStrip& strip, const PlaneScene& scene) {
     fmt::print(
         "dimension  all is alike along {0}: {1} of the {2} nodes there gives the same u to "
-        "roundings,\n           and energies of {1}/{2}\n",
+        "roundings,\n           and energies of {1}/{2}. NMBC, which lets out more, is for scenes "
+        "of "
+        "the chain of these\n           waves: docs/how-to/plane-waves.md\n",
         strip.axis == 0 ? 'x' : 'y', strip.scene.nodes[strip.axis], scene.nodes[strip.axis]);
 }
 
