@@ -84,7 +84,7 @@ refuses --match "given twice: pi/3" -- --horizon 1 --G 1/2 --match 0:1,pi/3:1,2p
 refuses --match "given twice: 1" -- --horizon 1 --G 1/2 --match 0:1,1.0:1,1:2
 refuses --match "requires --G" -- --horizon 1 --match 0:3,1:1
 refuses "--order and --match exclude each other: give one of them" -- --horizon 1 --G 1/2 --match 0:3,1:1 --order 2
-refuses --match --horizon -- --G 1/2 --match 0:3,1:1
+refuses "--horizon (or --radius2) is required" -- --G 1/2 --match 0:3,1:1
 refuses --match --order -- reflect --horizon 1 --G 1/2
 
 for bad in cone 1,x nan,1 "constant,1"; do

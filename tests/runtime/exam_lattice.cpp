@@ -111,6 +111,25 @@ TEST_CASE("a plane wave is accelerated by -omega^2") {
     }
 }
 
+TEST_CASE("a plane wave of a damped lattice is braked by its symbol") {
+    nmbc::Lattice lattice = lattice_of(1, 0.6);
+    lattice.damping = {0.75, -0.5, 0.125};
+    constexpr double xi = 0.7;
+    constexpr double rate = 2.5;
+    std::vector<double> v(40);
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        v[i] = std::cos(xi * double(i));
+    }
+    std::vector<double> d(v.size(), 99);
+    nmbc::decelerations(lattice, rate, v, d);
+    const double symbol = 0.75 - std::cos(xi) + 0.25 * std::cos(2 * xi);
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const bool ghost = i < 2 || i >= 38;
+        const double expected = ghost ? 99 : rate * symbol * v[i];
+        CHECK(d[i] == doctest::Approx(expected).epsilon(1e-13));  // 5 terms, some cancel
+    }
+}
+
 TEST_CASE("the energy's squares add up to the band") {
     for (int n = 1; n <= 5; ++n) {
         const auto lattice = lattice_of(n, 0.8);

@@ -58,7 +58,7 @@ expect_stderr "not stable"
 try run "$automatic" --set model.horizon=1 --set model.G=0.5 --set boundary.order=3 \
     --set time.end=4 --set time.cfl=0.5
 expect_exit 4
-expect_stderr "Certified for these ends is cfl = 0.49"
+expect_stderr "Certified for these ends is cfl = 0.48"
 # Unlike ends: NMBC2 of stride 3 has 0.55 with its like, and less against a fixed end.
 unlike=(--set model.horizon=3 --set boundary.order=2 --set boundary.stride=3 --set model.G=4
     --set time.end=4)
