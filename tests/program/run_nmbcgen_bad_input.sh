@@ -136,7 +136,9 @@ refuses "--order is given 2 times, where once is allowed" -- --order 1 --order 2
 refuses "--order is given 2 times, where once is allowed" -- --order 1 --order 1 --horizon 1
 refuses "--horizon is given 3 times, where once is allowed" -- --order 1 --horizon 1 --horizon 1 --horizon 1
 
-refuses "--order (or --match) and --horizon" "--all" "--check" -- --order 1
+refuses "--horizon (or --radius2) is required" -- --order 1
+refuses "--order (or --match) is required" -- --horizon 1
+refuses "--order (or --match) and --horizon" "--all" "--check" -- --G 1
 refuses "--order (or --match) and --horizon" "--all" "--check" -- --horizon 1
 refuses "--order (or --match) and --horizon" "--all" "--check" --
 refuses "--order (or --match) and --horizon" "--all" "--check" -- --stdout
