@@ -139,7 +139,6 @@ refuses "--horizon is given 3 times, where once is allowed" -- --order 1 --horiz
 refuses "--horizon (or --radius2) is required" -- --order 1
 refuses "--order (or --match) is required" -- --horizon 1
 refuses "--order (or --match) and --horizon" "--all" "--check" -- --G 1
-refuses "--order (or --match) and --horizon" "--all" "--check" -- --horizon 1
 refuses "--order (or --match) and --horizon" "--all" "--check" --
 refuses "--order (or --match) and --horizon" "--all" "--check" -- --stdout
 refuses "--order needs a value" -- --horizon 1 --order
