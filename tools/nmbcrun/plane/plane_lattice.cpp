@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/plane/plane_lattice.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "generator/exact/rational.hpp"
@@ -43,19 +42,6 @@ std::optional<double> critical_stretch(const PlaneScene& scene) {
     }
     const double of_one = nmbc::fracture_energy(bonds_of(scene), 1);
     return std::sqrt(*scene.fracture->energy / (of_one * scene.youngs_modulus * scene.spacing));
-}
-
-std::optional<double> longest_step_of_loads(const PlaneScene& scene) {
-    const auto stretch = critical_stretch(scene);
-    std::optional<double> longest;
-    for (const PlaneLoad& load : scene.loads) {
-        if (stretch && load.given == Given::force && load.rise == 0 && load.file.empty()) {
-            const double acceleration = std::abs(load.amplitude) / scene.density;
-            const double step = std::sqrt(*stretch * scene.spacing / acceleration);
-            longest = std::min(longest.value_or(step), step);
-        }
-    }
-    return longest;
 }
 
 double rate_of(const PlaneScene& scene) {

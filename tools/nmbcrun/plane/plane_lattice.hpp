@@ -26,10 +26,6 @@ nmbc::BondModel bonds_of(const PlaneScene& scene);
 /// along an axis whose bonds break.
 std::optional<double> critical_stretch(const PlaneScene& scene);
 
-/// In longer steps the nodes of a body force without rise move by more than the critical stretch
-/// times dX within the first of them; nothing where there is none.
-std::optional<double> longest_step_of_loads(const PlaneScene& scene);
-
 /// sqrt(E/rho)/dX [1/time].
 double rate_of(const PlaneScene& scene);
 

@@ -12,6 +12,7 @@
 
 #include "generator/exact/rounded_text.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/plane/load_steps.hpp"
 #include "tools/nmbcrun/plane/plane_lattice.hpp"
 #include "tools/nmbcrun/plane/steady_step.hpp"
 #include "tools/nmbcrun/stepping/plane_stepping.hpp"
@@ -44,11 +45,13 @@ void choose_step(const PlaneScene& scene, const nmbc::PlaneSides& sides,
                 steady->share);
         }
     }
-    constexpr double part = 0.3;
-    if (const auto longest = longest_step_of_loads(scene);
-        longest && part * *longest < plan.time_step) {
-        plan.time_step = part * *longest;
-        plan.limit = "short enough for loads that set in at once";
+    for (const LoadStep& load : steps_of_loads(scene)) {
+        if (load.fine < plan.time_step) {
+            plan.time_step = load.fine;
+            plan.limit = fmt::format(
+                "{} moves its nodes by at most a tenth of the critical stretch times dX in {}",
+                load.table, load.is_force ? "the first" : "each");
+        }
     }
     constexpr double per_time = 20;
     const auto limit = [&](double time, const char* key) {

@@ -8,6 +8,7 @@
 
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rounded_text.hpp"
+#include "tools/nmbcrun/plane/load_steps.hpp"
 #include "tools/nmbcrun/plane/plane_spectrum.hpp"
 #include "tools/nmbcrun/plane/side_prospect.hpp"
 #include "tools/nmbcrun/plane/steady_step.hpp"
@@ -22,16 +23,22 @@ std::string words_of(const PlaneSimulation& simulation, std::size_t side) {
                : heading_of(choice);
 }
 
-/// Where a load that sets in at once pulls bonds apart within one step.
-std::string warning_of_jumps(const PlaneSimulation& simulation) {
-    const auto longest = longest_step_of_loads(simulation.scene());
-    return longest && simulation.plan().time_step > *longest
-               ? fmt::format(
-                     "a load sets in so hard that in one step its nodes move by the critical "
-                     "stretch times dX: bonds may break for that alone. Give it a rise, or "
-                     "time.step below {:.3g}",
-                     *longest)
-               : "";
+/// Where a load pulls bonds apart within one step.
+std::vector<std::string> warnings_of_jumps(const PlaneSimulation& simulation) {
+    std::vector<std::string> warnings;
+    const double time_step = simulation.plan().time_step;
+    for (const LoadStep& load : steps_of_loads(simulation.scene())) {
+        if (time_step > load.longest) {
+            const double ratio = time_step / load.longest;
+            warnings.push_back(fmt::format(
+                "in {} step {} moves its nodes by {:.3g} times the critical stretch times dX: "
+                "bonds may break for that alone. Give {}time.step below {:.3g}",
+                load.is_force ? "the first" : "one", load.table,
+                load.is_force ? ratio * ratio : ratio, load.is_force ? "it a rise, or " : "",
+                load.longest));
+        }
+    }
+    return warnings;
 }
 
 /// Steps that the scene gives are taken, whatever grows in them.
@@ -111,9 +118,11 @@ std::vector<std::string> warnings_of(const PlaneSimulation& simulation) {
     std::vector<std::string> warnings = simulation.warnings();
     const auto short_waves = warnings_of_short_waves(simulation);
     warnings.insert(warnings.end(), short_waves.begin(), short_waves.end());
+    const auto jumps = warnings_of_jumps(simulation);
+    warnings.insert(warnings.end(), jumps.begin(), jumps.end());
     warnings.insert(warnings.end(),
                     {warning_of_idle_key(simulation.scene()), warning_of_growth(simulation),
-                     warning_of_short_run(simulation.scene()), warning_of_jumps(simulation)});
+                     warning_of_short_run(simulation.scene())});
     std::erase(warnings, "");
     return warnings;
 }

@@ -97,6 +97,15 @@ double ForceInTime::largest(double from, double to) const {
     return most;
 }
 
+double ForceInTime::steepest_between_rows() const {
+    double steepest = 0;
+    for (std::size_t row = 1; row < times_.size(); ++row) {
+        const double change = force_.amplitude * (forces_[row] - forces_[row - 1]);
+        steepest = std::max(steepest, std::abs(change / (times_[row] - times_[row - 1])));
+    }
+    return steepest;
+}
+
 double ForceInTime::end() const {
     return has_middle(force_.history) ? force_.time + enough_durations * force_.duration : last_;
 }

@@ -21,6 +21,11 @@ class ForceInTime {
     double first() const { return first_; }
     double last() const { return last_; }
 
+    /// The largest |f|.
+    double peak() const { return largest(first_, last_); }
+    /// Of a file: the largest |df/dt| between two of its rows; 0 of one row.
+    double steepest_between_rows() const;
+
     /// From then on it has ended, but for 4e-6 of its amplitude.
     double end() const;
 
@@ -41,7 +46,6 @@ class ForceInTime {
 
   private:
     double linear_between_rows(double time) const;
-    double peak() const { return largest(first_, last_); }
     double largest(double from, double to) const;
     std::string missed_rows(double time_step) const;
     /// end: of the run, beyond which nothing is proposed unless that is, too.
