@@ -190,6 +190,9 @@ refused 2 "from a point to itself" --set 'fracture.cracks=[[1e-3, 1e-3, 1e-3, 1e
 refused 2 "must be a list of four numbers each, [[X1, Y1, X2, Y2], ..], not [1, 2]" --set 'fracture.cracks=[[1, 2]]'
 refused 2 "which holds no node" --set 'fracture.keep=[[0, 0, 0.1e-3, 1]]'
 refused 2 "model.alpha has length 2; 6 is needed, a number other than 0 for each of the bonds (1, 0), (1, 1), (2, 0), (2, 1), (2, 2), (3, 0)" --set 'model.alpha=[1, 1]'
+refused 2 "model.alpha has 0 as number 6; 6 is needed, a number other than 0 for each of the bonds (1, 0)" --set 'model.alpha=[1, 1, 1, 1, 1, 0]'
+refused 2 "a side of kind \"sbp\" is for nopd2d" --set boundary.left.kind=sbp
+expect "no side is designed before that" bash -c '! grep -q design "$1" "$2"' - "$scratch/stderr" "$scratch/stdout"
 refused 2 "model.alpha and model.weights say the same: give one" --set 'model.weights=[1, 1, 1, 1, 1, 1]'
 refused 2 "the square of a whole number, not 8, which takes weights" --set model.radius2=8 --set 'model.alpha=[1, 1, 1, 1, 1]'
 refused 2 "whose first point is not the lower left one" --set 'fracture.keep=[[1e-2, 1e-2, 0, 0]]'

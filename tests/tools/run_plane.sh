@@ -651,6 +651,7 @@ setting 2 "puts it outside of the plane" "initial.centre=[10, -50.5]" initial.wi
 refuses 2 "force.time lets it begin at t = 1e+06, after time.end = 200" run "$2/tools/scenes/plane_box.toml" \
     --set force.time=1e6
 refuses 2 "force.time lets it end before the run begins" run "$2/tools/scenes/plane_box.toml" --set force.time=-41
+setting 2 "initial.wave_number must be a number above 0, up to pi [1/dX], not 400" 'initial={shape = "packet", amplitude = 1, centre = [9, 9], width = 9, wave_number = 400, angle = 0, polarisation = "P"}'
 setting 2 "initial.wave_number has no meaning for this shape" initial.wave_number=1
 setting 2 "initial.component has no meaning for a packet" initial.shape=packet
 setting 2 "initial.amplitude has no meaning for a file, which has its own u and v" initial.shape=hdf5

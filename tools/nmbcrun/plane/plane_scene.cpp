@@ -53,12 +53,14 @@ void read_bonds(SceneReader& reader, PlaneScene& scene) {
     }
     const std::vector<double>& given = alpha.empty() ? scene.weights : alpha;
     const auto classes = nmbc::plane_bond_classes(scene.radius_squared);
-    if (given.size() != classes.size() || std::ranges::count(given, 0.0) > 0) {
-        reader.fail(
-            alpha.empty() ? "model.weights" : "model.alpha",
-            fmt::format(
-                "has length {}; {} is needed, a number other than 0 for each of the bonds {}",
-                given.size(), classes.size(), nmbc::detail::list_of_bonds(classes)));
+    const auto zero = std::ranges::find(given, 0.0);
+    if (given.size() != classes.size() || zero != given.end()) {
+        const std::string wrong = given.size() != classes.size()
+                                      ? fmt::format("has length {}", given.size())
+                                      : fmt::format("has 0 as number {}", zero - given.begin() + 1);
+        reader.fail(alpha.empty() ? "model.weights" : "model.alpha",
+                    fmt::format("{}; {} is needed, a number other than 0 for each of the bonds {}",
+                                wrong, classes.size(), nmbc::detail::list_of_bonds(classes)));
     }
     try {
         if (!alpha.empty()) {

@@ -186,12 +186,7 @@ SceneSides sides_of(const PlaneScene& scene, bool quiet) {
         }
     }
     SceneSides result;
-    nmbc::PlaneSide passive;
     require_proved(scene);
-    if (scene.has(SideKind::passive)) {
-        result.passive = designed_side_of(scene, quiet);
-        passive = result.passive->side;
-    }
     nmbc::PlaneSide closed;
     if (scene.has(SideKind::sbp) && scene.has(SideKind::kernel)) {
         throw SceneError(R"(beside sides of kind "sbp" there are none of kind "kernel")");
@@ -201,6 +196,11 @@ SceneSides sides_of(const PlaneScene& scene, bool quiet) {
     }
     if (scene.has(SideKind::kernel)) {
         closed = kernel_side_of(scene);
+    }
+    nmbc::PlaneSide passive;
+    if (scene.has(SideKind::passive)) {  // last, as designs take seconds
+        result.passive = designed_side_of(scene, quiet);
+        passive = result.passive->side;
     }
     const auto side = [&](std::size_t number) -> nmbc::PlaneSide {
         switch (scene.sides[number].kind) {

@@ -61,7 +61,7 @@ PlaneInitial read_initial_file(const KeyGroup& group, double spacing) {
 }
 
 PlaneInitial read_initial(const KeyGroup& group, double spacing) {
-    constexpr Bounds wave_numbers{0, std::numbers::pi, false, "a number above 0, up to pi"};
+    constexpr Bounds wave_numbers{0, std::numbers::pi, false, "a number above 0, up to pi [1/dX]"};
     enum class Of { displacement, velocity };
     enum class Polarisation { P, S };
     PlaneInitial initial;
