@@ -690,6 +690,8 @@ expect_stdout_with ": 0.8 of what the lattice allows: in longer ones strips betw
 # Opposite a fixed side it grows in steps of any length, which the report says.
 try run "${strip[@]:0:1}" "${strip[@]:2}" --set boundary.right.kind=fixed --set time.end=9 --out strip
 expect "no step is steady" grep -q "strips between them grow in steps of any length" "$scratch/stdout"
+try run "${strip[@]}" --set boundary.right.kind=fixed --set time.end=9 --out strip
+expect_stderr ") strips between its sides grow, as in those of any length"
 rm -r strip
 
 # A field that the disk does not take leaves an earlier run's files as they were.

@@ -41,7 +41,8 @@ std::vector<std::string> warnings_of_jumps(const PlaneSimulation& simulation) {
     return warnings;
 }
 
-/// Steps that the scene gives are taken, whatever grows in them.
+/// Steps that the scene gives are taken, whatever grows in them, and default ones where strips grow
+/// in all.
 std::string warning_of_growth(const PlaneSimulation& simulation) {
     const PlaneScene& scene = simulation.scene();
     const PlanePlan& plan = simulation.plan();
@@ -49,8 +50,7 @@ std::string warning_of_growth(const PlaneSimulation& simulation) {
     const nmbc::PlaneParameters& p = simulation.plane().parameters();
     const std::array nodes{p.nx, p.ny};
     const double rate = rate_of(scene);
-    if ((!scene.step && !scene.cfl) ||
-        !strips_grow_in(scene, sides, nodes, plan.time_step * rate)) {
+    if (!strips_grow_in(scene, sides, nodes, plan.time_step * rate)) {
         return "";
     }
     const auto steady = steady_step(scene, sides, nodes);
