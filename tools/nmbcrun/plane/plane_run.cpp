@@ -132,6 +132,7 @@ void PlaneRun::print() {
                          "or nearer, than at rest: the model is of small strains",
                          strain)});
     }
+    print_warnings(simulation_.torn_loads());
     if (rows.back()[4] > 10 * least && !simulation_.is_driven(simulation_.plane().time()) &&
         simulation_.scene().may_grow()) {
         print_warnings(

@@ -192,15 +192,13 @@ double PlaneSimulation::times_supplied() const {
 }
 
 double PlaneSimulation::largest_strain() const {
+    if (scene_.fracture) {
+        return HeldBonds(scene_, plane_).largest_strain();
+    }
     double largest = 0;
-    const bool may_open = scene_.fracture.has_value();
-    const auto is_whole = [&](std::size_t x, std::size_t y) {
-        return !may_open || damage(x, y) == 0;
-    };
     const auto look = [&](std::size_t x, std::size_t y, std::size_t beside_x,
                           std::size_t beside_y) {
-        if (beside_x >= scene_.nodes[0] || beside_y >= scene_.nodes[1] || !is_whole(x, y) ||
-            !is_whole(beside_x, beside_y)) {
+        if (beside_x >= scene_.nodes[0] || beside_y >= scene_.nodes[1]) {
             return;
         }
         for (const std::size_t a : {0U, 1U}) {

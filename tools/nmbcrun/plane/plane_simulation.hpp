@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/nmbcrun/plane/held_bonds.hpp"
 #include "tools/nmbcrun/plane/plane_body.hpp"
 #include "tools/nmbcrun/plane/plane_plan.hpp"
 #include "tools/nmbcrun/plane/plane_scene.hpp"
@@ -63,8 +64,13 @@ class PlaneSimulation {
     std::vector<std::vector<double>> state() const;
     void resume(std::size_t steps, const std::vector<std::vector<double>>& state);
 
-    /// Largest difference of a component of u between neighbours whose bonds all hold [dX].
+    /// Largest difference of a component of u between neighbours [dX]; where bonds may break,
+    /// between the ends of one that holds, over its length.
     double largest_strain() const;
+    /// In words: loads that no longer act on the body, as bonds have broken.
+    std::vector<std::string> torn_loads() const {
+        return warnings_of_torn_loads(scene_, plane_, sources_);
+    }
 
     /// The field's entry of a node of the scene.
     std::size_t entry(std::size_t x, std::size_t y) const {

@@ -94,6 +94,7 @@ PlaneSources::Source PlaneSources::source_of(const ForceInTime& force,
 
 void PlaneSources::add(Source source, std::size_t component, const Entries& entries,
                        const std::string& table, const nmbc::Plane& plane) {
+    source.table = table;
     for (const std::size_t entry : entries) {
         const auto [found, is_new] = places_.try_emplace({component, entry}, moved_.size());
         if (is_new) {
@@ -173,6 +174,18 @@ PlaneSources::PlaneSources(const PlaneScene& scene, const nmbc::Plane& plane,
 
 bool PlaneSources::drives(double time) const {
     return std::ranges::any_of(sources_, [&](const Source& source) { return time <= source.last; });
+}
+
+std::vector<PlaneSources::LoadedNodes> PlaneSources::loaded() const {
+    std::vector<LoadedNodes> all;
+    for (const Source& source : sources_) {
+        LoadedNodes& loaded = all.emplace_back();
+        loaded.table = source.table;
+        for (const std::size_t node : source.nodes) {
+            loaded.entries.push_back(moved_[node].entry);
+        }
+    }
+    return all;
 }
 
 void PlaneSources::start(const nmbc::Plane& plane, double work) {

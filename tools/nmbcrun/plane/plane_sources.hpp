@@ -40,6 +40,13 @@ class PlaneSources {
 
     bool drives(double time) const;
 
+    struct LoadedNodes {
+        std::string table{};                 ///< of the scene
+        std::vector<std::size_t> entries{};  ///< of a field
+    };
+    /// The nodes of each source.
+    std::vector<LoadedNodes> loaded() const;
+
     /// In words: what the run misses of the force and of loads from files.
     const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -55,6 +62,7 @@ class PlaneSources {
     };
     /// What acts on some of them.
     struct Source {
+        std::string table{};  ///< of the scene
         Given given = Given::force;
         std::function<double(double)> at{};  ///< in time
         double last = 0;                     ///< it acts up to this time
