@@ -537,7 +537,12 @@ expect_exit 0
 expect_no_stderr
 try "${point[@]}" --set force.duration=30 --set force.half_width=8 --set force.time=0 --set force.amplitude=1e3
 expect_exit 0
+expect_stderr "at the end neighbours are up to"
 expect_stderr "the model is of small strains"
+# Of an initial field that is known before the run: exp(-1/9) - 1 over a node of a width of 3.
+try run "$scene" --quiet --set time.end=1 --set 'initial={shape = "gaussian", component = "x", amplitude = 10, width = 3, centre = [20, 20]}'
+expect_exit 0
+expect "it is told first" grep -qE "^nmbcrun: warning: at the start neighbours are up to 2.[0-9]* times dX further apart, or nearer, than at rest: the model is of small strains" "$scratch/stderr"
 rm -r results
 
 # verify: 4 % of the pulse comes back; sides so far off that nothing does.

@@ -23,6 +23,17 @@ std::string words_of(const PlaneSimulation& simulation, std::size_t side) {
                : heading_of(choice);
 }
 
+/// Of initial fields.
+std::string warning_of_strains(const PlaneSimulation& simulation) {
+    const bool begins = simulation.scene().initial && simulation.plane().steps() == 0;
+    const double strain = begins ? simulation.largest_strain() : 0;
+    return strain > 1 ? fmt::format(
+                            "at the start neighbours are up to {:.3g} times dX further apart, or "
+                            "nearer, than at rest: the model is of small strains",
+                            strain)
+                      : "";
+}
+
 /// Where a load pulls bonds apart within one step.
 std::vector<std::string> warnings_of_jumps(const PlaneSimulation& simulation) {
     std::vector<std::string> warnings;
@@ -122,7 +133,7 @@ std::vector<std::string> warnings_of(const PlaneSimulation& simulation) {
     warnings.insert(warnings.end(), jumps.begin(), jumps.end());
     warnings.insert(warnings.end(),
                     {warning_of_idle_key(simulation.scene()), warning_of_growth(simulation),
-                     warning_of_short_run(simulation.scene())});
+                     warning_of_strains(simulation), warning_of_short_run(simulation.scene())});
     std::erase(warnings, "");
     return warnings;
 }
