@@ -9,11 +9,11 @@
 namespace nmbcgen {
 namespace {
 
-Rational poisson_below(const Rational& highest, const VectorChoice& choice, const char* where) {
+Rational poisson_of(const VectorChoice& choice) {
     Rational nu = choice.poisson.value_or(0);
-    if (nu <= -1 || nu >= highest) {
-        throw NoSuchModel(fmt::format("Poisson's ratio {}: {} needs -1 < nu < {}", to_string(nu),
-                                      where, to_string(highest)));
+    if (nu <= -1 || nu >= Rational(1, 2)) {
+        throw NoSuchModel(fmt::format("Poisson's ratio {}: an isotropic solid needs -1 < nu < 1/2",
+                                      to_string(nu)));
     }
     return nu;
 }
@@ -22,14 +22,13 @@ Rational poisson_below(const Rational& highest, const VectorChoice& choice, cons
 
 Moduli plane_moduli(const VectorChoice& choice) {
     const bool strain = choice.plane_strain;
-    const Rational nu = poisson_below(strain ? Rational(1, 2) : Rational(1), choice,
-                                      strain ? "plane strain" : "plane stress");
+    const Rational nu = poisson_of(choice);
     return {.bulk = strain ? 1 / (2 * (1 + nu) * (1 - 2 * nu)) : 1 / (2 * (1 - nu)),
             .shear = 1 / (2 * (1 + nu))};
 }
 
 Moduli solid_moduli(const VectorChoice& choice) {
-    const Rational nu = poisson_below(Rational(1, 2), choice, "a solid");
+    const Rational nu = poisson_of(choice);
     return {.bulk = 1 / (3 * (1 - 2 * nu)), .shear = 1 / (2 * (1 + nu))};
 }
 

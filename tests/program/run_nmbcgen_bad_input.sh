@@ -168,10 +168,12 @@ refuses --radius2 "no node of the square lattice is at a distance of 3 squared" 
 refuses --radius2 "'101' is not a whole number from 1 to 100" -- $plane --radius2 101 --nu 1/4 --polarisation P
 refuses --radius2 "'0'" -- $plane --radius2 0 --nu 1/4 --polarisation P
 refuses --radius2 --horizon "exclude each other: give one of them" -- $plane --radius2 1 --horizon 1 --nu 1/4 --polarisation P
-refuses --nu "Poisson's ratio 1: plane stress needs -1 < nu < 1" -- \
+refuses --nu "Poisson's ratio 1: an isotropic solid needs -1 < nu < 1/2" -- \
     $plane --radius2 1 --nu 1 --polarisation P
-refuses --nu "Poisson's ratio 1/2: plane strain needs -1 < nu < 1/2" -- \
+refuses --nu "Poisson's ratio 1/2: an isotropic solid needs -1 < nu < 1/2" -- \
     $plane --radius2 1 --nu 1/2 --state strain --polarisation P
+refuses --nu "Poisson's ratio 1/2: an isotropic solid needs -1 < nu < 1/2" -- \
+    $plane --radius2 1 --nu 1/2 --polarisation P
 refuses --nu "Poisson's ratio -1:" -- $plane --radius2 1 --nu -1 --polarisation P
 refuses --polarisation "'SV'" "allowed: P, S" -- $plane --radius2 1 --nu 1/4 --polarisation SV
 refuses --state "'plane'" "allowed: stress, strain" -- \

@@ -141,7 +141,7 @@ refused() {
 wave=(--polarisation P --order 1 --out made)
 refused 2 "--nu is required" --family lps3d --radius2 3 "${wave[@]}"
 refused 2 "--state: lps3d has no plane stress" --family lps3d --radius2 3 --nu 1/4 --state strain "${wave[@]}"
-refused 2 "a solid needs -1 < nu < 1/2" --family lps3d --radius2 3 --nu 1/2 "${wave[@]}"
+refused 2 "an isotropic solid needs -1 < nu < 1/2" --family lps3d --radius2 3 --nu 1/2 "${wave[@]}"
 refused 2 "it is no sum of three squares" --family lps3d --radius2 7 --nu 1/4 "${wave[@]}"
 refused 2 "--radius2: lps3d takes family radii up to 12" --family lps3d --radius2 13 --nu 1/4 "${wave[@]}"
 refused 2 "3 weights are needed, all above 0" --family lps3d --radius2 3 --nu 1/4 --weights 1,1 "${wave[@]}"

@@ -156,7 +156,7 @@ refuses 2 "--decay: " oblique "${smallest[@]}" --absorb P:0 --decay -1
 refuses 2 "--radius2 is required" oblique --absorb P:0
 refuses 2 "--nu is required" oblique --radius2 1 --absorb P:0
 refuses 2 "it is no sum of two squares" taylor --radius2 3 --nu 1/4 --polarisation P --order 1
-refuses 2 "plane stress needs -1 < nu < 1" taylor --radius2 1 --nu 1 --polarisation P --order 1
+refuses 2 "an isotropic solid needs -1 < nu < 1/2" taylor --radius2 1 --nu 1 --polarisation P --order 1
 refuses 2 "--polarisation is required" taylor "${smallest[@]}" --order 1
 refuses 2 "allowed: P, S" taylor "${smallest[@]}" --order 1 --polarisation X
 refuses 2 "--direction: '35' is no direction" taylor "${smallest[@]}" --order 1 --polarisation P --direction 35

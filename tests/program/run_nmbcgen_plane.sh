@@ -196,8 +196,8 @@ expect "the name" grep -q "inline const PassiveEnd passive_nopd1d_n1_G1o2{" "$sc
 refuses 2 "recommend requires --G" recommend "${smallest[@]}"
 refuses 2 "--order: is of the waves of one polarisation: --polarisation" recommend "${smallest[@]}" --G 1 --order 2
 refuses 2 "it is no sum of two squares" recommend --family nopd2d --radius2 3 --nu 1/4 --G 1
-refuses 2 "--nu: Poisson's ratio 1: plane stress needs -1 < nu < 1" passive --family nopd2d --radius2 1 --nu 1 --G 1
-refuses 2 "--nu: Poisson's ratio 1/2: plane strain" passive --family nopd2d --radius2 1 --nu 1/2 --state strain --G 1
+refuses 2 "--nu: Poisson's ratio 1: an isotropic solid needs -1 < nu < 1/2" passive --family nopd2d --radius2 1 --nu 1 --G 1
+refuses 2 "--nu: Poisson's ratio 1/2: an isotropic solid needs" passive --family nopd2d --radius2 1 --nu 1/2 --state strain --G 1
 refuses 2 "sides of families above 25 take too long" recommend --family nopd2d --radius2 26 --nu 1/4 --G 1
 refuses 2 "do not travel" passive --family bond2d --radius2 1 --weights 1
 refuses 2 "--radius2: nopd1d is no plane family" passive --family nopd1d --radius2 1 --G 1
