@@ -258,7 +258,8 @@ TEST_CASE("models that there are not") {
                          "of three squares. The radius below is 6",
                          NoSuchModel);
     CHECK_THROWS_WITH_AS(lps3d({.radius_squared = 1, .poisson = Rational(1, 2)}),
-                         "Poisson's ratio 1/2: an isotropic solid needs -1 < nu < 1/2", NoSuchModel);
+                         "Poisson's ratio 1/2: an isotropic solid needs -1 < nu < 1/2",
+                         NoSuchModel);
     CHECK_THROWS_WITH_AS(
         lps3d({.radius_squared = 3, .poisson = 0, .weights = {1, 1}}),
         "3 weights are needed, all above 0: of the bonds (1, 0, 0), (1, 1, 0), (1, 1, 1)",

@@ -539,7 +539,7 @@ try "${point[@]}" --set force.duration=30 --set force.half_width=8 --set force.t
 expect_exit 0
 expect_stderr "at the end neighbours are up to"
 expect_stderr "the model is of small strains"
-# Of an initial field that is known before the run: exp(-1/9) - 1 over a node of a width of 3.
+# Of an initial field it is known before the run: 10 sqrt(2/e)/3 = 2.86 where a gaussian is steepest, less between two nodes.
 try run "$scene" --quiet --set time.end=1 --set 'initial={shape = "gaussian", component = "x", amplitude = 10, width = 3, centre = [20, 20]}'
 expect_exit 0
 expect "it is told first" grep -qE "^nmbcrun: warning: at the start neighbours are up to 2.[0-9]* times dX further apart, or nearer, than at rest: the model is of small strains" "$scratch/stderr"
