@@ -46,7 +46,7 @@ try "${known[@]}"
 expect_exit 0
 expect_stdout_line "stable    by construction"
 # As nmbcgen recommend has it for this lattice.
-expect_stdout_line "ends      about 0.004 of the energy of long waves (xi dX = 0.1) that reach passive sides head-on comes back, 0.02 at most up to 45 degrees, 0.07 at 60"
+expect_stdout_line "ends      about 0.004 of the energy of long waves (xi dX = 0.1) that reach passive sides head-on comes back, 0.02 at most up to 45 degrees, 0.07 at 60, more near corners"
 try "${known[@]}" --set boundary.left.kind=extended --set boundary.right.kind=sponge --set boundary.right.layer=10 --set boundary.top.kind=fixed
 expect_exit 0
 expect_stdout_with "comes back, 0.02 at most up to 45 degrees, 0.07 at 60; nothing comes back from extended sides before time.end; nothing is predicted of sides of kind sponge: nmbcrun verify measures it"

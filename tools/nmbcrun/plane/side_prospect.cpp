@@ -42,6 +42,14 @@ std::string return_from(const DesignedPassiveSide& passive) {
     }
 }
 
+/// Whether two passive sides meet.
+bool has_passive_corner(const PlaneScene& scene) {
+    const auto is_passive = [&](std::size_t side) {
+        return scene.sides[side].kind == SideKind::passive;
+    };
+    return (is_passive(0) || is_passive(1)) && (is_passive(2) || is_passive(3));
+}
+
 /// The fewest nodes of an extended side that is given them; 0: none is.
 std::size_t least_layer(const PlaneScene& scene) {
     std::size_t least = 0;
@@ -86,7 +94,7 @@ std::string prospect_of(const PlaneScene& scene,
     // It is not known what damping does to passive sides.
     const std::string from_passive = passive && scene.tau == 0 ? return_from(*passive) : "";
     if (!from_passive.empty()) {
-        parts.push_back(from_passive);
+        parts.push_back(from_passive + (has_passive_corner(scene) ? ", more near corners" : ""));
     }
     const std::size_t layer = least_layer(scene);
     const bool fades = layer > 0 && scene.tau != 0;  // on its way there and back
