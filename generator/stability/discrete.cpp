@@ -209,8 +209,6 @@ StepRange stable_range(const HalfSpace& half_space, Grade least) {
 
 StepRange stable_range(StepGrades& grades, Grade least) {
     const double top = grades.maximum_frequency();
-    // On an edge a mode neither grows nor dies.
-    constexpr double off_the_edge = 1 + 1e-6;
     const auto stable_at = [&](int hundredths) {
         return grades.in(off_the_edge * 2 * hundredths / (100 * top)) >= least;
     };

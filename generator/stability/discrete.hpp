@@ -44,6 +44,9 @@ struct StepRange {
     bool contains(double cfl) const { return from <= cfl && cfl <= largest; }
 };
 
+/// On an edge a mode neither grows nor dies: a step is stable where one longer by this factor is.
+inline constexpr double off_the_edge = 1 + 1e-6;
+
 /// The steps that have at least this grade, by the half-space condition in time steps
 /// (half_space.hpp), which holds for every length but short ones.
 ///     largest  in steps of 0.01, with every 0.05 below it

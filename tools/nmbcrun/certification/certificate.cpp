@@ -241,9 +241,7 @@ std::string PairOfEnds::objection(double time_step, double cfl) {
             decided_without_waves(scene, lattice_, left_.table, right_.table, cfl)) {
         return *decided;
     }
-    // On the edge of what is stable a mode neither grows nor dies: a step a millionth longer has to
-    // be stable.
-    const double longer = step * (cfl < 0.999 ? 1 + 1e-6 : 1);
+    const double longer = step * (cfl < 0.999 ? nmbcgen::off_the_edge : 1);
     const Ends ends = ends_of(scene, in_time(left_), in_time(right_), longer);
     const auto verdict = round_trip_verdict(ends.left, ends.right, moving_nodes(scene));
     std::string alone =

@@ -14,7 +14,6 @@
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/plane/load_steps.hpp"
 #include "tools/nmbcrun/plane/plane_lattice.hpp"
-#include "tools/nmbcrun/plane/steady_step.hpp"
 #include "tools/nmbcrun/stepping/plane_stepping.hpp"
 
 namespace nmbcrun {
@@ -34,15 +33,16 @@ void choose_step(const PlaneScene& scene, const nmbc::PlaneSides& sides,
                  const std::array<std::size_t, 2>& nodes, double stable, PlanePlan& plan) {
     plan.time_step = of_stable_by_default * stable;
     plan.limit = fmt::format("{} of {}", of_stable_by_default, limit_of(scene));
-    if (const auto steady = steady_step(scene, sides, nodes)) {
-        const double longest = steady->time_step / rate_of(scene);
-        if (steady->share == 0) {
+    plan.steady = steady_step(scene, sides, nodes);
+    if (plan.steady) {
+        const double longest = plan.steady->time_step / rate_of(scene);
+        if (plan.steady->share == 0) {
             plan.limit += ": strips between them grow in steps of any length";
-        } else if (steady->share < of_stable_by_default && longest < plan.time_step) {
+        } else if (plan.steady->share < of_stable_by_default && longest < plan.time_step) {
             plan.time_step = longest;
             plan.limit = fmt::format(
                 "{} of what the lattice allows: in longer ones strips between its sides grow",
-                steady->share);
+                plan.steady->share);
         }
     }
     for (const LoadStep& load : steps_of_loads(scene)) {

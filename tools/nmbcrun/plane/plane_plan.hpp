@@ -5,14 +5,17 @@
 #include <array>
 #include <cstddef>
 #include <nmbc/plane_sides.hpp>
+#include <optional>
 
 #include "tools/nmbcrun/plane/plane_scene.hpp"
+#include "tools/nmbcrun/plane/steady_step.hpp"
 #include "tools/nmbcrun/scene/step_plan.hpp"
 
 namespace nmbcrun {
 
 struct PlanePlan : StepPlan {
     double of_stable = 0;  ///< dt over the longest step that is stable between these sides
+    std::optional<SteadyStep> steady{};  ///< steady_step() of default steps that heed it
 };
 
 /// In the steps that the scene gives, or else in 0.9 of the longest stable ones, or shorter ones

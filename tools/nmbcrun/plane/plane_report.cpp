@@ -23,17 +23,6 @@ std::string words_of(const PlaneSimulation& simulation, std::size_t side) {
                : heading_of(choice);
 }
 
-/// Of initial fields.
-std::string warning_of_strains(const PlaneSimulation& simulation) {
-    const bool begins = simulation.scene().initial && simulation.plane().steps() == 0;
-    const double strain = begins ? simulation.largest_strain() : 0;
-    return strain > 1 ? fmt::format(
-                            "at the start neighbours are up to {:.3g} times dX further apart, or "
-                            "nearer, than at rest: the model is of small strains",
-                            strain)
-                      : "";
-}
-
 /// Where a load pulls bonds apart within one step.
 std::vector<std::string> warnings_of_jumps(const PlaneSimulation& simulation) {
     std::vector<std::string> warnings;
@@ -61,10 +50,13 @@ std::string warning_of_growth(const PlaneSimulation& simulation) {
     const nmbc::PlaneParameters& p = simulation.plane().parameters();
     const std::array nodes{p.nx, p.ny};
     const double rate = rate_of(scene);
+    if (plan.steady && plan.steady->share > 0) {
+        return "";  // default steps are none in which they grow
+    }
     if (!strips_grow_in(scene, sides, nodes, plan.time_step * rate)) {
         return "";
     }
-    const auto steady = steady_step(scene, sides, nodes);
+    const auto steady = plan.steady ? plan.steady : steady_step(scene, sides, nodes);
     const double longest = steady->time_step / rate;
     return fmt::format(
         "in steps of {:.6g} (cfl = {:.3g}) strips between its sides grow{}", plan.time_step,
@@ -125,15 +117,26 @@ std::string heading_of(const PlaneSimulation& simulation) {
                               speed * model.speed_P(), speed * model.speed_S());
 }
 
+std::string warning_of_strains(const PlaneSimulation& simulation, std::string_view when) {
+    const double strain = simulation.largest_strain();
+    return strain > 1 ? fmt::format(
+                            "{} neighbours are up to {:.3g} times dX further apart, or nearer, "
+                            "than at rest: the model is of small strains",
+                            when, strain)
+                      : "";
+}
+
 std::vector<std::string> warnings_of(const PlaneSimulation& simulation) {
     std::vector<std::string> warnings = simulation.warnings();
     const auto short_waves = warnings_of_short_waves(simulation);
     warnings.insert(warnings.end(), short_waves.begin(), short_waves.end());
     const auto jumps = warnings_of_jumps(simulation);
+    const bool begins = simulation.scene().initial && simulation.plane().steps() == 0;
     warnings.insert(warnings.end(), jumps.begin(), jumps.end());
     warnings.insert(warnings.end(),
                     {warning_of_idle_key(simulation.scene()), warning_of_growth(simulation),
-                     warning_of_strains(simulation), warning_of_short_run(simulation.scene())});
+                     begins ? warning_of_strains(simulation, "at the start") : "",
+                     warning_of_short_run(simulation.scene())});
     std::erase(warnings, "");
     return warnings;
 }

@@ -126,11 +126,9 @@ void PlaneRun::print() {
     for (const std::vector<double>& row : rows) {
         least = std::min(least, row[4] > 0 ? row[4] : least);
     }
-    if (const double strain = simulation_.largest_strain(); strain > 1) {
-        print_warnings(
-            {fmt::format("at the end neighbours are up to {:.3g} times dX further apart, "
-                         "or nearer, than at rest: the model is of small strains",
-                         strain)});
+    if (const std::string warning = warning_of_strains(simulation_, "at the end");
+        !warning.empty()) {
+        print_warnings({warning});
     }
     print_warnings(simulation_.torn_loads());
     if (rows.back()[4] > 10 * least && !simulation_.is_driven(simulation_.plane().time()) &&
