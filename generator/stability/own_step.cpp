@@ -65,7 +65,7 @@ class OwnStep {
         const auto holds = [&](double G) {
             const auto [grade, is_new] = known_.try_emplace(G);
             if (is_new) {
-                grade->second = stability_grade(stepped(half_space_at(G), dt_));
+                grade->second = stability_grade(stepped(half_space_at(G), off_the_edge * dt_));
             }
             return grade->second >= least;
         };

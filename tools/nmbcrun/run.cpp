@@ -107,7 +107,7 @@ Run::Run(const Scene& scene, const RunOptions& options)
         }));
         std::erase(sentences, "");
         sentences.emplace_back("To run it all the same: boundary.allow_amplifying = true");
-        throw Unstable(fmt::format("{}", fmt::join(sentences, ". ")));
+        throw Unstable(fmt::format("{}", fmt::join(sentences, ".\n")));
     }
     const Plan& plan = simulation_.plan();
     const auto from =

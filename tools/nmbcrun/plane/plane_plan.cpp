@@ -19,8 +19,6 @@
 namespace nmbcrun {
 namespace {
 
-constexpr double of_stable_by_default = 0.9;
-
 /// What the longest step is of.
 const char* limit_of(const PlaneScene& scene) {
     return scene.may_grow() ? "what the lattice allows, whatever its sides feed in"

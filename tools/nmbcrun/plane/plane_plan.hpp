@@ -13,12 +13,15 @@
 
 namespace nmbcrun {
 
+/// Of the longest stable step, where a scene gives none.
+inline constexpr double of_stable_by_default = 0.9;
+
 struct PlanePlan : StepPlan {
     double of_stable = 0;  ///< dt over the longest step that is stable between these sides
     std::optional<SteadyStep> steady{};  ///< steady_step() of default steps that heed it
 };
 
-/// In the steps that the scene gives, or else in 0.9 of the longest stable ones, or shorter ones
+/// In the steps that the scene gives, or else in of_stable_by_default of the longest stable ones, or shorter ones
 /// where strips between its sides grow or what moves it is faster. nodes: along x and y, those of
 /// extended sides included. Throws Unstable where the steps are too long for the sides, SceneError
 /// as steps_until().

@@ -15,6 +15,7 @@
 #include "tools/nmbcrun/chart/tuning.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/work.hpp"
+#include "tools/nmbcrun/plane/plane_plan.hpp"
 #include "tools/nmbcrun/plane/plane_sides.hpp"
 #include "tools/nmbcrun/plane/plane_simulation.hpp"
 #include "tools/nmbcrun/plane_compare/side_trial.hpp"
@@ -113,8 +114,7 @@ void SideMeasurement::find_steps() {
     } else {
         for (const SidePoint& point : points_) {
             if (point.refused.empty()) {
-                constexpr double of_stable = 0.9;
-                step_ = std::min(step_, of_stable * point.longest_step);
+                step_ = std::min(step_, of_stable_by_default * point.longest_step);
             }
         }
         step_ = std::min(step_, PlaneSimulation(fixed, quiet_).plan().time_step);

@@ -102,7 +102,7 @@ void require_no_pole(const Scene& scene, const Boundary& boundary) {
         const std::string choices = choices_in_place(scene);
         throw nmbc::CoefficientError(fmt::format(
             "{} does not exist here: {} has a pole of a coefficient at G = {}{}{}",
-            heading_of(boundary), table.name, scene.G, choices.empty() ? "" : ". ", choices));
+            heading_of(boundary), table.name, scene.G, choices.empty() ? "" : ".\n", choices));
     }
 }
 
