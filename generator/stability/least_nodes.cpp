@@ -8,6 +8,7 @@
 
 #include "generator/exact/rational.hpp"
 #include "generator/stability/discrete.hpp"
+#include "generator/support/on_all_cores.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -70,7 +71,11 @@ std::vector<double> samples_of(const Window& row) {
 
 unsigned least_nodes(const Table& table, const Certificate& certificate) {
     const double own_step = nearest_double(table.specification.time_step);
-    std::size_t longest = 0;
+    struct Stepped {
+        HalfSpace half_space;
+        double time_step;
+    };
+    std::vector<Stepped> all;
     for (const Window& row : rows_of(certificate.max_cfl)) {
         for (const double G : samples_of(row)) {
             const HalfSpace half_space = make_half_space(table, Rational(G));
@@ -84,13 +89,18 @@ unsigned least_nodes(const Table& table, const Certificate& certificate) {
                                                   ? std::vector{own_step}
                                                   : std::vector{unit * piece->cfl, unit * shortest};
             for (const double time_step : steps) {
-                longest = std::max(longest, longest_growing(half_space, time_step));
+                all.push_back({half_space, time_step});
             }
         }
     }
-    if (certificate.max_cfl.empty()) {
+    if (all.empty()) {
         return 0;
     }
+    std::vector<std::size_t> longest_of(all.size());
+    on_all_cores(all.size(), [&](std::size_t i) {
+        longest_of[i] = longest_growing(all[i].half_space, all[i].time_step);
+    });
+    const std::size_t longest = std::ranges::max(longest_of);
     const auto of_forces = unsigned(table.model.symbol.size() - 1);
     const unsigned of_condition = table.specification.order * table.specification.stride;
     return std::max({of_forces, of_condition, unsigned(longest + 1 + (longest + 3) / 4)});

@@ -8,13 +8,14 @@
 #include "generator/exact/algebraic_number.hpp"
 #include "generator/stability/critical_values.hpp"
 #include "generator/stability/modal.hpp"
+#include "generator/support/on_all_cores.hpp"
 
 namespace nmbcgen {
 namespace {
 
 struct GradedSample {
-    double G;
-    Grade grade;
+    double G = 0;
+    Grade grade = Grade::none;
 };
 
 /// Where the grade is asked for: ascending, from 0 on.
@@ -65,10 +66,12 @@ class Search {
           damped_(!table.model.damping.empty()),
           critical_(damped_ ? std::vector<AlgebraicNumber>()
                             : modal_critical_values(table, parts_)) {
-        for (const double G :
-             damped_ ? sampled_values_damped(poles_) : sampled_values(critical())) {
-            samples_.push_back({G, grade_at(G)});
-        }
+        const std::vector<double> values =
+            damped_ ? sampled_values_damped(poles_) : sampled_values(critical());
+        samples_.resize(values.size());
+        on_all_cores(values.size(), [&](std::size_t i) {
+            samples_[i] = {values[i], grade_at(values[i])};
+        });
     }
 
     /// The windows of at least this grade.
@@ -288,7 +291,12 @@ ModalWindows modal_windows(const Table& table) {
         throw std::invalid_argument("modal_windows: the table is for one value of G only");
     }
     const Search search(table);
-    return {search.windows(Grade::paired), search.windows(Grade::contractive), search.critical()};
+    ModalWindows found{.modal = {}, .contractive = {}, .critical = search.critical()};
+    on_all_cores(2, [&](std::size_t i) {
+        (i == 0 ? found.modal : found.contractive) =
+            search.windows(i == 0 ? Grade::paired : Grade::contractive);
+    });
+    return found;
 }
 
 }  // namespace nmbcgen

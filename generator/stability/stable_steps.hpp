@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <mutex>
 #include <vector>
 
 #include "generator/stability/discrete.hpp"
@@ -39,6 +40,7 @@ class StableSteps {
     const Table& table_;
     const std::vector<double>& critical_;
     std::map<double, Ranges> known_;  ///< by G: both grades see the same windows, mostly
+    std::mutex guard_;                ///< of known_, as pieces are covered at the same time
 };
 
 }  // namespace nmbcgen

@@ -28,7 +28,7 @@ allow generator/names "generator/(table|exact|names)/|$text"
 allow generator/bonds "generator/(table|exact|families|bonds)/|$text"
 allow generator/closures 'generator/(table|dense|closures)/|nmbc/(correspondence_model|plane_closure).hpp'
 allow generator/dense 'generator/dense/|(unsupported/)?Eigen/'
-allow generator/stability 'generator/(table|exact|dense|lattice|stability)/|boost/|Eigen/Core'
+allow generator/stability 'generator/(table|exact|dense|lattice|stability)/|generator/support/on_all_cores.hpp|boost/|Eigen/Core'
 allow generator/enclosures 'generator/(table|exact|lattice|stability|enclosures)/|nmbc/table.hpp|boost/'
 allow generator/plane 'generator/(table|exact|dense|lattice|plane)/|Eigen/Core'
 allow generator/coupling "generator/(table|exact|dense|plane|coupling)/|nmbc/(boundary|coefficients).hpp|Eigen/(Core|SparseCore|SparseLU)|$text"

@@ -17,6 +17,20 @@ TEST_CASE("all work is done once, each piece by one thread") {
     nmbcgen::on_all_cores(0, [](std::size_t) { throw std::logic_error("no work"); });
 }
 
+TEST_CASE("work that has work of its own for all cores does it itself") {
+    std::vector<int> times(64);
+    std::atomic<bool> itself = true;
+    nmbcgen::on_all_cores(8, [&](std::size_t i) {
+        const auto outer = std::this_thread::get_id();
+        nmbcgen::on_all_cores(8, [&](std::size_t k) {
+            ++times[8 * i + k];
+            itself = itself && std::this_thread::get_id() == outer;
+        });
+    });
+    CHECK(times == std::vector<int>(64, 1));
+    CHECK(itself);
+}
+
 TEST_CASE("after a failure no more is begun") {
     std::atomic<std::size_t> begun = 0;
     const auto work = [&](std::size_t i) {
