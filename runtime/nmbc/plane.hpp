@@ -13,19 +13,21 @@
 #include <nmbc/plane_force.hpp>
 #include <nmbc/plane_ghosts.hpp>
 #include <nmbc/plane_model.hpp>
+#include <nmbc/plane_parameters.hpp>
 #include <nmbc/plane_potential.hpp>
-#include <nmbc/plane_requirements.hpp>
 #include <nmbc/plane_sides.hpp>
-#include <nmbc/plane_state.hpp>
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 namespace nmbc {
+
+struct PlaneEnergies;
+template <class Real>
+struct PlaneState;
 
 /// The state: u at t and v at t - dt/2, two components each, on grid(): ghosts, the layers of
 /// passive sides, the interior.
@@ -34,31 +36,7 @@ class BasicPlane {
   public:
     /// At rest, at t = 0. Throws std::invalid_argument where a parameter is not positive and
     /// finite, sides do not go together, or the body is too thin for them.
-    BasicPlane(const PlaneModel& model, const PlaneSides& sides, const PlaneParameters& parameters)
-        : model_(detail::model_between(sides, model)),
-          sides_(sides),
-          parameters_(detail::checked(parameters)),
-          ghosts_(model.reach()),
-          layers_{layers_of(sides.left), layers_of(sides.right), layers_of(sides.bottom),
-                  layers_of(sides.top)},
-          nx_(parameters.nx + layers_[0] + layers_[1]),
-          ny_(parameters.ny + layers_[2] + layers_[3]),
-          force_(force_of(model_.law())),
-          damping_(damping_of(model_.law())) {
-        if (nx_ < least_nodes(0) || ny_ < least_nodes(1)) {
-            throw std::invalid_argument(
-                "beside a halo or a mirror, and of bonds between periodic sides, a body needs " +
-                std::to_string(ghosts_) + " nodes");
-        }
-        for (std::size_t a = 0; a < 2; ++a) {
-            u_[a].resize(grid().nx * grid().ny, 0);
-            v_[a].resize(grid().nx * grid().ny, 0);
-            damping_change_[a].resize(damping_ ? v_[a].size() : 0, 0);
-        }
-        add_dashpots();
-        add_ghost_lines();
-        add_friction();
-    }
+    BasicPlane(const PlaneModel& model, const PlaneSides& sides, const PlaneParameters& parameters);
 
     const PlaneModel& model() const { return model_; }
     const PlaneSides& sides() const { return sides_; }
@@ -111,53 +89,11 @@ class BasicPlane {
     /// Takes the fields for u at t = 0 and v at -dt/2, as another plane may have left them.
     void start_staggered();
 
-    PlaneState<Real> state() const {
-        PlaneState<Real> state{steps_, u_, v_, {}, gone_, {}, broken_, released_, damped_};
-        if (const auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_)) {
-            state.bonds = bonds->states().state();
-        }
-        for (const auto& lines : ghost_lines_) {
-            lines.remembered(state.ghosts);
-        }
-        return state;
-    }
-
+    PlaneState<Real> state() const;
     /// Goes on from the state of a plane of the same model, sides, parameters and, of bonds, that
     /// break alike, bit for bit.
     /// Throws std::invalid_argument where the state is of another size.
-    void resume(const PlaneState<Real>& state) {
-        std::size_t remembered = 0;
-        for (const auto& lines : ghost_lines_) {
-            remembered += lines.remembered_size();
-        }
-        if (state.ghosts.size() != remembered) {
-            throw std::invalid_argument("the state of a plane with other sides");
-        }
-        for (const std::size_t a : {0U, 1U}) {
-            if (state.displacement[a].size() != u_[a].size() ||
-                state.velocity[a].size() != v_[a].size()) {
-                throw std::invalid_argument("the state of a plane of another size");
-            }
-        }
-        auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_);
-        if (state.bonds.size() != (bonds == nullptr ? 0 : bonds->states().state_size())) {
-            throw std::invalid_argument("the state of a plane with other bonds");
-        }
-        if (bonds != nullptr) {
-            bonds->states().resume(state.bonds);
-        }
-        broken_ = state.broken;
-        released_ = state.released;
-        damped_ = state.damped;
-        steps_ = state.steps;
-        u_ = state.displacement;
-        v_ = state.velocity;
-        gone_ = state.gone;
-        std::span<const Real> ghosts = state.ghosts;
-        for (auto& lines : ghost_lines_) {
-            lines.remember(ghosts);
-        }
-    }
+    void resume(const PlaneState<Real>& state);
 
     /// Steps, each of them: v to t + dt/2, then u to t + dt. Before the sides' dashpots, which act
     /// on what it leaves, `prescribe` may change velocities: it is called with this plane and t +
@@ -213,29 +149,20 @@ class BasicPlane {
 
     /// Of the whole body, and of the ghosts of fixed sides, which are strained, too; with halo
     /// sides, of this block, whose halos need velocities then.
-    PlaneEnergies energies() const {
-        return energies_of({axis_of(0).with_own_energy(), axis_of(1).with_own_energy()});
-    }
+    PlaneEnergies energies() const;
     /// Of the nodes with first_x <= x < last_x, likewise y, which are counted from the interior's
     /// first one: those of layers are below 0 and beyond its last one. Half of each of their bonds,
     /// and all of one to a held ghost. Throws std::invalid_argument where there are none, or
     /// others.
     PlaneEnergies energies(std::ptrdiff_t first_x, std::ptrdiff_t last_x, std::ptrdiff_t first_y,
-                           std::ptrdiff_t last_y) const {
-        return energies_of(window_of({first_x, last_x}, {first_y, last_y}));
-    }
+                           std::ptrdiff_t last_y) const;
     /// Of each of these nodes, row by row, what it has of energies().total() [per thickness].
     std::vector<double> energies_of_nodes(std::ptrdiff_t first_x, std::ptrdiff_t last_x,
-                                          std::ptrdiff_t first_y, std::ptrdiff_t last_y) const {
-        return energies_of_nodes(window_of({first_x, last_x}, {first_y, last_y}));
-    }
+                                          std::ptrdiff_t first_y, std::ptrdiff_t last_y) const;
     /// The part of a cell dX^2 that is a node's, counted likewise: beside closed sides not all of
     /// it.
     double volume(std::ptrdiff_t x, std::ptrdiff_t y) const;
-    PlaneEnergies interior_energies() const {
-        return energies(0, static_cast<std::ptrdiff_t>(parameters_.nx), 0,
-                        static_cast<std::ptrdiff_t>(parameters_.ny));
-    }
+    PlaneEnergies interior_energies() const;
 
   private:
     template <class Body, class... Hooks>
@@ -255,43 +182,14 @@ class BasicPlane {
         const std::variant<CorrespondenceModel, BondModel>& law) const;
 
     using Force = std::variant<detail::PlaneForce<Real>, detail::BondForce<Real>>;
-    Force force_of(const std::variant<CorrespondenceModel, BondModel>& law) const {
-        const auto pitch = static_cast<std::ptrdiff_t>(grid().nx);
-        detail::PlaneAxis x(sides_.left, sides_.right, 0, nx_, model_.horizon());
-        detail::PlaneAxis y(sides_.bottom, sides_.top, 1, ny_, model_.horizon());
-        if (const auto* const correspondence = std::get_if<CorrespondenceModel>(&law)) {
-            const auto closure = detail::closure_of(sides_, correspondence);
-            return detail::PlaneForce<Real>(detail::PlaneNodes(*correspondence, std::move(x),
-                                                               std::move(y), pitch, closure.get()));
-        }
-        detail::closure_of(sides_, nullptr);
-        return detail::BondForce<Real>(std::get<BondModel>(law), {std::move(x), std::move(y)},
-                                       pitch);
-    }
+    Force force_of(const std::variant<CorrespondenceModel, BondModel>& law) const;
 
     /// A passive side's own layers, and those that they act on; those of a sponge.
-    std::size_t layers_of(const PlaneSide& side) const {
-        if (const auto* const sponge = std::get_if<SpongeSide>(&side)) {
-            return sponge->friction.size();
-        }
-        const std::size_t own = detail::own_layers(side);
-        return own == 0 ? 0 : own + model_.horizon();
-    }
+    std::size_t layers_of(const PlaneSide& side) const;
 
     /// What is copied to another block, or beyond a mirror; of bonds, to the other side: both ends
     /// of one are different nodes then.
-    std::size_t least_nodes(std::size_t axis) const {
-        const PlaneSide& low = sides_.at({axis, End::left});
-        const PlaneSide& high = sides_.at({axis, End::right});
-        const bool has_bonds = std::holds_alternative<BondModel>(model_.law());
-        const auto copies = [](const PlaneSide& side) {
-            return std::holds_alternative<HaloSide>(side) ||
-                   std::holds_alternative<MirrorSide>(side);
-        };
-        const bool is_copied =
-            (std::holds_alternative<PeriodicSide>(low) && has_bonds) || copies(low) || copies(high);
-        return is_copied ? ghosts_ : 1;
-    }
+    std::size_t least_nodes(std::size_t axis) const;
 
     const detail::PlaneAxis& axis_of(std::size_t number) const {
         return std::visit(
@@ -418,4 +316,5 @@ using Plane = BasicPlane<double>;
 #include <nmbc/plane_damping.hpp>
 #include <nmbc/plane_energies.hpp>
 #include <nmbc/plane_fracture.hpp>
+#include <nmbc/plane_state.hpp>
 #include <nmbc/plane_step.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What the sides of a plane put on its nodes: dashpots, friction, conditions of ghosts. A part of
-/// plane.hpp.
+/// A plane is put together: its forces, and what its sides put on its nodes: dashpots, friction,
+/// conditions of ghosts. A part of plane.hpp.
 #pragma once
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <map>
 #include <nmbc/plane.hpp>
+#include <nmbc/plane_requirements.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -15,6 +16,71 @@
 #include <vector>
 
 namespace nmbc {
+
+template <class Real>
+BasicPlane<Real>::BasicPlane(const PlaneModel& model, const PlaneSides& sides,
+                             const PlaneParameters& parameters)
+    : model_(detail::model_between(sides, model)),
+      sides_(sides),
+      parameters_(detail::checked(parameters)),
+      ghosts_(model.reach()),
+      layers_{layers_of(sides.left), layers_of(sides.right), layers_of(sides.bottom),
+              layers_of(sides.top)},
+      nx_(parameters.nx + layers_[0] + layers_[1]),
+      ny_(parameters.ny + layers_[2] + layers_[3]),
+      force_(force_of(model_.law())),
+      damping_(damping_of(model_.law())) {
+    if (nx_ < least_nodes(0) || ny_ < least_nodes(1)) {
+        throw std::invalid_argument(
+            "beside a halo or a mirror, and of bonds between periodic sides, a body needs " +
+            std::to_string(ghosts_) + " nodes");
+    }
+    for (std::size_t a = 0; a < 2; ++a) {
+        u_[a].resize(grid().nx * grid().ny, 0);
+        v_[a].resize(grid().nx * grid().ny, 0);
+        damping_change_[a].resize(damping_ ? v_[a].size() : 0, 0);
+    }
+    add_dashpots();
+    add_ghost_lines();
+    add_friction();
+}
+
+template <class Real>
+typename BasicPlane<Real>::Force BasicPlane<Real>::force_of(
+    const std::variant<CorrespondenceModel, BondModel>& law) const {
+    const auto pitch = static_cast<std::ptrdiff_t>(grid().nx);
+    detail::PlaneAxis x(sides_.left, sides_.right, 0, nx_, model_.horizon());
+    detail::PlaneAxis y(sides_.bottom, sides_.top, 1, ny_, model_.horizon());
+    if (const auto* const correspondence = std::get_if<CorrespondenceModel>(&law)) {
+        const auto closure = detail::closure_of(sides_, correspondence);
+        return detail::PlaneForce<Real>(
+            detail::PlaneNodes(*correspondence, std::move(x), std::move(y), pitch, closure.get()));
+    }
+    detail::closure_of(sides_, nullptr);
+    return detail::BondForce<Real>(std::get<BondModel>(law), {std::move(x), std::move(y)}, pitch);
+}
+
+template <class Real>
+std::size_t BasicPlane<Real>::layers_of(const PlaneSide& side) const {
+    if (const auto* const sponge = std::get_if<SpongeSide>(&side)) {
+        return sponge->friction.size();
+    }
+    const std::size_t own = detail::own_layers(side);
+    return own == 0 ? 0 : own + model_.horizon();
+}
+
+template <class Real>
+std::size_t BasicPlane<Real>::least_nodes(std::size_t axis) const {
+    const PlaneSide& low = sides_.at({axis, End::left});
+    const PlaneSide& high = sides_.at({axis, End::right});
+    const bool has_bonds = std::holds_alternative<BondModel>(model_.law());
+    const auto copies = [](const PlaneSide& side) {
+        return std::holds_alternative<HaloSide>(side) || std::holds_alternative<MirrorSide>(side);
+    };
+    const bool is_copied =
+        (std::holds_alternative<PeriodicSide>(low) && has_bonds) || copies(low) || copies(high);
+    return is_copied ? ghosts_ : 1;
+}
 
 /// The sides across y first: the ghosts in a corner move by the condition of the side across x.
 template <class Real>

@@ -9,7 +9,7 @@
 #include <nmbc/correspondence_model.hpp>
 #include <nmbc/loss_layer.hpp>
 #include <nmbc/node_line.hpp>
-#include <nmbc/plane_state.hpp>
+#include <nmbc/plane_parameters.hpp>
 #include <span>
 #include <stdexcept>
 #include <vector>

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nmbc/correspondence_model.hpp>
 #include <nmbc/plane_model.hpp>
+#include <nmbc/plane_parameters.hpp>
 #include <nmbc/plane_sides.hpp>
-#include <nmbc/plane_state.hpp>
 #include <stdexcept>
 #include <variant>
 

@@ -1,42 +1,19 @@
 // SPDX-License-Identifier: MIT
-/// What a plane is set up from, has, and goes on from.
+/// All that a run of a plane goes on from. A part of plane.hpp.
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <nmbc/bond_force.hpp>
+#include <nmbc/bond_states.hpp>
+#include <nmbc/plane.hpp>
+#include <span>
+#include <stdexcept>
+#include <variant>
 #include <vector>
 
 namespace nmbc {
-
-/// Physical set-up, in any one consistent system of units.
-struct PlaneParameters {
-    std::size_t nx = 0;         ///< interior nodes along x
-    std::size_t ny = 0;         ///< and along y
-    double spacing = 1;         ///< dX [length]
-    double youngs_modulus = 1;  ///< E [stress]
-    double density = 1;         ///< rho [mass/volume]
-    double time_step = 0;       ///< dt [time]
-
-    /// sqrt(E/rho)/dX [1/time]: waves are a little faster than a node per 1/rate.
-    double rate() const { return std::sqrt(youngs_modulus / density) / spacing; }
-};
-
-/// Energies [per thickness] at t - dt/2, where the velocity is known; the displacement there is the
-/// mean of its two neighbours in time.
-struct PlaneEnergies {
-    double kinetic = 0;
-    double strain = 0;         ///< of the stress sigma that belongs to the strain: sigma:e/2
-    double stabilisation = 0;  ///< (s/2) sum |z|^2
-    /// Kinetic energy plus the potential one, that of the null Lagrangian included, with u^k and
-    /// u^{k+1} in its two places: of the whole body, a step lowers it by what leaves through
-    /// passive sides and sponges and by what broken bonds had, and by nothing else unless ghosts
-    /// move. `total` differs by O(dt^2).
-    double staggered = 0;
-
-    double total() const { return kinetic + strain + stabilisation; }
-};
 
 /// All that a run goes on from.
 template <class Real>
@@ -51,5 +28,52 @@ struct PlaneState {
     double released = 0;  ///< over E
     double damped = 0;    ///< sums of what damped() counts
 };
+
+template <class Real>
+PlaneState<Real> BasicPlane<Real>::state() const {
+    PlaneState<Real> state{steps_, u_, v_, {}, gone_, {}, broken_, released_, damped_};
+    if (const auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_)) {
+        state.bonds = bonds->states().state();
+    }
+    for (const auto& lines : ghost_lines_) {
+        lines.remembered(state.ghosts);
+    }
+    return state;
+}
+
+template <class Real>
+void BasicPlane<Real>::resume(const PlaneState<Real>& state) {
+    std::size_t remembered = 0;
+    for (const auto& lines : ghost_lines_) {
+        remembered += lines.remembered_size();
+    }
+    if (state.ghosts.size() != remembered) {
+        throw std::invalid_argument("the state of a plane with other sides");
+    }
+    for (const std::size_t a : {0U, 1U}) {
+        if (state.displacement[a].size() != u_[a].size() ||
+            state.velocity[a].size() != v_[a].size()) {
+            throw std::invalid_argument("the state of a plane of another size");
+        }
+    }
+    auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_);
+    if (state.bonds.size() != (bonds == nullptr ? 0 : bonds->states().state_size())) {
+        throw std::invalid_argument("the state of a plane with other bonds");
+    }
+    if (bonds != nullptr) {
+        bonds->states().resume(state.bonds);
+    }
+    broken_ = state.broken;
+    released_ = state.released;
+    damped_ = state.damped;
+    steps_ = state.steps;
+    u_ = state.displacement;
+    v_ = state.velocity;
+    gone_ = state.gone;
+    std::span<const Real> ghosts = state.ghosts;
+    for (auto& lines : ghost_lines_) {
+        lines.remember(ghosts);
+    }
+}
 
 }  // namespace nmbc
