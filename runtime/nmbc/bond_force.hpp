@@ -9,11 +9,11 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <nmbc/bond_kernels.hpp>
 #include <nmbc/bond_states.hpp>
-#include <nmbc/kernels.hpp>
+#include <nmbc/bond_sweeps.hpp>
 #include <nmbc/plane_nodes.hpp>
 #include <nmbc/plane_potential.hpp>
+#include <nmbc/sweep.hpp>
 #include <type_traits>
 #include <utility>
 #include <vector>

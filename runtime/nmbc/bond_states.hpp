@@ -80,7 +80,7 @@ inline bool meets(const std::array<PlanePoint, 2>& line, const std::array<PlaneP
     return !is_along && of_bond[0] * of_bond[1] <= 0 && of_line[0] * of_line[1] <= 0;
 }
 
-/// Word: of 32 bits at least, as wide as what its kernels read beside it.
+/// Word: of 32 bits at least, as wide as what its sweeps read beside it.
 template <class Word>
 class BondStates {
   public:

@@ -8,8 +8,8 @@
 #include <memory>
 #include <nmbc/boundary_condition.hpp>
 #include <nmbc/certificate.hpp>
+#include <nmbc/chain_sweeps.hpp>
 #include <nmbc/folded_energy.hpp>
-#include <nmbc/kernels.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/leapfrog.hpp>
 #include <nmbc/mirror_images.hpp>

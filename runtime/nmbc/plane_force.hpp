@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <nmbc/kernels.hpp>
 #include <nmbc/plane_closed_rows.hpp>
-#include <nmbc/plane_kernels.hpp>
 #include <nmbc/plane_nodes.hpp>
 #include <nmbc/plane_potential.hpp>
 #include <nmbc/plane_row_numbers.hpp>
+#include <nmbc/plane_row_sweeps.hpp>
 #include <nmbc/plane_sweeps.hpp>
+#include <nmbc/sweep.hpp>
 #include <utility>
 #include <vector>
 
@@ -240,7 +240,7 @@ class PlaneForce {
     void kick_rows(double scale, const PlaneRange& rows, PlaneField<const Real> u,
                    PlaneField<Real> v, std::vector<Real>& ring, const BeforeRow& before_row) const;
 
-    /// Of a row's nodes, those that the kernels may take; an empty part at its end where none.
+    /// Of a row's nodes, those that the sweeps may take; an empty part at its end where none.
     /// Where nodes are left at an end, they are a strip, or more.
     PlaneRange plain_part(const PlaneRange& x, const PlaneRange& y, const PlaneRange& columns,
                           std::ptrdiff_t row, std::ptrdiff_t strip) const {

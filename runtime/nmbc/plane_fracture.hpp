@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Bonds of a plane are cut, let break and counted. A part of plane.hpp. They break in
-/// bond_kernels.hpp, when forces are found.
+/// bond_sweeps.hpp, when forces are found.
 #pragma once
 
 #include <array>

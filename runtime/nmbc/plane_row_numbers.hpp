@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstddef>
-#include <nmbc/plane_kernels_beside.hpp>
 #include <nmbc/plane_nodes.hpp>
+#include <nmbc/plane_row_sweeps_beside.hpp>
 #include <vector>
 
 namespace nmbc::detail {

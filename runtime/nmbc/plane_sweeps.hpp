@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <nmbc/correspondence_model.hpp>
 #include <nmbc/plane_family.hpp>
-#include <nmbc/plane_kernels.hpp>
-#include <nmbc/plane_kernels_beside.hpp>
+#include <nmbc/plane_row_sweeps.hpp>
+#include <nmbc/plane_row_sweeps_beside.hpp>
 
 namespace nmbc::detail {
 
-/// Functions of plane_kernels.hpp and plane_kernels_beside.hpp.
+/// Functions of plane_row_sweeps.hpp and plane_row_sweeps_beside.hpp.
 template <class Real>
 struct PlaneSweeps {
     static constexpr std::size_t largest_reach = 3;

@@ -40,7 +40,7 @@ struct Work {
 };
 
 /// Of nopd2d one sweep reads and writes u and v of two components: 8 numbers. Operations are those
-/// of runtime/nmbc/plane_kernels.hpp, products with 1 left out.
+/// of runtime/nmbc/plane_row_sweeps.hpp, products with 1 left out.
 Work work_of(unsigned radius_squared) {
     switch (radius_squared) {
         case 1:

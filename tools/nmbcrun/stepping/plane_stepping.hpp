@@ -5,8 +5,8 @@
 
 #include <cstddef>
 #include <limits>
-#include <nmbc/kernels.hpp>
 #include <nmbc/plane.hpp>
+#include <nmbc/sweep.hpp>
 
 extern template class nmbc::BasicPlane<double>;
 extern template class nmbc::detail::PlaneForce<double>;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <nmbc/sweep.hpp>
 #include <span>
 #include <utility>
 #include <vector>
@@ -81,50 +82,6 @@ std::size_t second_field(std::size_t nodes) {
 /// Nodes of a block that is drifted and then kicked: in a cache of first level, and short enough
 /// for a processor to fetch the next one from memory while it works on this one.
 inline constexpr std::size_t block_nodes = 192;
-
-/// With OpenMP, nodes from which on its threads share a sweep (docs/evidence/speed.md has the
-/// measurement). A variable, so that tests and measurements can have it otherwise.
-inline std::size_t threaded_nodes = 16384;
-
-// Files compiled with OpenMP and files without may be one program: theirs are different functions.
-#ifdef _OPENMP
-inline namespace in_threads {
-#else
-inline namespace in_one_thread {
-#endif
-
-/// How many pieces a sweep over so many nodes is shared in.
-inline std::size_t pieces_of([[maybe_unused]] std::size_t nodes) {
-#ifdef _OPENMP
-    constexpr std::size_t piece_nodes = 16384;
-    if (nodes >= threaded_nodes) {
-        return std::max<std::size_t>(nodes / piece_nodes, 2);
-    }
-#endif
-    return 1;
-}
-
-/// Calls work(first, last) for each piece of the nodes 0 .. nodes-1.
-template <class Work>
-void for_each_piece(std::size_t nodes, std::size_t pieces, const Work& work) {
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) if (pieces > 1)
-#endif
-    for (std::size_t piece = 0; piece < pieces; ++piece) {
-        work(nodes * piece / pieces, nodes * (piece + 1) / pieces);
-    }
-}
-
-}  // namespace in_threads or in_one_thread
-
-/// u += dt v on the nodes first .. last-1.
-template <class Real>
-void drift_nodes(Real dt, Real* __restrict u, const Real* __restrict v, std::size_t first,
-                 std::size_t last) {
-    for (std::size_t node = first; node < last; ++node) {
-        u[node] += dt * v[node];
-    }
-}
 
 /// v += S u on the nodes first .. last-1. The stencil comes by value, so that no v can be its.
 template <class Real, class Stencil>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// As plane_kernels.hpp, of nodes beside sides that are cut off.
+/// As plane_row_sweeps.hpp, of nodes beside sides that are cut off.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <nmbc/plane_kernels.hpp>
+#include <nmbc/plane_row_sweeps.hpp>
 #include <utility>
 #include <vector>
 
