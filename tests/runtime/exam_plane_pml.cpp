@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 
 #include <algorithm>
 #include <array>
@@ -9,12 +8,10 @@
 #include <nmbc/plane.hpp>
 #include <nmbc/plane_pml.hpp>
 #include <nmbc/plane_stability.hpp>
-#include <random>
-#include <utility>
 #include <variant>
 #include <vector>
 
-#include "generator/dense/decompositions.hpp"
+#include "tests/runtime/plane_bodies.hpp"
 
 namespace {
 
@@ -52,22 +49,9 @@ struct PmlBox {
 };
 
 void start_plane_at_random(nmbc::Plane& plane) {
-    std::mt19937 engine(2018);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    for (std::size_t y = 0; y < plane.parameters().ny; ++y) {
-        for (std::size_t x = 0; x < plane.parameters().nx; ++x) {
-            for (const std::size_t a : {0U, 1U}) {
-                plane.displacement(a)[plane.entry(x, y)] = uniform(engine);
-                plane.velocity(a)[plane.entry(x, y)] = uniform(engine);
-            }
-        }
-    }
+    fill_at_random(plane, 2018);
     plane.start();
 }
-
-}  // namespace
-
-namespace {
 
 /// Along a line of nodes, nearest neighbours at G = 0, with loss(i) = sigma dt/2: v' + sigma v = c
 /// (p_(i+1) - p_(i-1))/2 and p' + sigma p = c (v_(i+1) - v_(i-1))/2, v at half steps and p at whole
@@ -199,43 +183,6 @@ TEST_CASE("at G = 0 fields grow in it") {
     const double first = box.plane.energies().staggered;
     box.advance(4000);
     CHECK(box.plane.energies().staggered > 1e6 * first);
-}
-
-TEST_CASE("where losses are constant no wave grows") {
-    CHECK(rc::check("of any lattice, at any losses", [] {
-        const auto part = [](int lowest) { return *rc::gen::inRange(lowest, 1001) / 1000.0; };
-        const double sigma_x = 20 * part(0);  // times dt/2
-        const double sigma_y = 20 * part(0);
-        const double x = part(0);
-        const double y = part(0);
-        const double s = part(0);
-        const double of_limit = part(1) * 0.999 / std::max(x + y + s, 1e-3);
-        // One wave: omega^2 dt^2/4 = (x + y + s) of_limit < 1; u, v dt, what the losses remember of
-        // the gradients along x and y, and of the forces.
-        Eigen::MatrixXd step(6, 6);
-        for (int column = 0; column < 6; ++column) {
-            Eigen::Matrix<double, 6, 1> state = Eigen::Matrix<double, 6, 1>::Unit(column);
-            const auto taken = [&state](int place, double h, double f) {
-                const double q = (state(place) + h * f) / (1 + h);
-                state(place) = (1 - h) * q + h * f;
-                return q;
-            };
-            double force = -4 * of_limit * s * state(0);
-            int place = 2;
-            for (const auto& [square, h] : {std::pair{x, sigma_x}, std::pair{y, sigma_y}}) {
-                const double slope = 2 * std::sqrt(of_limit * square);
-                const double stress = slope * (state(0) - taken(place, h, state(0)));
-                force -= slope * (stress - taken(place + 1, h, stress));
-                place += 2;
-            }
-            state(1) += force;
-            state(0) += state(1);
-            step.col(column) = state;
-        }
-        const double largest = nmbcgen::eigenvalues(step).cwiseAbs().maxCoeff();
-        // Double eigenvalues 1, where x, y or losses are 0, are found to the root of the roundings.
-        RC_ASSERT(largest < 1 + 1e-6);
-    }));
 }
 
 TEST_CASE("goes on from what it remembers, bit for bit") {
