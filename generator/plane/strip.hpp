@@ -25,11 +25,6 @@ struct Strip {
     StripSide right;
     std::size_t layers = 20;  ///< no fewer than a condition looks at inwards, or a cut changes
     double time_step = 0;     ///< of leapfrog steps (leapfrog.hpp) [dX sqrt(rho/E)]; 0: none
-
-    static Strip between_like(const SideCondition& sides, std::size_t layers,
-                              double time_step = 0) {
-        return {.left = sides, .right = sides, .layers = layers, .time_step = time_step};
-    }
 };
 
 /// The largest real part of s [sqrt(E/rho)/dX] over all motions exp(s t + i k_t y) of a strip of

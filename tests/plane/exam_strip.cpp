@@ -21,6 +21,10 @@ namespace {
 constexpr std::size_t layers = 20;
 constexpr double strip_roundings = 1e-11;
 
+Strip strip_between(const SideCondition& sides, std::size_t width, double time_step = 0) {
+    return {.left = sides, .right = sides, .layers = width, .time_step = time_step};
+}
+
 double growth(const PlaneLattice& lattice, const SideCondition& condition) {
     return paper_time_unit *
            growth_in_strips(lattice, condition, always(condition), std::array{layers}, 0);
@@ -64,7 +68,7 @@ TEST_CASE("waves that meet the side head-on do not grow") {
         for (const double G : {0.0, 0.5, 2.0}) {
             const PlaneLattice lattice = lattice_of_paper(radius_squared, G);
             CHECK(growth_in_strip(lateral_chain(lattice, 0),
-                                  Strip::between_like(published_condition(lattice), layers)) <
+                                  strip_between(published_condition(lattice), layers)) <
                   strip_roundings);
         }
     }
@@ -106,7 +110,7 @@ TEST_CASE(
         const PlaneLattice lattice = lattice_of_paper(most.first, 0);
         const LateralChain chain = lateral_chain(lattice, most.second);
         const auto growth_of = [&](std::size_t N) {
-            return growth_in_strip(chain, Strip::between_like(published_condition(lattice), N));
+            return growth_in_strip(chain, strip_between(published_condition(lattice), N));
         };
         CAPTURE(most.first);
         // A round trip is N layers and what the sides take of it.
@@ -179,9 +183,9 @@ TEST_CASE("short steps are continuous time, and fixed sides keep the energy in a
     const double dt = longest_step(lattice);
     for (const SideCondition& side :
          {published_condition(lattice), higdon_condition(lattice, 0.002)}) {
-        const double rate = growth_in_strip(chain, Strip::between_like(side, layers));
+        const double rate = growth_in_strip(chain, strip_between(side, layers));
         // First order in dt, by the damping of the old velocities.
-        CHECK(growth_in_strip(chain, Strip::between_like(side, layers, 1e-4 * dt)) ==
+        CHECK(growth_in_strip(chain, strip_between(side, layers, 1e-4 * dt)) ==
               doctest::Approx(rate).epsilon(1e-3).scale(0));
         // Unlike as a pair, like as sides: the whole map has the rates of its parts.
         SideCondition other = side;
@@ -191,8 +195,7 @@ TEST_CASE("short steps are continuous time, and fixed sides keep the energy in a
     }
     const LateralChain undamped = lateral_chain(lattice_of_paper(4, .1), 1.1);
     for (const double share : {.1, .5, .95}) {
-        CHECK(std::abs(growth_in_strip(
-                  undamped, Strip::between_like(fixed_condition(), layers, share * dt))) <
-              strip_roundings);
+        CHECK(std::abs(growth_in_strip(undamped, strip_between(fixed_condition(), layers,
+                                                               share * dt))) < strip_roundings);
     }
 }
