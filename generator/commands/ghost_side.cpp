@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -20,57 +18,15 @@
 namespace nmbcgen {
 namespace {
 
-/// Samples reach 1 at the edges of bands, where waves stand, up to the roundings of a double root.
-constexpr double sampled_limit = 1 + 1e-6;
-
-bool grows(const PlaneLattice& lattice, const SideCondition& condition) {
-    return strips_grow(lattice, condition, always(condition), side_samples.layers, 0) ||
-           growth_with_corners(lattice, condition, 0) > 0;
-}
-
-std::string grade_of(const LargestAmplification& seen) {
-    if (2 * seen.examined < seen.samples) {
-        return "unknown";
-    }
-    if (seen.value.alone <= sampled_limit) {
-        return "contractive";
-    }
-    return seen.value.paired <= sampled_limit ? "paired" : "amplifies";
-}
-
-bool is_of_stable(const std::string& grade) {
-    return grade == "contractive" || grade == "paired";
-}
-
-/// Strips first, which tell most and take least time; boxes from the longest of the steps down.
-double steps_of_grade(const PlaneLattice& lattice, const SideCondition& condition,
-                      const std::string& grade) {
-    const double longest = longest_step(lattice);
-    const auto& shares = side_samples.steps;
-    const auto* const end = std::ranges::find_if(shares, [&](double share) {
-        const double dt = share * longest;
-        return strips_grow(lattice, condition, always(condition), side_samples.layers, dt) ||
-               grade_of(largest_amplification(lattice, condition, side_samples.waves, dt)) != grade;
-    });
-    const auto held =
-        std::find_if(std::make_reverse_iterator(end), shares.rend(), [&](double share) {
-            return growth_with_corners(lattice, condition, share * longest) == 0;
-        });
-    return held == shares.rend() ? 0 : *held;
-}
-
-/// Strips so narrow that a free side changes all of their layers are not looked at.
-std::vector<std::string> growing_opposite(const SideTask& model, const PlaneLattice& lattice,
-                                          const SideCondition& condition, double steps) {
+std::vector<std::string> growing_opposite(const GhostSide& side, const SideTask& model,
+                                          const PlaneLattice& lattice) {
     std::vector<std::pair<std::string, OppositeSide>> others{{"fixed", always(fixed_condition())}};
     if (const auto free = free_opposite(model)) {
         others.emplace_back("free", *free);
     }
     std::vector<std::string> names;
     for (const auto& [name, opposite] : others) {
-        if (strips_grow(lattice, condition, opposite, side_samples.layers, 0) ||
-            (steps > 0 && strips_grow(lattice, condition, opposite, side_samples.layers,
-                                      steps * longest_step(lattice)))) {
+        if (grows_opposite(side, lattice, opposite)) {
             names.push_back(name);
         }
     }
@@ -114,21 +70,10 @@ std::string samples_text() {
         side_samples.nodes, side_samples.steps.front(), side_samples.steps.back());
 }
 
-bool GhostSide::is_stable() const {
-    return is_of_stable(grade_of(*this)) && steps > 0;
-}
-
 void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice) {
-    side.amplification = largest_amplification(lattice, side.condition, side_samples.waves);
-    side.growth =
-        growth_in_strips(lattice, side.condition, always(side.condition), side_samples.layers, 0);
-    side.growth_with_corners = growth_with_corners(lattice, side.condition, 0);
-    const std::string grade = grade_of(side);
-    if (is_of_stable(grade)) {
-        side.steps = steps_of_grade(lattice, side.condition, grade);
-    }
-    if (grade == "paired") {
-        side.grows_opposite = growing_opposite(model, lattice, side.condition, side.steps);
+    sample_side(side, lattice);
+    if (grade_of(side) == "paired") {
+        side.grows_opposite = growing_opposite(side, model, lattice);
     }
     const VectorFamily& family = find_vector_family(model.family);
     if (!side.grows() || !family.has_stabilisation) {
@@ -138,19 +83,15 @@ void examine(GhostSide& side, const SideTask& model, const PlaneLattice& lattice
     for (const Rational& damping :
          {Rational(1, 100), Rational(1, 50), Rational(1, 20), Rational(1, 10), Rational(1, 5),
           Rational(1, 2), Rational(1), Rational(2)}) {
-        if (!grows(plane_lattice(described, model.g, damping), side.condition)) {
+        if (!grows_in_lattice(plane_lattice(described, model.g, damping), side.condition)) {
             side.damping = damping;
             return;
         }
     }
 }
 
-std::string grade_of(const GhostSide& side) {
-    return side.grows() ? "grows" : grade_of(side.amplification);
-}
-
 std::string opposite_of(const GhostSide& side) {
-    if (!is_of_stable(grade_of(side))) {
+    if (!side.is_stable_in_continuous_time()) {
         return "-";
     }
     if (grade_of(side) == "contractive") {
@@ -162,9 +103,9 @@ std::string opposite_of(const GhostSide& side) {
 }
 
 std::string steps_of(const GhostSide& side) {
-    return !is_of_stable(grade_of(side)) ? "-"
-           : side.steps > 0              ? fmt::format("{:.1f}", side.steps)
-                                         : "none";
+    return !side.is_stable_in_continuous_time() ? "-"
+           : side.steps > 0                     ? fmt::format("{:.1f}", side.steps)
+                                                : "none";
 }
 
 std::string amplification_of(const GhostSide& side) {
