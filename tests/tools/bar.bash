@@ -17,7 +17,7 @@ refuses() {
     try run "$@"
     expect_exit "$expected"
     expect_stderr "$text"
-    expect_stderr_lines 3
+    expect_stderr_lines 5
     expect_no_stdout
     expect_nothing_written
 }

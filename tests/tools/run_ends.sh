@@ -34,6 +34,7 @@ unstable "are stable, and none is certified" --set boundary.order=2 --set model.
 unstable "Certified at this G: order 1, stride 2 up to cfl = 0.98; order 2, stride 2 up to cfl = 0.69;" \
     --set model.horizon=1 --set model.G=0.01 --set boundary.right.kind=fixed
 expect_stderr 'boundary.kind = "passive" without order and stride.'
+expect "the way out in a line of its own" grep -q '^To run it all the same: ' "$scratch/stderr"
 # .. where none is, passive ends, or another G.
 unstable 'Certified at this G: boundary.kind = "passive" without order and stride;' \
     --set boundary.left.kind=fixed

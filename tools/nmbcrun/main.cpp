@@ -113,8 +113,13 @@ nmbcgen::ExitCode plane_command(const std::string& command, nmbcrun::PlaneScene 
 /// The exit code of a command, errors told.
 template <class Command>
 int exit_code_of(Command command) {
-    const auto failed = [](const std::exception& error, nmbcgen::ExitCode code) {
-        std::cerr << "nmbcrun: " << nmbcgen::printable(error.what()) << "\n";
+    const auto tell = [](const std::string& what) { std::cerr << "nmbcrun: " << what << "\n"; };
+    const auto failed = [&](const std::exception& error, nmbcgen::ExitCode code) {
+        tell(nmbcgen::printable(error.what()));
+        return code;
+    };
+    const auto failed_in_lines = [&](const std::exception& error, nmbcgen::ExitCode code) {
+        tell(nmbcgen::printable_lines(error.what()));
         return code;
     };
     try {
@@ -124,12 +129,11 @@ int exit_code_of(Command command) {
         }
         return code;
     } catch (const nmbcrun::NotMet& error) {
-        std::cerr << "nmbcrun: " << nmbcgen::printable_lines(error.what()) << "\n";
-        return does_not_hold;
+        return failed_in_lines(error, does_not_hold);
     } catch (const nmbc::CoefficientError& error) {
-        return failed(error, no_such_boundary);
+        return failed_in_lines(error, no_such_boundary);
     } catch (const nmbcrun::Unstable& error) {
-        return failed(error, unstable);
+        return failed_in_lines(error, unstable);
     } catch (const nmbcrun::Interrupted& error) {
         return failed(error, stopped);
     } catch (const nmbcrun::FileError& error) {

@@ -87,7 +87,7 @@ std::string choices_in_place(const Scene& scene, const Suits& suits) {
     }
     return choices.empty() ? ""
                            : fmt::format("Certified{} {}", suits ? " and absorbing" : "",
-                                         fmt::join(choices, ";\n"));
+                                         fmt::join(choices, ";\n  "));
 }
 
 std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice) {

@@ -212,13 +212,13 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
     }
     AutomaticStep step = with_their_like(scene, lattice, surfaces);
     if (step.cfl == 0) {
-        throw Unstable(fmt::format("no time step is certified for {}. {}", step.limit,
+        throw Unstable(fmt::format("no time step is certified for {}.\n{}", step.limit,
                                    matched ? to_try_its_own : to_try_one));
     }
     constexpr double roundings = 1e-9;
     if (matched && matched->cfl > step.cfl * (1 + roundings)) {
         throw Unstable(
-            fmt::format("the boundary is matched in steps of cfl {:.3f}, and {:.3f} is {}. {}",
+            fmt::format("the boundary is matched in steps of cfl {:.3f}, and {:.3f} is {}.\n{}",
                         matched->cfl, step.cfl, step.limit, to_try_its_own));
     }
     step = matched.value_or(step);
@@ -235,7 +235,7 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
     }
     AutomaticStep together = certified_together(scene, step, omega_max);
     if (together.cfl == 0 || (matched && together.cfl < step.cfl)) {
-        throw Unstable(fmt::format("no time step is certified for this pair of ends: {}. {}. {}",
+        throw Unstable(fmt::format("no time step is certified for this pair of ends: {}.\n{}.\n{}",
                                    matched ? "not the one that it is matched in" : together.limit,
                                    what_is_certified(scene, lattice),
                                    matched ? to_try_its_own : to_try_one));
