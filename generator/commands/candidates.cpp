@@ -95,7 +95,7 @@ Candidate in_steps(const Certified& certified, const Question& question, double 
     candidate.certified = certified.steps;
     if (!certified.half_space) {
         candidate.lost =
-            certified.what.order > highest_damped_order
+            dampings_of(certified.what).size() == 1
                 ? fmt::format("not certified with cfl {} or more; no tau was tried", smallest_cfl)
                 : fmt::format("not certified with cfl {} or more and any tau up to {}",
                               smallest_cfl, to_string(dampings_of(certified.what).back()));

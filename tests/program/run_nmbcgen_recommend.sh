@@ -98,6 +98,11 @@ refused() {
     expect_stderr "$text"
 }
 refused "--horizon (or --radius2) is required" --G 1
+# A chain without stabilisation has nothing to damp.
+try recommend --family chain1d --horizon 1 --order 2
+expect_exit 0
+expect "that no tau was tried" \
+    grep -qF "not certified with cfl 0.25 or more; no tau was tried" "$scratch/stdout"
 try recommend --horizon 2 --G 1 --order 5
 expect_exit 3
 expect_stderr "no certified boundary for horizon 2 at G = 1"
