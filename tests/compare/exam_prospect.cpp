@@ -160,7 +160,20 @@ TEST_CASE("a source that would do is over before the run ends, or a later end is
     };
     const double end = value_of("time.end");
     CHECK(end > 70);
-    CHECK(value_of("force.time") + 4 * value_of("force.duration") <= end);
+    CHECK(warnings.front().find("force.time") == std::string::npos);
+    CHECK(scene.force->time + 4 * value_of("force.duration") <= end);
+}
+
+TEST_CASE("a longer source that begins in the run keeps its time") {
+    Scene scene = scene_of(2, 32.0 / 15, 100, 700);
+    scene.cfl = 0.3;
+    scene.force = nmbcrun::Force{
+        {.history = nmbcrun::History::ricker, .time = 60, .duration = 2, .file = {}}, 50, 0};
+    const auto warnings = prospect_of(Simulation(scene)).warnings;
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings.front().find("; force.duration = ") != std::string::npos);
+    CHECK(warnings.front().find("force.time") == std::string::npos);
+    CHECK(warnings.front().find("time.end") == std::string::npos);
 }
 
 TEST_CASE("a width that would do does, and a packet of short waves has none") {

@@ -152,7 +152,7 @@ refuses 4 'Certified and absorbing at this G: boundary.kind = "passive" without 
 expect_stderr 'at model.G = "27/7", which suits long waves best: order 1, stride 3 up to cfl = 0.82; order 2, stride 3 up to cfl ='
 refuses 4 "of what force sends out is in waves so short that the lattice disperses them or turns them back; no force.duration alone would do" \
     "$scratch/steel.toml"
-refuses 4 "lattice disperses them or turns them back; force.duration = 3.2e-06 with force.time = 1.6e-05 would do" \
+refuses 4 "lattice disperses them or turns them back; force.duration = 3.2e-06 with force.time = 1.3e-05 would do" \
     "$scratch/steel.toml" --set model.G=27/7
 try run "$scratch/steel.toml" --set boundary.allow_amplifying=true
 expect_exit 0

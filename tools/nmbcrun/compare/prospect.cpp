@@ -164,8 +164,10 @@ std::string what_would_do(const Simulation& simulation, const std::string& sourc
     const double own_time = time == nullptr ? 0 : *time;
     for (double factor = 1.25; factor < 1e3; factor *= 1.25) {
         *value = two_digits(is_inverse ? own_value / factor : own_value * factor, is_inverse);
-        if (own_time > 0) {
-            *time = two_digits(own_time * factor, false);
+        if (own_time > 0 && !is_inverse) {       // a sine has no part before its time
+            constexpr double before_middle = 4;  // durations, as the warning of a cut start
+            *time = std::max(
+                own_time, two_digits(std::min(own_time * factor, before_middle * *value), false));
         }
         const double over = end_of_source(scene, source);
         const bool is_in_run = over <= own_end;
@@ -174,7 +176,7 @@ std::string what_would_do(const Simulation& simulation, const std::string& sourc
         if (not_carried(spectra.front(), lattice, step / unit_of_time(scene)) <= most_not_carried &&
             absorbs(scene)) {
             std::vector<std::string> others;
-            if (own_time > 0) {
+            if (time != nullptr && *time != own_time) {
                 others.push_back(fmt::format("{}.time = {:.2g}", source, *time));
             }
             if (!is_in_run) {
