@@ -156,10 +156,11 @@ void settle_side(Request& request, const VectorFamily& family, const VectorChoic
                                                family.name));
     }
     if (choice.radius_squared > largest_side_radius_squared) {
-        throw CLI::ValidationError("--radius2",
-                                   fmt::format("sides of families above {} take too long: give a "
-                                               "--polarisation, or a smaller family",
-                                               largest_side_radius_squared));
+        throw CLI::ValidationError(
+            "--radius2",
+            fmt::format(
+                "sides of families above {} take too long: {}", largest_side_radius_squared,
+                passive ? "take a smaller family" : "give a --polarisation, or a smaller family"));
     }
     for (const Polarisation polarisation : {Polarisation::P, Polarisation::S}) {
         try {
@@ -175,8 +176,10 @@ void settle_side(Request& request, const VectorFamily& family, const VectorChoic
         std::ranges::any_of(choice.weights, [](const Rational& w) { return w < 0; })) {
         throw CLI::ValidationError(
             "--weights",
-            "sides that are stable by construction need weights above 0. For the waves of one "
-            "polarisation at normal incidence add --polarisation P or S");
+            fmt::format("sides that are stable by construction need weights above 0{}",
+                        passive ? ""
+                                : ". For the waves of one polarisation at normal incidence add "
+                                  "--polarisation P or S"));
     }
     request.side = {.family = std::string(family.name),
                     .choice = choice,

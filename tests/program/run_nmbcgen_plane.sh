@@ -198,8 +198,14 @@ refuses 2 "--order: is of the waves of one polarisation: --polarisation" recomme
 refuses 2 "it is no sum of two squares" recommend --family nopd2d --radius2 3 --nu 1/4 --G 1
 refuses 2 "--nu: Poisson's ratio 1: an isotropic solid needs -1 < nu < 1/2" passive --family nopd2d --radius2 1 --nu 1 --G 1
 refuses 2 "--nu: Poisson's ratio 1/2: an isotropic solid needs" passive --family nopd2d --radius2 1 --nu 1/2 --state strain --G 1
-refuses 2 "sides of families above 25 take too long" recommend --family nopd2d --radius2 26 --nu 1/4 --G 1
+refuses 2 "sides of families above 25 take too long: give a --polarisation" \
+    recommend --family nopd2d --radius2 26 --nu 1/4 --G 1
+refuses 2 "sides of families above 25 take too long: take a smaller family" \
+    passive --family nopd2d --radius2 26 --nu 1/4 --G 1
 refuses 2 "do not travel" passive --family bond2d --radius2 1 --weights 1
+refuses 2 "need weights above 0. For the waves of one polarisation" recommend --family bond2d --radius2 4 --weights 1,1,-1/100
+refuses 2 "need weights above 0" passive --family bond2d --radius2 4 --weights 1,1,-1/100
+expect "passive proposes no option that it does not take" test "$(grep -c polarisation "$scratch/stderr")" -eq 0
 refuses 2 "--radius2: nopd1d is no plane family" passive --family nopd1d --radius2 1 --G 1
 refuses 2 "passive designs are of nopd1d, chain1d, nopd2d, bond2d" passive --family bond1d --horizon 1
 refuses 2 "chain1d has neighbours at 1 alone" passive --family chain1d --horizon 2
