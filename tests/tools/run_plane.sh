@@ -733,7 +733,7 @@ expect_exit 4
 expect_stderr "times what it was at the start, at step"
 expect "energies up to there" test -s grown/plane_pulse.csv
 
-# chart: what is proved, what grows; passive sides are on the front.
+# chart: what is stable by construction, what grows; passive sides are on the front.
 small=(--set 'domain.nodes=[30, 24]' --set 'initial.centre=[15, 12]' --set initial.width=6 --set time.end=8 --set model.G=0.25 --long-run 5000 --out results)
 try chart "$scene" "${small[@]}"
 expect_exit 0
@@ -743,7 +743,7 @@ expect "each row of the picture's data" awk -F, '
     NR == 1 { header = $0 }
     { at[$1] = $0; error[$1] = $6; run[$1] = $10 }
     END { exit !(NR == 21 && header == "boundary,kind,layer,profile,target,error,energy_left,step_cost,run_cost,long_run,on_front" && error["extended"] == 0 && error["pml 20"] < error["pml 5"] && error["pml 20"] < error["sponge 20"] &&
-          run["passive"] == "proved" && run["NMBC2"] == "grows" && error["fixed"] > error["passive"]) }' results/plane_pulse_chart.csv
+          run["passive"] == "by construction" && run["NMBC2"] == "grows" && error["fixed"] > error["passive"]) }' results/plane_pulse_chart.csv
 expect "fixed and free sides are on no front" awk -F, \
     '($2 == "fixed" || $2 == "free") && $11 == 1 { exit 1 }' results/plane_pulse_chart.csv
 expect "a picture" test -s results/plane_pulse_chart.svg
@@ -761,14 +761,14 @@ expect_exit 0
 expect_stderr 'left out: pml 40: beside a perfectly matched layer there are'
 rm -r results
 
-# advise: the cheapest proved sides; and a dimension that the scene does not need.
+# advise: the cheapest sides that are stable by construction; and a dimension that the scene does not need.
 small=(--set 'domain.nodes=[30, 24]' --set 'initial.centre=[15, 12]' --set initial.width=6 --set time.end=8 --set model.G=0.25)
 try advise "$scene" "${small[@]}" --tolerance 0.03
 expect_exit 0
 expect_no_stderr
 expect_stdout_with "advice     passive"
 expect_stdout_with "settings   --set boundary.kind=passive"
-expect_stdout_with "not proved to be stable"
+expect_stdout_with "not stable by construction"
 try advise "$scene" "${small[@]}" --set boundary.kind=free --tolerance 0.03
 expect_exit 2
 expect_stderr "there is nothing to advise"

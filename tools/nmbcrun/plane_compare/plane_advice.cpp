@@ -26,8 +26,8 @@ struct SideAdvice {
     std::vector<SidePoint> others{};
     bool has_artificial = false;
 
-    static bool is_proved(const SidePoint& point) { return !may_grow(point.what.side.kind); }
-    const SidePoint& best() const { return *std::ranges::find_if(ranked, &is_proved); }
+    static bool cannot_grow(const SidePoint& point) { return !may_grow(point.what.side.kind); }
+    const SidePoint& best() const { return *std::ranges::find_if(ranked, &cannot_grow); }
 };
 
 SideAdvice advice_for(const PlaneScene& scene, double tolerance, bool quiet) {
@@ -111,7 +111,7 @@ void print_table(const SideAdvice& advice) {
     fmt::print("meets it           run      error\n");
     for (const SidePoint& point : advice.ranked) {
         fmt::print("{}{}\n", row(point),
-                   SideAdvice::is_proved(point) ? "" : "  not proved to be stable");
+                   SideAdvice::cannot_grow(point) ? "" : "  not stable by construction");
     }
     fmt::print("left out\n");
     for (const SidePoint& point : advice.others) {

@@ -7,8 +7,9 @@
 namespace nmbcrun {
 
 /// The scene without a dimension that it does not need, between the sides that cost its run least
-/// of those that are proved and err by no more than the tolerance, max |u - u_ref| over max |u_ref|
-/// as measure_sides() finds it; and a line that says which. Throws as measure_sides() does.
+/// of those that are stable by construction and err by no more than the tolerance, max |u - u_ref|
+/// over max |u_ref| as measure_sides() finds it; and a line that says which. Throws as
+/// measure_sides() does.
 PlaneScene as_advised(const PlaneScene& scene, double tolerance, bool quiet);
 
 /// Prints the advice, ranked, and what was left out and why.

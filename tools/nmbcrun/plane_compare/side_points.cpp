@@ -55,10 +55,10 @@ void print(const std::vector<SidePoint>& points) {
         shown.push_back(&point);
     }
     std::ranges::sort(shown, {}, [](const SidePoint* point) { return point->error; });
-    fmt::print("  {:<12}  {:>9}  {:>9}  {:>9}  {:>11}  {:>8}  {}\n", "boundary", "step", "run",
+    fmt::print("  {:<12}  {:>9}  {:>9}  {:>9}  {:>11}  {:>15}  {}\n", "boundary", "step", "run",
                "error", "energy left", "long run", "tuned");
     for (const SidePoint* point : shown) {
-        fmt::print("{} {:<12}  {:>7.0f} %  {:>7.0f} %  {:9.2e}  {:11.2e}  {:>8}{}\n",
+        fmt::print("{} {:<12}  {:>7.0f} %  {:>7.0f} %  {:9.2e}  {:11.2e}  {:>15}{}\n",
                    point->on_front ? "*" : " ", point->what.name, 100 * (point->step_cost - 1),
                    100 * (point->run_cost - 1), point->error, point->energy_left, point->long_run(),
                    choice(point->what.side));

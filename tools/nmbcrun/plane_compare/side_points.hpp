@@ -25,7 +25,7 @@ struct SidePoint {
 
     bool holds() const { return refused.empty() && !grows && std::isfinite(error); }
     std::string_view long_run() const {
-        return !may_grow(what.side.kind) ? "proved" : grows ? "grows" : "steady";
+        return !may_grow(what.side.kind) ? "by construction" : grows ? "grows" : "steady";
     }
 };
 
