@@ -126,7 +126,8 @@ std::string short_waves_of(const std::string& initial, const Overrides& override
     return warnings.empty() ? "" : warnings.front();
 }
 
-TEST_CASE("an initial field that the lattice does not resolve is told, with one that it does") {
+TEST_CASE("an initial field that the lattice does not resolve is told, with one that it does" *
+          doctest::test_suite("long")) {
     const auto hump = [](const char* shape, const char* of, double width) {
         return fmt::format(
             "[initial]\nshape = '{}'\nof = '{}'\namplitude = 0.01\ncentre = [5, 4]\n"
@@ -162,7 +163,8 @@ TEST_CASE("an initial field that the lattice does not resolve is told, with one 
     CHECK(of_wave("0.4", "0.1").ends_with("; no initial.wave_number alone would do"));
 }
 
-TEST_CASE("a field from a file is told of its short waves, whatever its size") {
+TEST_CASE("a field from a file is told of its short waves, whatever its size" *
+          doctest::test_suite("long")) {
     const auto file = file_named("exam_plane_initial.h5");
     const std::string text = nopd2d_of_2 + of_lattice + free_sides;
     for (const char* const nodes : {"[24, 18]", "[150, 70]", "[3, 90]"}) {

@@ -98,7 +98,8 @@ double failure_of_patch(const nmbc::PlaneModel& model, const nmbc::PlaneSides& s
 
 }  // namespace
 
-TEST_CASE("closed sides pass the patch test at every radius and influence, corners included") {
+TEST_CASE("closed sides pass the patch test at every radius and influence, corners included" *
+          doctest::test_suite("long")) {
     for (const double G : {0.0, 0.5}) {
         std::vector<nmbc::CorrespondenceModel> models;
         for (const unsigned radius_squared : {1U, 2U, 4U, 5U, 8U, 9U}) {
@@ -140,7 +141,8 @@ TEST_CASE("halves at the sides pass the patch test at radius 1, quarters in the 
     }
 }
 
-TEST_CASE("between closed sides the energy is kept, and is a sum of squares") {
+TEST_CASE("between closed sides the energy is kept, and is a sum of squares" *
+          doctest::test_suite("long")) {
     for (const unsigned radius_squared : {1U, 2U, 4U, 9U, 10U}) {
         for (const double G : {0.0, 0.5}) {
             CAPTURE(radius_squared);
