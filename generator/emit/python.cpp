@@ -71,10 +71,10 @@ def evaluate(function, G=0):
 def coefficients(G=FIXED_G):
     """c_0 .. c_N [1] and b_0 .. b_N [c/dX] at G, as two lists of Fractions.
 
-    Raises ValueError where no G is given, or another than the table's own.
+    Raises ValueError where no G is given, one below 0 or another than the table's own.
     """
-    if G is None or (FIXED_G is not None and Fraction(G) != FIXED_G):
-        raise ValueError(f"a value of G is needed, and no other than FIXED_G = {FIXED_G}")
+    if G is None or Fraction(G) < 0 or (FIXED_G is not None and Fraction(G) != FIXED_G):
+        raise ValueError(f"a G >= 0 is needed, and no other than FIXED_G = {FIXED_G}")
     return [evaluate(f, G) for f in C], [evaluate(f, G) for f in B]
 
 

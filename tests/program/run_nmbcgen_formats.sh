@@ -78,7 +78,7 @@ for list_name in lists:
 assert module.MAX_CFL == [
     (s["low"], s["high"] if s["high"] is not None else float("inf"), s["cfl"], s["from"])
     for s in table["max_cfl"] or []]
-for wrong in ([None] if fixed is None else [99]):
+for wrong in [-1, None if fixed is None else 99]:
     try:
         module.coefficients(wrong)
         raise AssertionError("accepted")
