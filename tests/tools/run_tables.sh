@@ -122,7 +122,7 @@ refuses() {
     try run "$scene" --quiet "$@"
     expect_exit "$expected"
     expect_stderr "$text"
-    expect_stderr_lines 2
+    expect_stderr_lines 3
     expect_no_stdout
 }
 third=(--set model.horizon=3 --set 'model.influence=[1,0.75,0.5]')

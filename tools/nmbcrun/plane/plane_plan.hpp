@@ -21,10 +21,10 @@ struct PlanePlan : StepPlan {
     std::optional<SteadyStep> steady{};  ///< steady_step() of default steps that heed it
 };
 
-/// In the steps that the scene gives, or else in of_stable_by_default of the longest stable ones, or shorter ones
-/// where strips between its sides grow or what moves it is faster. nodes: along x and y, those of
-/// extended sides included. Throws Unstable where the steps are too long for the sides, SceneError
-/// as steps_until().
+/// In the steps that the scene gives, or else in of_stable_by_default of the longest stable ones,
+/// or shorter ones where strips between its sides grow or what moves it is faster. nodes: along x
+/// and y, those of extended sides included. Throws Unstable where the steps are too long for the
+/// sides, SceneError as steps_until().
 PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
                   const std::array<std::size_t, 2>& nodes);
 

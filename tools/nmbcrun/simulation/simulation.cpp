@@ -64,9 +64,9 @@ Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
     if (!plan.objection.empty() && !scene.allow_unstable) {
         const bool has_choice =
             has_certificate(scene.left.kind) && has_certificate(scene.right.kind);
-        throw Unstable(fmt::format("{}{}{}.\nTo run it all the same: boundary.allow_unstable = true",
-                                   plan.objection, has_choice ? ".\n" : "",
-                                   has_choice ? what_is_certified(scene, lattice) : ""));
+        throw Unstable(fmt::format(
+            "{}{}{}.\nTo run it all the same: boundary.allow_unstable = true", plan.objection,
+            has_choice ? ".\n" : "", has_choice ? what_is_certified(scene, lattice) : ""));
     }
     return plan;
 }
