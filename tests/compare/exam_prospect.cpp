@@ -45,6 +45,21 @@ Difference difference_of(Scene scene) {
     return difference;
 }
 
+constexpr double time_of_ricker = 60;
+
+/// The only warning of a ricker too short for its lattice.
+std::string warning_of_short_ricker(double end) {
+    Scene scene = scene_of(2, 32.0 / 15, 100, end);
+    scene.cfl = 0.3;
+    scene.force = nmbcrun::Force{
+        {.history = nmbcrun::History::ricker, .time = time_of_ricker, .duration = 2, .file = {}},
+        50,
+        0};
+    const auto warnings = prospect_of(Simulation(scene)).warnings;
+    REQUIRE(warnings.size() == 1);
+    return warnings.front();
+}
+
 TEST_CASE("spectra of sources are those of the waves that they send out") {
     Scene forced = scene_of(2, 1.5, 300, 500);
     forced.force = nmbcrun::Force{
@@ -147,33 +162,23 @@ TEST_CASE("of energies that doubles do not hold nothing is predicted") {
 }
 
 TEST_CASE("a source that would do is over before the run ends, or a later end is told") {
-    Scene scene = scene_of(2, 32.0 / 15, 100, 70);
-    scene.cfl = 0.3;
-    scene.force = nmbcrun::Force{
-        {.history = nmbcrun::History::ricker, .time = 60, .duration = 2, .file = {}}, 50, 0};
-    const auto warnings = prospect_of(Simulation(scene)).warnings;
-    REQUIRE(warnings.size() == 1);
+    const std::string warning = warning_of_short_ricker(70);
     const auto value_of = [&](const std::string& key) {
-        const std::size_t place = warnings.front().find(key + " = ");
+        const std::size_t place = warning.find(key + " = ");
         REQUIRE(place != std::string::npos);
-        return std::stod(warnings.front().substr(place + key.size() + 3));
+        return std::stod(warning.substr(place + key.size() + 3));
     };
     const double end = value_of("time.end");
     CHECK(end > 70);
-    CHECK(warnings.front().find("force.time") == std::string::npos);
-    CHECK(scene.force->time + 4 * value_of("force.duration") <= end);
+    CHECK(warning.find("force.time") == std::string::npos);
+    CHECK(time_of_ricker + 4 * value_of("force.duration") <= end);
 }
 
 TEST_CASE("a longer source that begins in the run keeps its time") {
-    Scene scene = scene_of(2, 32.0 / 15, 100, 700);
-    scene.cfl = 0.3;
-    scene.force = nmbcrun::Force{
-        {.history = nmbcrun::History::ricker, .time = 60, .duration = 2, .file = {}}, 50, 0};
-    const auto warnings = prospect_of(Simulation(scene)).warnings;
-    REQUIRE(warnings.size() == 1);
-    CHECK(warnings.front().find("; force.duration = ") != std::string::npos);
-    CHECK(warnings.front().find("force.time") == std::string::npos);
-    CHECK(warnings.front().find("time.end") == std::string::npos);
+    const std::string warning = warning_of_short_ricker(700);
+    CHECK(warning.find("; force.duration = ") != std::string::npos);
+    CHECK(warning.find("force.time") == std::string::npos);
+    CHECK(warning.find("time.end") == std::string::npos);
 }
 
 TEST_CASE("a width that would do does, and a packet of short waves has none") {

@@ -13,6 +13,7 @@
 #include "tools/nmbcrun/compare/prediction.hpp"
 #include "tools/nmbcrun/compare/source_spectrum.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/sources/force_in_time.hpp"
 #include "tools/nmbcrun/sources/short_waves.hpp"
 #include "tools/nmbcrun/sources/source_length.hpp"
 #include "tools/nmbcrun/sources/two_digits.hpp"
@@ -164,10 +165,10 @@ std::string what_would_do(const Simulation& simulation, const std::string& sourc
     const double own_time = time == nullptr ? 0 : *time;
     for (double factor = 1.25; factor < 1e3; factor *= 1.25) {
         *value = two_digits(is_inverse ? own_value / factor : own_value * factor, is_inverse);
-        if (own_time > 0 && !is_inverse) {       // a sine has no part before its time
-            constexpr double before_middle = 4;  // durations, as the warning of a cut start
-            *time = std::max(
-                own_time, two_digits(std::min(own_time * factor, before_middle * *value), false));
+        if (own_time > 0 && !is_inverse) {  // a sine has no part before its time
+            *time =
+                std::max(own_time,
+                         two_digits(std::min(own_time * factor, enough_durations * *value), false));
         }
         const double over = end_of_source(scene, source);
         const bool is_in_run = over <= own_end;

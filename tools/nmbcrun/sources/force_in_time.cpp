@@ -21,8 +21,6 @@ namespace {
 
 /// Of the peak: the most that may be cut off at the beginning or the end of a run without a word.
 constexpr double negligible_part = 0.05;
-/// From the middle of a gaussian or ricker on, so many durations away it is below 4e-6 of its peak.
-constexpr double enough_durations = 4;
 
 bool has_middle(History history) {
     return history == History::gaussian || history == History::ricker;

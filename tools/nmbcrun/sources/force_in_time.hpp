@@ -9,6 +9,9 @@
 
 namespace nmbcrun {
 
+/// A gaussian or ricker is below 4e-6 of its peak so many durations away from its middle.
+inline constexpr double enough_durations = 4;
+
 class ForceInTime {
   public:
     /// column: of a file, or dataset, beside `time`. Throws SceneError where its file does not make
