@@ -86,7 +86,7 @@ std::string reflections_of(const PlaneLattice& lattice, Reflected reflected) {
     return text;
 }
 
-constexpr const char* row_format = "{:<26} {:<11} {:>5} {:<15} {:>10} {:>9} {:>9} {:>5} {}\n";
+constexpr const char* row_format = "{:<26} {:<11} {:>5} {:<15} {:>10} {:>8} {:>8} {:>8} {:>5} {}\n";
 
 /// A lattice and the sides there are for it.
 struct SidesOfLattice {
@@ -140,20 +140,21 @@ double share_of_steps(const DesignedSide& passive) {
 std::string row_of(const DesignedSide& passive, const SidesOfLattice& sides) {
     return fmt::format(row_format, "passive", "passive",
                        fmt::format("{:.2f}", share_of_steps(passive)), "any", "no", "none", "none",
-                       "0", reflections_of(sides.lattice, [&](const ArrivingWave& wave) {
+                       "none", "0", reflections_of(sides.lattice, [&](const ArrivingWave& wave) {
                            return reflected_by_edge(passive.task, passive.edge, wave);
                        }));
 }
 
 std::string row_of(const GhostSide& side, const SidesOfLattice& sides) {
-    return fmt::format(
-        row_format, side.name, grade_of(side), steps_of(side), opposite_of(side),
-        amplification_of(side), rate_text(side.growth), rate_text(side.growth_with_corners),
-        side.damping   ? to_string(*side.damping)
-        : side.grows() ? "-"
-                       : "0",
-        reflections_of(sides.lattice,
-                       [&](const ArrivingWave& wave) { return sides.reflected_by(side, wave); }));
+    return fmt::format(row_format, side.name, grade_of(side), steps_of(side), opposite_of(side),
+                       amplification_of(side), rate_text(side.growth_of_modes),
+                       rate_text(side.growth), rate_text(side.growth_with_corners),
+                       side.damping   ? to_string(*side.damping)
+                       : side.grows() ? "-"
+                                      : "0",
+                       reflections_of(sides.lattice, [&](const ArrivingWave& wave) {
+                           return sides.reflected_by(side, wave);
+                       }));
 }
 
 template <class Reflected>
@@ -175,7 +176,7 @@ std::string reflection_rows(std::string boundary, const PlaneLattice& lattice,
 
 std::string heading() {
     std::string text = fmt::format(row_format, "boundary", "grade", "steps", "opposite",
-                                   "amplifies", "growth", "box", "tau", "");
+                                   "amplifies", "side", "strip", "box", "tau", "");
     text.pop_back();
     for (const double angle : angles) {
         text += fmt::format("  {:>7} deg", angle);
@@ -228,9 +229,8 @@ std::string legend() {
     return fmt::format(
         "grade: passive is by construction. On samples,\n"
         "  {}:\n"
-        "  contractive (opposite any passive side), paired (opposite its like), amplifies, grows "
-        "(in a strip or in\n"
-        "  the box). Other strips may grow\n"
+        "  contractive (opposite any passive side), paired (opposite its like), amplifies, grows. "
+        "Other strips may grow\n"
         "steps: leapfrog steps up to this part of the lattice's longest have the grade, as "
         "continuous time has. Of\n"
         "  passive that is the limit; of others the last tenth that was tried, so that up to a "
@@ -238,11 +238,12 @@ std::string legend() {
         "opposite: in these steps and in continuous time; not fixed, free: strips between it and "
         "such a side grow\n"
         "amplifies: amplitudes at one reflection between like sides, the largest; <=: a bound\n"
-        "growth: rate in the strips; box: rate between four like sides, with corners "
-        "[sqrt(E/density)/dX]; tau: least of\n"
-        "  1/100 .. 2 that ends it in the strips and in the box, of forces tau times those of the "
-        "stabilisation at g = 1\n"
-        "  on velocities [dX sqrt(density/E)]; -: none\n"
+        "side, strip, box: rates of growth [sqrt(E/density)/dX]: of a mode of one side, however "
+        "far the others; in the\n"
+        "  strips; between four like sides, with corners\n"
+        "tau: least of 1/100 .. 2 that ends all growth, of forces tau times those of the "
+        "stabilisation at g = 1 on\n"
+        "  velocities [dX sqrt(density/E)]; -: none\n"
         "degrees: from the normal; reflected energy of P/S, xi = {:g}/dX; ?: waves at the side "
         "cannot "
         "be told from each other\n",

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "generator/commands/ghost_side.hpp"
 #include "generator/exact/rational.hpp"
@@ -93,6 +96,11 @@ PlaneGrade require_stable_in_plane(const Specification& what, const ProjectedFam
                 .steps = side.steps,
                 .grows_opposite = side.grows_opposite};
     }
+    const auto& [what_grows, rate] = std::ranges::max(
+        std::array{std::pair("modes of such a side", side.growth_of_modes),
+                   std::pair("strips between such sides", side.growth),
+                   std::pair("boxes with corners between such sides", side.growth_with_corners)},
+        {}, &std::pair<const char*, double>::second);
     std::string sides;
     if (family.at_edge != nullptr) {
         std::string options = options_of(projected);
@@ -106,10 +114,7 @@ PlaneGrade require_stable_in_plane(const Specification& what, const ProjectedFam
         "{} is not stable as a side of the plane, g = {}, though it is for waves at normal "
         "incidence: {}. Nothing was written.{}",
         side.name, to_string(model.g),
-        side.growth > 0 || side.growth_with_corners > 0
-            ? fmt::format("{} between such sides grow, Re s = {:.2g} sqrt(E/density)/dX",
-                          side.growth > 0 ? "strips" : "boxes with corners",
-                          side.growth > 0 ? side.growth : side.growth_with_corners)
+        side.grows() ? fmt::format("{} grow, Re s = {:.2g} sqrt(E/density)/dX", what_grows, rate)
         : grade == "contractive" || grade == "paired"
             ? fmt::format("it is {} in continuous time, and in no step that was looked at", grade)
             : fmt::format("of {} wave vectors some are amplified, {} times a reflection "

@@ -74,6 +74,11 @@ Eigenpairs eigenpairs(const MatrixXd& matrix) {
     return {.values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
 }
 
+Eigenpairs eigenpairs(const MatrixXcd& matrix) {
+    const Eigen::ComplexEigenSolver<MatrixXcd> solver(matrix);
+    return {.values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
+}
+
 SymmetricEigenpairs symmetric_eigenpairs(const MatrixXd& matrix) {
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(matrix);
     return {.values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
@@ -95,8 +100,16 @@ MatrixXd inverse_of(const MatrixXd& matrix) {
     return matrix.inverse();
 }
 
+MatrixXcd inverse_of(const MatrixXcd& matrix) {
+    return matrix.inverse();
+}
+
 MatrixXcd solution_of(const MatrixXcd& matrix, const MatrixXcd& right_sides) {
     return matrix.partialPivLu().solve(right_sides);
+}
+
+std::complex<double> determinant_of(const MatrixXcd& matrix) {
+    return matrix.partialPivLu().determinant();
 }
 
 }  // namespace nmbcgen

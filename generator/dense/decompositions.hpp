@@ -5,6 +5,7 @@
 #define NMBCGEN_DENSE_DECOMPOSITIONS_HPP
 
 #include <Eigen/Core>
+#include <complex>
 
 namespace nmbcgen {
 
@@ -21,6 +22,7 @@ struct Eigenpairs {
 };
 
 Eigenpairs eigenpairs(const Eigen::MatrixXd& matrix);
+Eigenpairs eigenpairs(const Eigen::MatrixXcd& matrix);
 
 struct SymmetricEigenpairs {
     Eigen::VectorXd values;   ///< ascending
@@ -38,7 +40,9 @@ double squared_spectral_norm(const Eigen::MatrixXcd& X);
 
 /// Of a regular matrix.
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& matrix);
+Eigen::MatrixXcd inverse_of(const Eigen::MatrixXcd& matrix);
 Eigen::MatrixXcd solution_of(const Eigen::MatrixXcd& matrix, const Eigen::MatrixXcd& right_sides);
+std::complex<double> determinant_of(const Eigen::MatrixXcd& matrix);
 
 }  // namespace nmbcgen
 

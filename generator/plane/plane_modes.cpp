@@ -17,37 +17,58 @@ using Eigen::MatrixXd;
 
 constexpr double resolved = 1e-6;  // what doubles resolve of a double root, and more
 
-/// Where the farthest forces lack a component, as if it had a tiny spring there: modes of z next to
-/// 0 and infinity, which carry nothing, in place of 0 and infinity. Long waves have the same energy
-/// with it but for xi^2 times as much.
+/// Where the farthest forces lack a component, or are all in one direction, as if they had a tiny
+/// spring in addition: modes of z next to 0 and infinity, which carry nothing, in place of 0 and
+/// infinity. Long waves have the same energy with it but for xi^2 times as much.
 LateralChain without_gaps(LateralChain chain) {
     constexpr double tiny = 1e-8;
     constexpr double none = 1e-14;  // roundings
-    Eigen::MatrixXd& middle = chain.stiffness[chain.reach()];
+    MatrixXd& farthest = chain.stiffness.back();
+    const auto add_spring = [&](Index a) {
+        MatrixXd& middle = chain.stiffness[chain.reach()];
+        const double stiffness = tiny * middle(a, a);
+        chain.stiffness.front()(a, a) -= stiffness;
+        farthest(a, a) -= stiffness;
+        middle(a, a) += 2 * stiffness;
+    };
+    const Eigen::VectorXd rows = farthest.rowwise().norm();
+    bool lacks_one = false;
     for (Index a = 0; a < chain.components(); ++a) {
-        const double scale = middle(a, a);
-        if (chain.stiffness.back().row(a).norm() < none * scale) {
-            chain.stiffness.front()(a, a) -= tiny * scale;
-            chain.stiffness.back()(a, a) -= tiny * scale;
-            middle(a, a) += 2 * tiny * scale;
+        if (rows(a) < none * chain.stiffness[chain.reach()](a, a)) {
+            add_spring(a);
+            lacks_one = true;
         }
+    }
+    // Of [[p, q], [-q, r]], p r = -q^2, the determinant is r times the spring's stiffness then.
+    if (!lacks_one && chain.components() == 2 &&
+        std::abs(farthest(0, 0) * farthest(1, 1) - farthest(0, 1) * farthest(1, 0)) <
+            none * rows.squaredNorm()) {
+        add_spring(0);
     }
     return chain;
 }
 
-/// The layers I-reach .. I+reach-1 to the next ones: u_{I+reach} from the equation of motion.
-MatrixXd transfer(const LateralChain& chain, double omega) {
-    const auto reach = Index(chain.reach());
-    const Index size = chain.components();
+/// The layers I-reach .. I+reach-1 to the next ones, of motions exp(s t): u_{I+reach} from
+/// s^2 u_I = - sum_r stiffness[reach + r] u_{I+r}.
+template <class Matrix>
+Matrix transfer(const std::vector<Matrix>& stiffness, typename Matrix::Scalar square_of_s) {
+    const auto reach = Index(stiffness.size() - 1) / 2;
+    const Index size = stiffness.front().rows();
     const Index last = (2 * reach - 1) * size;
-    const MatrixXd outermost = inverse_of(chain.stiffness.back());
-    MatrixXd step = MatrixXd::Zero(last + size, last + size);
+    const Matrix outermost = inverse_of(stiffness.back());
+    Matrix step = Matrix::Zero(last + size, last + size);
     step.topRightCorner(last, last).setIdentity();
     for (Index r = 0; r < 2 * reach; ++r) {
-        step.block(last, size * r, size, size) = -outermost * chain.stiffness[std::size_t(r)];
+        step.block(last, size * r, size, size) = -outermost * stiffness[std::size_t(r)];
     }
-    step.block(last, size * reach, size, size) += omega * omega * outermost;
+    step.block(last, size * reach, size, size) -= square_of_s * outermost;
     return step;
+}
+
+/// Of an eigenvector of transfer(): of a growing solution the last layer, of a decaying one the
+/// first has the digits.
+Eigen::VectorXcd shape_of(const Eigen::VectorXcd& layers, Complex z, Index size) {
+    return (std::abs(z) < 1 ? layers.head(size) : layers.tail(size)).normalized();
 }
 
 /// Of U z^I exp(i omega t), z = exp(i xi): -d(omega)/d(xi), half the derivative of U.K(z)U over
@@ -83,16 +104,13 @@ PlaneMode mirror_image(PlaneMode mode) {
 
 std::vector<PlaneMode> outgoing_plane_modes(const LateralChain& chain, double omega) {
     const Index size = chain.components();
-    const Eigenpairs pairs = eigenpairs(transfer(without_gaps(chain), omega));
+    const Eigenpairs pairs = eigenpairs(transfer(without_gaps(chain).stiffness, -omega * omega));
     std::vector<PlaneMode> travelling;
     std::vector<PlaneMode> decaying;
     for (Index i = 0; i < pairs.values.size(); ++i) {
         const Complex z = pairs.values(i);
         const double modulus = std::abs(z);
-        // Of a growing solution the last layer, of a decaying one the first has the digits.
-        const Eigen::VectorXcd layers = pairs.vectors.col(i);
-        const Eigen::VectorXcd shape =
-            (modulus < 1 ? layers.head(size) : layers.tail(size)).normalized();
+        const Eigen::VectorXcd shape = shape_of(pairs.vectors.col(i), z, size);
         if (modulus < 1 - resolved) {
             decaying.push_back({.z = z, .shape = shape});
         } else if (modulus < 1 + resolved) {
@@ -112,6 +130,23 @@ std::vector<PlaneMode> outgoing_plane_modes(const LateralChain& chain, double om
     }
     travelling.insert(travelling.end(), decaying.begin(), decaying.end());
     return travelling;
+}
+
+std::vector<PlaneMode> decaying_plane_modes(const LateralChain& chain, Complex s) {
+    const LateralChain whole = without_gaps(chain);
+    std::vector<Eigen::MatrixXcd> stiffness;
+    for (std::size_t r = 0; r < whole.stiffness.size(); ++r) {
+        stiffness.emplace_back(whole.stiffness[r].cast<Complex>() + s * whole.damping[r]);
+    }
+    const Eigenpairs pairs = eigenpairs(transfer(stiffness, s * s));
+    std::vector<PlaneMode> modes;
+    for (Index i = 0; i < pairs.values.size(); ++i) {
+        const Complex z = pairs.values(i);
+        modes.push_back({.z = z, .shape = shape_of(pairs.vectors.col(i), z, chain.components())});
+    }
+    std::ranges::sort(modes, {}, [](const PlaneMode& mode) { return std::abs(mode.z); });
+    modes.resize(modes.size() / 2);
+    return modes;
 }
 
 Index travelling_count(const std::vector<PlaneMode>& outgoing) {

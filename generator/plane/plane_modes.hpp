@@ -28,6 +28,9 @@ PlaneMode mirror_image(PlaneMode mode);
 /// incident ones, as at the edge of a band.
 std::vector<PlaneMode> outgoing_plane_modes(const LateralChain& chain, double omega);
 
+/// Of motions exp(s t), Re s > 0, damped or not: U z^I with |z| < 1, which is half of all modes.
+std::vector<PlaneMode> decaying_plane_modes(const LateralChain& chain, std::complex<double> s);
+
 /// How many of the outgoing modes travel: the first ones.
 Eigen::Index travelling_count(const std::vector<PlaneMode>& outgoing);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "generator/plane/box.hpp"
+#include "generator/plane/side_growth.hpp"
 
 namespace nmbcgen {
 namespace {
@@ -83,6 +84,14 @@ bool strips_grow(const PlaneLattice& lattice, const SideCondition& condition,
                  double time_step) {
     return largest_in_strips(lattice, condition, opposite, layers, time_step,
                              [](double rate) { return rate > 0; }) > 0;
+}
+
+double growth_of_modes(const PlaneLattice& lattice, const SideCondition& condition) {
+    double largest = 0;
+    for (const double wave_number : strip_wave_numbers(side_samples.wave_numbers)) {
+        largest = growth_of_side(lateral_chain(lattice, wave_number), condition, largest);
+    }
+    return largest;
 }
 
 OppositeSide always(const SideCondition& condition) {

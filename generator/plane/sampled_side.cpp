@@ -56,6 +56,7 @@ std::string grade_of(const GhostSide& side) {
 
 void sample_side(GhostSide& side, const PlaneLattice& lattice) {
     side.amplification = largest_amplification(lattice, side.condition, side_samples.waves);
+    side.growth_of_modes = growth_of_modes(lattice, side.condition);
     side.growth =
         growth_in_strips(lattice, side.condition, always(side.condition), side_samples.layers, 0);
     side.growth_with_corners = growth_with_corners(lattice, side.condition, 0);
@@ -66,7 +67,8 @@ void sample_side(GhostSide& side, const PlaneLattice& lattice) {
 
 bool grows_in_lattice(const PlaneLattice& lattice, const SideCondition& condition) {
     return strips_grow(lattice, condition, always(condition), side_samples.layers, 0) ||
-           growth_with_corners(lattice, condition, 0) > 0;
+           growth_with_corners(lattice, condition, 0) > 0 ||
+           growth_of_modes(lattice, condition) > 0;
 }
 
 bool grows_opposite(const GhostSide& side, const PlaneLattice& lattice, const OppositeSide& other) {

@@ -19,7 +19,8 @@ struct GhostSide {
     std::string name;
     SideCondition condition;
     LargestAmplification amplification{};
-    double growth = 0;               ///< rate in strips [sqrt(E/rho)/dX]; 0 where it is roundings
+    double growth_of_modes = 0;      ///< rate of one side alone [sqrt(E/rho)/dX]; 0: none
+    double growth = 0;               ///< in strips; 0 where it is roundings
     double growth_with_corners = 0;  ///< in a box; likewise
     std::optional<Rational> damping{};  ///< the smallest tau tried with which neither grows
     /// The largest leapfrog step, over the longest one, in which the grade is what it is in
@@ -28,7 +29,7 @@ struct GhostSide {
     /// Opposite which sides strips grow: "fixed", "free".
     std::vector<std::string> grows_opposite{};
 
-    bool grows() const { return growth > 0 || growth_with_corners > 0; }
+    bool grows() const { return growth_of_modes > 0 || growth > 0 || growth_with_corners > 0; }
     bool is_stable_in_continuous_time() const;  ///< contractive or paired
     bool is_stable() const;                     ///< in steps too
 };
@@ -36,12 +37,12 @@ struct GhostSide {
 /// "grows", "amplifies", "paired", "contractive", or "unknown" where most waves cannot be told.
 std::string grade_of(const GhostSide& side);
 
-/// Finds how the side amplifies waves and whether strips of the lattice grow between two of them,
-/// or a box between four, in continuous time; where none does, in which steps.
+/// Finds how the side amplifies waves and whether a half plane grows at one of them, strips of the
+/// lattice between two or a box between four, in continuous time; where none does, in which steps.
 void sample_side(GhostSide& side, const PlaneLattice& lattice);
 
-/// Whether strips of this lattice grow between two such sides, or a box between four, in continuous
-/// time.
+/// Whether a half plane of this lattice grows at such a side, strips between two or a box between
+/// four, in continuous time.
 bool grows_in_lattice(const PlaneLattice& lattice, const SideCondition& condition);
 
 /// Whether strips between a side that has been sampled and another one grow, in continuous time or

@@ -18,22 +18,6 @@ using Eigen::MatrixXd;
 
 constexpr double unitary_within = 1e-6;  // R_D, in doubles
 
-/// Component by component, what the ghost layers 1 .. reach have of a mode, times z^reach; rate: D.
-Eigen::VectorXcd on_ghosts(const PlaneMode& mode, const SideCondition& condition, std::size_t reach,
-                           Complex rate) {
-    const Index size = mode.shape.size();
-    Eigen::VectorXcd column(size * Index(reach));
-    Complex power = 1;
-    for (Index layer = Index(reach) - 1; layer >= 0; --layer) {
-        for (Index a = 0; a < size; ++a) {
-            column(size * layer + a) =
-                evaluate(condition.residual[std::size_t(a)], rate, mode.z) * mode.shape(a) * power;
-        }
-        power *= mode.z;
-    }
-    return column;
-}
-
 /// Ascending.
 Eigen::Vector2d frequencies_at(const PlaneLattice& lattice, const Eigen::Vector2d& wave_vector) {
     const Eigen::Matrix2d matrix = dynamical_matrix(lattice.bonds, wave_vector).value;
@@ -63,6 +47,21 @@ void climb(Value value, Eigen::Vector2d& at, double& highest, double step) {
 }
 
 }  // namespace
+
+Eigen::VectorXcd on_ghosts(const PlaneMode& mode, const SideCondition& condition, std::size_t reach,
+                           Complex rate) {
+    const Index size = mode.shape.size();
+    Eigen::VectorXcd column(size * Index(reach));
+    Complex power = 1;
+    for (Index layer = Index(reach) - 1; layer >= 0; --layer) {
+        for (Index a = 0; a < size; ++a) {
+            column(size * layer + a) =
+                evaluate(condition.residual[std::size_t(a)], rate, mode.z) * mode.shape(a) * power;
+        }
+        power *= mode.z;
+    }
+    return column;
+}
 
 MatrixXcd side_reflection(const std::vector<PlaneMode>& outgoing, const SideCondition& condition,
                           std::size_t reach, double omega, double time_step) {

@@ -16,6 +16,11 @@
 
 namespace nmbcgen {
 
+/// Component by component, what the ghost layers 1 .. reach have of a mode at D = rate, times
+/// z^reach.
+Eigen::VectorXcd on_ghosts(const PlaneMode& mode, const SideCondition& condition, std::size_t reach,
+                           std::complex<double> rate);
+
 /// R between travelling waves: rows outgoing, columns their mirror images, |entry|^2 a fraction of
 /// the incident energy flux.
 Eigen::MatrixXcd side_reflection(const std::vector<PlaneMode>& outgoing,

@@ -144,7 +144,7 @@ TEST_CASE("no motion beside an edge grows, and leapfrog is stable to its limit")
         // u += dt v, and (M + dt C/2) v = (M - dt C/2) v - dt K u, as one map of (u, v).
         const auto radius_at = [&](double dt) {
             const Eigen::MatrixXd M = mass.asDiagonal();
-            const Eigen::MatrixXd solve = inverse_of(M + dt / 2 * C);
+            const Eigen::MatrixXd solve = inverse_of(Eigen::MatrixXd(M + dt / 2 * C));
             Eigen::MatrixXd step(2 * size, 2 * size);
             step.bottomLeftCorner(size, size) = -dt * solve * K;
             step.bottomRightCorner(size, size) = solve * (M - dt / 2 * C);
