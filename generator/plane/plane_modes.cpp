@@ -39,11 +39,13 @@ LateralChain without_gaps(LateralChain chain) {
             lacks_one = true;
         }
     }
-    // Of [[p, q], [-q, r]], p r = -q^2, the determinant is r times the spring's stiffness then.
+    // Of [[p, q], [-q, r]] with p r = -q^2, the determinant is then the other diagonal entry times
+    // the spring's stiffness.
+    constexpr double singular = 1e-10;
     if (!lacks_one && chain.components() == 2 &&
         std::abs(farthest(0, 0) * farthest(1, 1) - farthest(0, 1) * farthest(1, 0)) <
-            none * rows.squaredNorm()) {
-        add_spring(0);
+            singular * rows.squaredNorm()) {
+        add_spring(std::abs(farthest(0, 0)) < std::abs(farthest(1, 1)) ? 0 : 1);
     }
     return chain;
 }

@@ -89,7 +89,8 @@ bool strips_grow(const PlaneLattice& lattice, const SideCondition& condition,
 double growth_of_modes(const PlaneLattice& lattice, const SideCondition& condition) {
     double largest = 0;
     for (const double wave_number : strip_wave_numbers(side_samples.wave_numbers)) {
-        largest = growth_of_side(lateral_chain(lattice, wave_number), condition, largest);
+        largest = growth_of_side(lateral_chain(lattice, wave_number), condition, largest)
+                      .value_or(largest);
     }
     return largest;
 }

@@ -42,8 +42,8 @@ bool strips_grow(const PlaneLattice& lattice, const SideCondition& condition,
                  const OppositeSide& opposite, std::span<const std::size_t> layers,
                  double time_step);
 
-/// The largest rate of a mode of the side alone (side_growth.hpp) at the wave numbers of the strips,
-/// where modes can be told, in continuous time; 0: none.
+/// The largest rate of a mode of the side alone (side_growth.hpp) at the wave numbers of the
+/// strips, where modes can be told, in continuous time; 0: none.
 double growth_of_modes(const PlaneLattice& lattice, const SideCondition& condition);
 
 /// Opposite its like.

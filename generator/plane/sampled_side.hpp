@@ -19,10 +19,10 @@ struct GhostSide {
     std::string name;
     SideCondition condition;
     LargestAmplification amplification{};
-    double growth_of_modes = 0;      ///< rate of one side alone [sqrt(E/rho)/dX]; 0: none
-    double growth = 0;               ///< in strips; 0 where it is roundings
-    double growth_with_corners = 0;  ///< in a box; likewise
-    std::optional<Rational> damping{};  ///< the smallest tau tried with which neither grows
+    double growth_of_modes = 0;         ///< rate of one side alone [sqrt(E/rho)/dX]; 0: none
+    double growth = 0;                  ///< in strips; 0 where it is roundings
+    double growth_with_corners = 0;     ///< in a box; likewise
+    std::optional<Rational> damping{};  ///< the smallest tau tried with which nothing grows
     /// The largest leapfrog step, over the longest one, in which the grade is what it is in
     /// continuous time, as in all shorter ones that are looked at; 0: none, or not sought.
     double steps = 0;

@@ -17,7 +17,8 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 
-constexpr double least_told = 1e-6;  // of the highest frequency
+constexpr double least_told = 1e-6;   // of the highest frequency
+constexpr double most_untold = 1e-3;  // of the same
 
 /// No frequency of the chain is higher.
 double highest_frequency(const LateralChain& chain) {
@@ -26,16 +27,6 @@ double highest_frequency(const LateralChain& chain) {
         sum += entry.norm();
     }
     return std::sqrt(sum);
-}
-
-MatrixXcd columns_of(const std::vector<PlaneMode>& modes, const SideCondition& condition,
-                     std::size_t reach, Complex rate) {
-    const auto all = Index(modes.size());
-    MatrixXcd columns(all, all);
-    for (Index o = 0; o < all; ++o) {
-        columns.col(o) = on_ghosts(modes[std::size_t(o)], condition, reach, rate);
-    }
-    return columns;
 }
 
 /// f over what it is where s is large, so that it tends to 1: each ghost row has c (s + scale)^p of
@@ -105,10 +96,11 @@ class Turn {
 
 Complex growth_determinant(const LateralChain& chain, const SideCondition& condition, Complex s) {
     const std::vector<PlaneMode> modes = decaying_plane_modes(chain, s);
-    // Both from the same modes; det(XY^-1) rather than a quotient, as both may be small.
-    const MatrixXcd own = columns_of(modes, condition, chain.reach(), s);
-    const MatrixXcd fixed =
-        columns_of(modes, {{ShiftPolynomial{{1}}, ShiftPolynomial{{1}}}}, chain.reach(), s);
+    // u = 0, not v = 0 as fixed_condition() has it, which would divide f by powers of s.
+    const SideCondition at_rest{{ShiftPolynomial{{1}}, ShiftPolynomial{{1}}}};
+    const MatrixXcd own = conditions_on(modes, condition, chain.reach(), s);
+    const MatrixXcd fixed = conditions_on(modes, at_rest, chain.reach(), s);
+    // The determinant of a quotient rather than the quotient of determinants: both may be small.
     return determinant_of(solution_of(fixed.transpose(), own.transpose()));
 }
 
@@ -132,19 +124,36 @@ std::optional<std::size_t> growing_modes(const LateralChain& chain, const SideCo
         low = high;
         at_low = at_high;
     }
-    // Beyond, to 1.
+    // Beyond, the value tends to 1.
     change -= std::arg(at_low);
-    return std::size_t(std::max(0L, -std::lround(change / std::numbers::pi)));
+    const long count = -std::lround(change / std::numbers::pi);
+    constexpr double near = 0.5;
+    if (count < 0 || !(std::abs(at_low - 1.0) < near)) {
+        return std::nullopt;
+    }
+    return std::size_t(count);
 }
 
-double growth_of_side(const LateralChain& chain, const SideCondition& condition, double least) {
-    const auto is_faster = [&](double rate) {
-        return growing_modes(chain, condition, rate).value_or(0) > 0;
-    };
-    double below = std::max(least, least_told * highest_frequency(chain));
-    if (!is_faster(below)) {
+std::optional<double> growth_of_side(const LateralChain& chain, const SideCondition& condition,
+                                     double least) {
+    const double highest = highest_frequency(chain);
+    double below = std::max(least, least_told * highest);
+    auto count = growing_modes(chain, condition, below);
+    while (!count && below < most_untold * highest) {
+        below *= 4;
+        count = growing_modes(chain, condition, below);
+    }
+    if (!count) {
+        return std::nullopt;
+    }
+    if (*count == 0) {
         return least;
     }
+    const auto is_faster = [&](double rate) {
+        constexpr double aside = 1.002;
+        const auto there = growing_modes(chain, condition, rate);
+        return (there ? there : growing_modes(chain, condition, aside * rate)).value_or(0) > 0;
+    };
     double above = 2 * below;
     while (is_faster(above)) {
         below = above;

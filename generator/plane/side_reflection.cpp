@@ -18,6 +18,22 @@ using Eigen::MatrixXd;
 
 constexpr double unitary_within = 1e-6;  // R_D, in doubles
 
+/// A column of conditions_on().
+Eigen::VectorXcd on_ghosts(const PlaneMode& mode, const SideCondition& condition, std::size_t reach,
+                           Complex rate) {
+    const Index size = mode.shape.size();
+    Eigen::VectorXcd column(size * Index(reach));
+    Complex power = 1;
+    for (Index layer = Index(reach) - 1; layer >= 0; --layer) {
+        for (Index a = 0; a < size; ++a) {
+            column(size * layer + a) =
+                evaluate(condition.residual[std::size_t(a)], rate, mode.z) * mode.shape(a) * power;
+        }
+        power *= mode.z;
+    }
+    return column;
+}
+
 /// Ascending.
 Eigen::Vector2d frequencies_at(const PlaneLattice& lattice, const Eigen::Vector2d& wave_vector) {
     const Eigen::Matrix2d matrix = dynamical_matrix(lattice.bonds, wave_vector).value;
@@ -48,19 +64,14 @@ void climb(Value value, Eigen::Vector2d& at, double& highest, double step) {
 
 }  // namespace
 
-Eigen::VectorXcd on_ghosts(const PlaneMode& mode, const SideCondition& condition, std::size_t reach,
-                           Complex rate) {
-    const Index size = mode.shape.size();
-    Eigen::VectorXcd column(size * Index(reach));
-    Complex power = 1;
-    for (Index layer = Index(reach) - 1; layer >= 0; --layer) {
-        for (Index a = 0; a < size; ++a) {
-            column(size * layer + a) =
-                evaluate(condition.residual[std::size_t(a)], rate, mode.z) * mode.shape(a) * power;
-        }
-        power *= mode.z;
+MatrixXcd conditions_on(const std::vector<PlaneMode>& modes, const SideCondition& condition,
+                        std::size_t reach, Complex rate) {
+    const Index size = modes.empty() ? 0 : modes.front().shape.size();
+    MatrixXcd columns(size * Index(reach), Index(modes.size()));
+    for (Index o = 0; o < columns.cols(); ++o) {
+        columns.col(o) = on_ghosts(modes[std::size_t(o)], condition, reach, rate);
     }
-    return column;
+    return columns;
 }
 
 MatrixXcd side_reflection(const std::vector<PlaneMode>& outgoing, const SideCondition& condition,
@@ -68,11 +79,8 @@ MatrixXcd side_reflection(const std::vector<PlaneMode>& outgoing, const SideCond
     const Complex rate = rate_at_side(omega, time_step);
     const auto all = Index(outgoing.size());
     const Index travelling = travelling_count(outgoing);
-    MatrixXcd conditions(all, all);
+    const MatrixXcd conditions = conditions_on(outgoing, condition, reach, rate);
     MatrixXcd incident(all, travelling);
-    for (Index o = 0; o < all; ++o) {
-        conditions.col(o) = on_ghosts(outgoing[std::size_t(o)], condition, reach, rate);
-    }
     for (Index i = 0; i < travelling; ++i) {
         const PlaneMode image = mirror_image(outgoing[std::size_t(i)]);
         // z^reach of the columns of outgoing modes undone, which have travelled by it.

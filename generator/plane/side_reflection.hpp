@@ -16,10 +16,10 @@
 
 namespace nmbcgen {
 
-/// Component by component, what the ghost layers 1 .. reach have of a mode at D = rate, times
-/// z^reach.
-Eigen::VectorXcd on_ghosts(const PlaneMode& mode, const SideCondition& condition, std::size_t reach,
-                           std::complex<double> rate);
+/// What the conditions on the ghost layers 1 .. reach have of modes at D = rate, times z^reach: a
+/// column each, component by component.
+Eigen::MatrixXcd conditions_on(const std::vector<PlaneMode>& modes, const SideCondition& condition,
+                               std::size_t reach, std::complex<double> rate);
 
 /// R between travelling waves: rows outgoing, columns their mirror images, |entry|^2 a fraction of
 /// the incident energy flux.

@@ -13,10 +13,11 @@ namespace nmbc {
 
 namespace detail {
 
-/// One more of Chebyshev's polynomials of M^-1 K, of which `before` was the last but one and the
-/// displacement the last, both scaled to keep its length; returns |M^-1 K u|/|u|. The plane has
-/// steps of 2.
-inline double iterate(Plane& body, std::array<std::vector<double>, 2>& before, double band) {
+/// One step of U_{k+1}(x) = 2 x U_k(x) - U_{k-1}(x), x = 2 M^-1 K/band - 1, of Chebyshev's
+/// polynomials of the second kind. The displacement is U_k u, `before` U_{k-1} u; both are divided
+/// by the length of the displacement. Returns |M^-1 K u|/|u| of the displacement it was given. The
+/// plane has steps of 2.
+inline double chebyshev_step(Plane& body, std::array<std::vector<double>, 2>& before, double band) {
     for (const std::size_t a : {0U, 1U}) {
         std::ranges::fill(body.velocity(a), 0.0);
     }
@@ -49,8 +50,8 @@ inline double iterate(Plane& body, std::array<std::vector<double>, 2>& before, d
 
 /// The highest eigenvalue of M^-1 K, where E = density = dX = 1, of nx times ny interior nodes
 /// between these sides: steps are stable while dt^2 times it is below 4. It is the larger one of
-/// the interior and of the body, or of 48 n nodes along an axis where it has more; 1 % is added to
-/// what Chebyshev iteration finds. Throws as BasicPlane's constructor.
+/// the interior and of the body, or of 48 n nodes along an axis where it has more, found by
+/// Chebyshev iteration; 1 % is added. Throws as BasicPlane's constructor.
 inline double highest_eigenvalue(const PlaneModel& model, const PlaneSides& sides, std::size_t nx,
                                  std::size_t ny) {
     PlaneSides held = sides;  // what moves by conditions is held
@@ -83,12 +84,12 @@ inline double highest_eigenvalue(const PlaneModel& model, const PlaneSides& side
         std::array<std::vector<double>, 2> before{std::vector<double>(body.displacement(0).size()),
                                                   std::vector<double>(body.displacement(1).size())};
         for (int i = 0; i < iterations; ++i) {
-            found = detail::iterate(body, before, band);
+            found = detail::chebyshev_step(body, before, band);
         }
         band = 0.99 * found;
     }
     constexpr double not_found = 1.01;
-    return not_found * std::max(interior, found);
+    return not_found * std::max(interior, found);  // found is NaN where nothing moves
 }
 
 /// Steps below this one [where E = density = dX = 1] are stable between these sides:

@@ -197,7 +197,8 @@ std::vector<Candidate> much_cheaper(const Scene& scene, double size) {
     return result;
 }
 
-TEST_CASE("with horizon and G open, what is advised is as near to the wave equation as it says") {
+TEST_CASE("with horizon and G open, what is advised is as near to the wave equation as it says" *
+          doctest::test_suite("long")) {
     int cheaper_ones = 0;
     for (const Task& task : tasks()) {
         CAPTURE(std::string(task.name));

@@ -48,7 +48,8 @@ TEST_CASE("at one G every step is proved as far as sampling finds them stable") 
     }
 }
 
-TEST_CASE("in one step at one G what is sampled stable is mostly proved") {
+TEST_CASE("in one step at one G what is sampled stable is mostly proved" *
+          doctest::test_suite("long")) {
     struct Case {
         unsigned horizon, order, stride;
         double low, high;

@@ -192,7 +192,8 @@ double momentum(const PlaneSimulation& simulation) {
     return sum;
 }
 
-TEST_CASE("a traction acts on the surface that a scene describes, whatever it goes on to beside") {
+TEST_CASE("a traction acts on the surface that a scene describes, whatever it goes on to beside" *
+          doctest::test_suite("long")) {
     for (const char* const surface : {"sbp", "free"}) {
         for (const Loaded& one : {Loaded{model_of_radius(4), surface, "extended"},
                                   Loaded{model_of_radius(1), surface, "extended"},

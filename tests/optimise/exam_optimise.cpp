@@ -39,7 +39,8 @@ double mean_of(const Specification& what, const WaveNumberRange& band) {
 
 }  // namespace
 
-TEST_CASE("never worse than the certified standard conditions, and certified itself") {
+TEST_CASE("never worse than the certified standard conditions, and certified itself" *
+          doctest::test_suite("long")) {
     int improved = 0;
     for (const Aim& aim : {aim_at(1, 1, 1, {0.05, 0.3}), aim_at(2, 1, Rational(1, 2), {0.3, 0.8}),
                            aim_at(2, 2, 1, {0.05, 0.3}), aim_at(3, 2, Rational(3, 2), {0.3, 0.8}),

@@ -47,7 +47,8 @@ TEST_CASE("(81) across x between fixed sides across y grows as well") {
     CHECK(paper_time_unit * growth_in_box(lattice, sides, 12) == about(.068, 1e-3));
 }
 
-TEST_CASE("damping that ends the growth of strips does not always end that of boxes") {
+TEST_CASE("damping that ends the growth of strips does not always end that of boxes" *
+          doctest::test_suite("long")) {
     CHECK(box_growth(damped_lattice(4, 0, .03)) < box_roundings);
     CHECK(box_growth(damped_lattice(9, 0, .1)) == about(.099, 1e-3));
     CHECK(box_growth(damped_lattice(9, 0, .15)) == about(.013, 1e-3));

@@ -203,7 +203,8 @@ TEST_CASE("so do stabilised strips beside a free side, and those of a larger rad
     StripOf81(4, 0.5).check_opposite_free(0.9);
 }
 
-TEST_CASE("with the tau that ends its growth in boxes (81) does not grow") {
+TEST_CASE("with the tau that ends its growth in boxes (81) does not grow" *
+          doctest::test_suite("long")) {
     const auto check = [](unsigned radius_squared, const Rational& tau) {
         CAPTURE(radius_squared);
         REQUIRE(predicted_rate(radius_squared, tau) < 1e-11);

@@ -32,7 +32,8 @@ double growth(const PlaneLattice& lattice, const SideCondition& condition) {
 
 }  // namespace
 
-TEST_CASE("(81) grows for all families but the smallest, and there up to G of about .21") {
+TEST_CASE("(81) grows for all families but the smallest, and there up to G of about .21" *
+          doctest::test_suite("long")) {
     const std::array G{0.0, 0.1, 0.25, 0.5, 1.0, 2.0, 8.0};
     const std::map<unsigned, std::array<double, 7>> rates{
         {1, {.046, .009, 0, 0, 0, 0, 0}},         {2, {.48, .45, .39, .30, .16, .23, .39}},

@@ -109,7 +109,8 @@ TEST_CASE("roundings do not make chains of a large G grow") {
     }
 }
 
-TEST_CASE("where doubles do not tell the waves apart there is no certificate") {
+TEST_CASE("where doubles do not tell the waves apart there is no certificate" *
+          doctest::test_suite("long")) {
     CHECK_THROWS_AS(
         nmbcgen::certify(nmbcgen::derive(
             {.horizon = 1, .order = 5, .stride = 1, .stabilisation = nmbcgen::Rational(10000)})),
