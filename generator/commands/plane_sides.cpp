@@ -148,7 +148,7 @@ std::string row_of(const DesignedSide& passive, const SidesOfLattice& sides) {
 std::string row_of(const GhostSide& side, const SidesOfLattice& sides) {
     return fmt::format(row_format, side.name, grade_of(side), steps_of(side), opposite_of(side),
                        amplification_of(side), rate_text(side.growth_of_modes),
-                       rate_text(side.growth), rate_text(side.growth_with_corners),
+                       rate_text(side.growth_in_strips), rate_text(side.growth_with_corners),
                        side.damping   ? to_string(*side.damping)
                        : side.grows() ? "-"
                                       : "0",

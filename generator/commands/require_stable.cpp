@@ -98,7 +98,7 @@ PlaneGrade require_stable_in_plane(const Specification& what, const ProjectedFam
     }
     const auto& [what_grows, rate] = std::ranges::max(
         std::array{std::pair("modes of such a side", side.growth_of_modes),
-                   std::pair("strips between such sides", side.growth),
+                   std::pair("strips between such sides", side.growth_in_strips),
                    std::pair("boxes with corners between such sides", side.growth_with_corners)},
         {}, &std::pair<const char*, double>::second);
     std::string sides;

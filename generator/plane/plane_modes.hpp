@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Waves of a half plane at one frequency and one wave number along its side, in continuous time
-/// and without damping: U z^I exp(i omega t), I layers inwards.
+/// and without damping: U z^I exp(i omega t), I layers inwards. What grows has exp(s t) in place of
+/// exp(i omega t), and damping counts: decaying_plane_modes().
 ///
 /// Those that travel inwards or decay go out from the side; their mirror images (1/z, the normal
 /// component reversed) come to it.

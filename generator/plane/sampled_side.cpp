@@ -57,7 +57,7 @@ std::string grade_of(const GhostSide& side) {
 void sample_side(GhostSide& side, const PlaneLattice& lattice) {
     side.amplification = largest_amplification(lattice, side.condition, side_samples.waves);
     side.growth_of_modes = growth_of_modes(lattice, side.condition);
-    side.growth =
+    side.growth_in_strips =
         growth_in_strips(lattice, side.condition, always(side.condition), side_samples.layers, 0);
     side.growth_with_corners = growth_with_corners(lattice, side.condition, 0);
     if (side.is_stable_in_continuous_time()) {

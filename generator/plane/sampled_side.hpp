@@ -20,7 +20,7 @@ struct GhostSide {
     SideCondition condition;
     LargestAmplification amplification{};
     double growth_of_modes = 0;         ///< rate of one side alone [sqrt(E/rho)/dX]; 0: none
-    double growth = 0;                  ///< in strips; 0 where it is roundings
+    double growth_in_strips = 0;        ///< 0 where it is roundings
     double growth_with_corners = 0;     ///< in a box; likewise
     std::optional<Rational> damping{};  ///< the smallest tau tried with which nothing grows
     /// The largest leapfrog step, over the longest one, in which the grade is what it is in
@@ -29,7 +29,9 @@ struct GhostSide {
     /// Opposite which sides strips grow: "fixed", "free".
     std::vector<std::string> grows_opposite{};
 
-    bool grows() const { return growth_of_modes > 0 || growth > 0 || growth_with_corners > 0; }
+    bool grows() const {
+        return growth_of_modes > 0 || growth_in_strips > 0 || growth_with_corners > 0;
+    }
     bool is_stable_in_continuous_time() const;  ///< contractive or paired
     bool is_stable() const;                     ///< in steps too
 };

@@ -40,6 +40,7 @@ expect_exit() { expect "exit code $1" test "$code" -eq "$1"; }
 expect_no_stdout() { expect "nothing on stdout" test ! -s "$scratch/stdout"; }
 expect_no_stderr() { expect "nothing on stderr" test ! -s "$scratch/stderr"; }
 expect_stdout_line() { expect "the line '$1' on stdout" grep -qxF -- "$1" "$scratch/stdout"; }
+expect_stdout_with() { expect "'$1' on stdout" grep -qF -- "$1" "$scratch/stdout"; }
 expect_stderr() { expect "'$1' on stderr" grep -qF -- "$1" "$scratch/stderr"; }
 expect_same() { expect "$1 and $2 are the same" cmp -s "$1" "$2"; }
 expect_file() { expect "the file $1" test -s "$1"; }

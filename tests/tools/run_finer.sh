@@ -4,7 +4,6 @@
 # Usage: run_finer.sh NMBCRUN SOURCE_FOLDER (absolute)
 source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
 
-expect_stdout_with() { expect "'$1' on stdout" grep -qF -- "$1" "$scratch/stdout"; }
 # error ARGUMENT..: what verify finds.
 error() {
     "$program" verify "$@" --tolerance 100 --quiet | awk '/^error/ { print $2 }'

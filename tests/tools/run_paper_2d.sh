@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # tools/scripts/paper-2d: its tables have the rows of their page, beside what runs leave; pictures, and what it
-# refuses. A program that leaves always as much stands in for nmbcrun: plane_scenes has what that leaves.
+# refuses. A program that leaves always as much stands in for nmbcrun: plane_sides has what that leaves.
 # Usage: run_paper_2d.sh NMBCRUN SOURCE_FOLDER (absolute)
 source "$(dirname "${BASH_SOURCE[0]}")/../program/assert.sh"
 page=$2/docs/evidence/paper-2d.md
