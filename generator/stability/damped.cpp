@@ -54,9 +54,9 @@ Peak damped_amplification(const HalfSpace& left, const HalfSpace& right,
                           const std::vector<double>& critical, std::size_t nodes, double enough) {
     // Where only `enough` counts, what is far below it is told by a bound.
     const double coarse = std::isfinite(enough) ? enough / 16 : 0;
-    std::vector<Mode> modes;
+    OutgoingModes waves(left);
     const auto round_trip = [&](double omega) {
-        modes = outgoing_modes(left, omega, modes);
+        const std::vector<Mode> modes = waves.at(omega);
         const Reflection one = reflection(left, omega, modes);
         return damped_round_trip_supremum(
             one, &right == &left ? one : reflection(right, omega, modes), nodes, coarse);

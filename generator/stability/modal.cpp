@@ -64,8 +64,9 @@ ModalVerdict modal_verdict(const HalfSpace& half_space) {
         return damped_verdict(half_space);
     }
     double largest_norm = 0;
+    OutgoingModes waves(half_space);
     const auto supremum = [&](double omega) {
-        const Reflection R = reflection(half_space, omega);
+        const Reflection R = reflection(half_space, omega, waves.at(omega));
         largest_norm = std::max(largest_norm, norm(R));
         return like_ends_supremum(R);
     };
@@ -79,7 +80,7 @@ ModalVerdict modal_verdict(const HalfSpace& half_space) {
         verdict.failure = Failure::amplified_wave;
     }
     if (highest.omega > 0) {
-        const auto modes = outgoing_modes(half_space, highest.omega);
+        const auto modes = waves.at(highest.omega);
         verdict.wave_number = std::abs(std::arg(modes.front().k));
         verdict.backward = std::ranges::any_of(
             modes, [](const Mode& mode) { return mode.travels() && std::arg(mode.k) > 0; });

@@ -63,15 +63,12 @@ std::vector<Mode> damped_outgoing_modes(const HalfSpace& h, double omega,
     return modes;
 }
 
-std::vector<Mode> undamped_outgoing_modes(const HalfSpace& h, double omega) {
-    std::vector<double> polynomial = h.symbol_in_cosine;
-    polynomial[0] -= omega * omega;
+/// cosines: the x of omega.
+std::vector<Mode> undamped_outgoing_modes(const HalfSpace& h, double omega,
+                                          const LevelRoots& cosines) {
     std::vector<Mode> modes;
-    for (const Complex x : polynomial_roots(polynomial)) {
-        // A polished real root keeps no imaginary part but roundings; where two roots are about
-        // to meet, at a band edge, they are lost among them closer than 1e-5.
-        constexpr double real_enough = 1e-10;
-        if (std::abs(x.imag()) < real_enough && std::abs(x.real()) < 1) {
+    for (const Complex x : cosines.at(omega * omega)) {
+        if (x.imag() == 0 && std::abs(x.real()) < 1) {
             const double xi = std::acos(x.real());
             // exp(i(omega t + xi j)) has the group velocity -d omega/d xi along j.
             const double velocity = -omega_squared_slope(h, xi) / (2 * omega);
@@ -83,17 +80,8 @@ std::vector<Mode> undamped_outgoing_modes(const HalfSpace& h, double omega) {
     return modes;
 }
 
-}  // namespace
-
-std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega) {
-    return outgoing_modes(half_space, omega, {});
-}
-
-std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega,
-                                 const std::vector<Mode>& nearby) {
-    std::vector<Mode> modes = half_space.is_damped()
-                                  ? damped_outgoing_modes(half_space, omega, nearby)
-                                  : undamped_outgoing_modes(half_space, omega);
+/// Travelling ones first, by ascending wave number.
+void sort_modes(std::vector<Mode>& modes) {
     using Key = std::tuple<bool, double, double, double>;
     std::vector<std::pair<Key, Mode>> keyed;
     keyed.reserve(modes.size());
@@ -103,7 +91,25 @@ std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega,
     }
     std::ranges::sort(keyed, {}, &std::pair<Key, Mode>::first);
     std::ranges::transform(keyed, modes.begin(), &std::pair<Key, Mode>::second);
+}
+
+}  // namespace
+
+OutgoingModes::OutgoingModes(const HalfSpace& half_space)
+    : half_space_(half_space),
+      cosines_(half_space.is_damped() ? std::vector<double>{} : half_space.symbol_in_cosine) {}
+
+std::vector<Mode> OutgoingModes::at(double omega) {
+    std::vector<Mode> modes = half_space_.is_damped()
+                                  ? damped_outgoing_modes(half_space_, omega, last_)
+                                  : undamped_outgoing_modes(half_space_, omega, cosines_);
+    sort_modes(modes);
+    last_ = modes;
     return modes;
+}
+
+std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega) {
+    return OutgoingModes(half_space).at(omega);
 }
 
 const Mode& least_fading(const std::vector<Mode>& modes) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/stability/half_space.hpp"
+#include "generator/stability/level_roots.hpp"
 
 namespace nmbcgen {
 
@@ -26,10 +27,20 @@ struct Mode {
 /// for each.
 std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega);
 
-/// Likewise, of a damped lattice; nearby: those of a frequency next to it, which save time, or
-/// none.
-std::vector<Mode> outgoing_modes(const HalfSpace& half_space, double omega,
-                                 const std::vector<Mode>& nearby);
+/// Likewise, at many frequencies, in less time: in an undamped lattice omega^2 is cut at its
+/// extrema once, in a damped one each frequency begins from the modes of the one before.
+class OutgoingModes {
+  public:
+    /// The half space has to stay where it is; its time step may change.
+    explicit OutgoingModes(const HalfSpace& half_space);
+
+    std::vector<Mode> at(double omega);
+
+  private:
+    const HalfSpace& half_space_;
+    LevelRoots cosines_;      ///< of an undamped lattice: where omega^2 of x = cos xi has a value
+    std::vector<Mode> last_;  ///< of the frequency before
+};
 
 /// The one that decays least on its way, which brings most of what comes back.
 const Mode& least_fading(const std::vector<Mode>& modes);

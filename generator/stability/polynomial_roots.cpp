@@ -14,22 +14,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A Newton step or three on sum_i a_i x^i, as long as they help.
-template <class Scalar>
-Complex polished(const std::vector<Scalar>& a, Complex x) {
-    ValueAndSlope<Complex> here = evaluate_with_slope(a, x);
-    for (int i = 0; i < 3 && here.slope != 0.0; ++i) {
-        const Complex next = x - here.value / here.slope;
-        const ValueAndSlope<Complex> there = evaluate_with_slope(a, next);
-        if (std::norm(there.value) >= std::norm(here.value)) {
-            break;
-        }
-        x = next;
-        here = there;
-    }
-    return x;
-}
-
 /// Scales rows and columns by powers of two until they are about equally large (Parlett and
 /// Reinsch): where roots differ by orders of magnitude, as next to a G where the stencil is
 /// shorter, the small ones would else drown in the roundings of the large ones.

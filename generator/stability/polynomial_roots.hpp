@@ -43,4 +43,20 @@ ValueAndSlope<Number> evaluate_with_slope(const std::vector<Scalar>& coefficient
     return at_x;
 }
 
+/// A step or three of Newton's on sum_i a_i x^i from x, as long as they help.
+template <class Scalar>
+std::complex<double> polished(const std::vector<Scalar>& a, std::complex<double> x) {
+    ValueAndSlope<std::complex<double>> here = evaluate_with_slope(a, x);
+    for (int i = 0; i < 3 && here.slope != 0.0; ++i) {
+        const std::complex<double> next = x - here.value / here.slope;
+        const ValueAndSlope<std::complex<double>> there = evaluate_with_slope(a, next);
+        if (std::norm(there.value) >= std::norm(here.value)) {
+            break;
+        }
+        x = next;
+        here = there;
+    }
+    return x;
+}
+
 }  // namespace nmbcgen

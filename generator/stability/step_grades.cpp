@@ -11,7 +11,9 @@
 namespace nmbcgen {
 
 StepGrades::StepGrades(HalfSpace half_space)
-    : half_space_(std::move(half_space)), critical_(critical_frequencies(half_space_)) {}
+    : half_space_(std::move(half_space)),
+      critical_(critical_frequencies(half_space_)),
+      modes_(half_space_) {}
 
 Grade StepGrades::in(double time_step) {
     const auto [entry, is_new] = known_.try_emplace(time_step);
@@ -49,7 +51,7 @@ Grade StepGrades::found() {
 const Reflection& StepGrades::reflection_at(double omega) {
     auto found = reflections_.find(omega);
     if (found == reflections_.end()) {
-        ReflectionInSteps in_steps(half_space_, outgoing_modes(half_space_, omega));
+        ReflectionInSteps in_steps(half_space_, modes_.at(omega));
         found = reflections_.emplace(omega, std::move(in_steps)).first;
     }
     return found->second.at(boundary_rate(half_space_, omega));

@@ -36,6 +36,7 @@ class StepGrades {
 
     HalfSpace half_space_;  ///< in the step that is asked for
     std::vector<double> critical_;
+    OutgoingModes modes_;
     std::unordered_map<double, ReflectionInSteps> reflections_;  ///< by frequency
     std::map<double, Grade> known_;
 };

@@ -94,10 +94,10 @@ TEST_CASE("waves next to known ones are the same as without") {
     for (const Damped& what : examples) {
         const HalfSpace h = half_space(what);
         const double top = maximum_frequency(h);
-        std::vector<nmbcgen::Mode> known;
+        nmbcgen::OutgoingModes waves(h);
         // steps of all sizes, backwards, too, and none
         for (const double part : {1e-5, 0.01, 0.3, 0.31, 0.31, 0.99, 1.2, 0.5, 3.0}) {
-            known = outgoing_modes(h, part * top, known);
+            const auto known = waves.at(part * top);
             const auto afresh = outgoing_modes(h, part * top);
             REQUIRE(known.size() == afresh.size());
             for (const nmbcgen::Mode& mode : afresh) {
