@@ -99,7 +99,7 @@ std::string opposite_of(const GhostSide& side) {
     }
     return side.grows_opposite.empty()
                ? "its like"
-               : fmt::format("not {}", fmt::join(side.grows_opposite, ", "));
+               : fmt::format("no {}", fmt::join(side.grows_opposite, ", no "));
 }
 
 std::string steps_of(const GhostSide& side) {

@@ -85,7 +85,11 @@ PlaneGrade require_stable_in_plane(const Specification& what, const ProjectedFam
     const PlaneLattice lattice = plane_lattice(family.describe(model.choice), model.g, 0);
     const auto condition = component_condition(model, lattice, what);
     if (!condition) {
-        throw NotStable("the other polarisation has no such condition. Nothing was written.");
+        throw NotStable(fmt::format(
+            "a side of the plane takes conditions of both polarisations, and NMBC{} of {} waves "
+            "has no solution at g = {}. Nothing was written; without --require-stable the table "
+            "is.",
+            what.order, projected.polarisation == Polarisation::P ? "S" : "P", to_string(model.g)));
     }
     GhostSide side{.name = component_name(what.order, what.stride), .condition = *condition};
     examine(side, model, lattice);
@@ -110,13 +114,16 @@ PlaneGrade require_stable_in_plane(const Specification& what, const ProjectedFam
             "construction",
             options, to_string(model.g));
     }
+    const bool only_in_continuous_time = grade == "contractive" || grade == "paired";
     throw NotStable(fmt::format(
-        "{} is not stable as a side of the plane, g = {}, though it is for waves at normal "
+        "{} is not stable as a side of the plane{}, g = {}, though it is for waves at normal "
         "incidence: {}. Nothing was written.{}",
-        side.name, to_string(model.g),
+        side.name, only_in_continuous_time ? " that moves in steps" : "", to_string(model.g),
         side.grows() ? fmt::format("{} grow, Re s = {:.2g} sqrt(E/density)/dX", what_grows, rate)
-        : grade == "contractive" || grade == "paired"
-            ? fmt::format("it is {} in continuous time, and in no step that was looked at", grade)
+        : only_in_continuous_time
+            ? fmt::format("it is {} in continuous time alone, not in leapfrog steps of a tenth of "
+                          "the longest and more",
+                          grade)
             : fmt::format("of {} wave vectors some are amplified, {} times a reflection "
                           "between like sides",
                           side.amplification.samples, amplification_of(side)),
@@ -139,12 +146,12 @@ std::string why_uncertified(const Table& table) {
     const Specification& what = table.specification;
     const Rational G = what.stabilisation.value_or(0);
     return fmt::format(
-        "NMBC{} at horizon {}, stride {},{}{}{} G = {} is not {}", what.order, what.horizon,
+        "NMBC{} at horizon {}, stride {},{}{}{} {} = {} is not {}", what.order, what.horizon,
         what.stride,
         what.points.empty() ? std::string() : " matched at " + matching_text(what) + ",",
         what.damping != 0 ? " damping " + to_string(what.damping) + "," : std::string(),
         what.time_step != 0 ? " steps of " + to_string(what.time_step) + "," : std::string(),
-        to_string(G),
+        projected_family(what.family) ? "g" : "G", to_string(G),
         only_in_too_long_steps(table)
             ? fmt::format("certified in these steps, of cfl {:.3f}: {:.2f} is the largest one",
                           cfl_of(half_space_of(table), nearest_double(what.time_step)),
@@ -168,7 +175,9 @@ std::optional<PlaneGrade> require_stable(const Table& table) {
     if (what.order > quick) {
         throw NotStable(message);
     }
-    message += "\nG where it is stable:";
+    message += projected_family(what.family)
+                   ? "\ng where it is stable for waves at normal incidence; oblique ones may grow:"
+                   : "\nG where it is stable:";
     std::vector<Table> open;
     for (const unsigned stride : std::set{1U, what.horizon, what.stride}) {
         Specification other = what;

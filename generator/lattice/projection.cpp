@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <string>
 
 #include "generator/exact/rational_function.hpp"
 
@@ -72,7 +73,8 @@ Model project(const VectorModel& model, std::size_t direction) {
     require_uncoupled(model, direction);
     const Polynomial square_of_speed = speed_squared(model, direction);
     if (square_of_speed.is_zero()) {
-        throw NoProjection("long waves of this polarisation do not travel in this model");
+        throw NoProjection(std::string("long ") + (direction == 0 ? "P" : "S") +
+                           " waves do not travel: nothing in this model resists them");
     }
     if (square_of_speed.degree() > 0) {
         throw NoProjection("the speed of long waves depends on G in this model");

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "generator/exact/rational_function.hpp"
 #include "generator/lattice/force_constants.hpp"
@@ -132,7 +133,8 @@ PlaneTaylor taylor_of(const ForceConstants& phi, std::size_t polarisation,
     const Block block = block_of(phi, cosine_squared, order + 1);
     const Speeds speeds = speeds_of(block, cosine_squared, polarisation == 0);
     if (speeds.own <= 0) {
-        throw NoProjection("long waves of this polarisation do not travel in this model");
+        throw NoProjection(std::string("long ") + (polarisation == 0 ? "P" : "S") +
+                           " waves do not travel: nothing in this model resists them");
     }
     // s^2 = X m: m^2 - t m + d = 0, X t = tr(-D), X^2 d = det(D).
     const Polynomial both = constant(cosine_squared * (1 - cosine_squared));

@@ -185,7 +185,7 @@ refuses --nu "is required" -- --order 1 --radius2 1 --polarisation P
 plane="--order 1 --family bond2d --polarisation S"
 refuses --weights "bond2d takes w_1,w_2,.." -- $plane --radius2 2
 refuses --weights "2 weights are needed" "(1, 0), (1, 1)" -- $plane --radius2 2 --weights 1
-refuses --polarisation "long waves of this polarisation do not travel" -- $plane --radius2 1 --weights 1
+refuses --polarisation "long S waves do not travel" -- $plane --radius2 1 --weights 1
 refuses --nu "bond2d has no Poisson's ratio" -- $plane --radius2 2 --weights 1,1 --nu 1/3
 refuses --state "bond2d has no plane stress or strain" -- \
     $plane --radius2 2 --weights 1,1 --state stress

@@ -13,7 +13,7 @@ energy_left() {
     shift 2
     try run "$@" --quiet
     expect_exit 0
-    expect "no warning but of sides that feed" bash -c '! grep -v "strips between its sides grow" "$1"' - "$scratch/stderr"
+    expect "no warning but of sides that feed" bash -c '! grep -v "strips or a box between its sides grow" "$1"' - "$scratch/stderr"
     expect "energy left of $* between $least and $most" awk -v least="$least" -v most="$most" \
         '/^energy left/ { exit !($3 >= least && $3 <= most) }' "$scratch/stdout"
 }

@@ -25,7 +25,7 @@ const char* limit_of(const PlaneScene& scene) {
                             : "what is stable between these sides";
 }
 
-/// Steps below `stable` in which strips between the sides do not grow, where there are such, and
+/// Steps below `stable` in which nothing between the sides grows, where there are such, and
 /// that are short enough for what moves the scene.
 void choose_step(const PlaneScene& scene, const nmbc::PlaneSides& sides,
                  const std::array<std::size_t, 2>& nodes, double stable, PlanePlan& plan) {
@@ -35,11 +35,12 @@ void choose_step(const PlaneScene& scene, const nmbc::PlaneSides& sides,
     if (plan.steady) {
         const double longest = plan.steady->time_step / rate_of(scene);
         if (plan.steady->share == 0) {
-            plan.limit += ": strips between them grow in steps of any length";
+            plan.limit += ": strips or a box between them grow in steps of any length";
         } else if (plan.steady->share < of_stable_by_default && longest < plan.time_step) {
             plan.time_step = longest;
             plan.limit = fmt::format(
-                "{} of what the lattice allows: in longer ones strips between its sides grow",
+                "{} of what the lattice allows: in longer ones strips or a box between its sides "
+                "grow",
                 plan.steady->share);
         }
     }
@@ -98,10 +99,11 @@ PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
         std::string growth;
         if (const auto steady = steady_step(scene, sides, nodes); steady && steady->share > 0) {
             std::tie(step, cfl) = in_words(std::min(below * stable, steady->time_step / rate));
-            growth = fmt::format(", and strips between its sides do not grow up to {} (cfl = {})",
-                                 step, cfl);
+            growth = fmt::format(
+                ", and strips and a box between its sides do not grow up to {} (cfl = {})", step,
+                cfl);
         } else if (steady) {
-            growth = ", and strips between its sides grow in steps of any length";
+            growth = ", and strips or a box between its sides grow in steps of any length";
         }
         throw Unstable(fmt::format(
             "steps of {:.6g} (cfl = {:.3g}) are too long: {} is {} (cfl = {}){}. Give time.{} or "

@@ -22,9 +22,9 @@ struct PlanePlan : StepPlan {
 };
 
 /// In the steps that the scene gives, or else in of_stable_by_default of the longest stable ones,
-/// or shorter ones where strips between its sides grow or what moves it is faster. nodes: along x
-/// and y, those of extended sides included. Throws Unstable where the steps are too long for the
-/// sides, SceneError as steps_until().
+/// or shorter ones where strips or a box between its sides grow or what moves it is faster. nodes:
+/// along x and y, those of extended sides included. Throws Unstable where the steps are too long
+/// for the sides, SceneError as steps_until().
 PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
                   const std::array<std::size_t, 2>& nodes);
 

@@ -41,8 +41,8 @@ std::vector<std::string> warnings_of_jumps(const PlaneSimulation& simulation) {
     return warnings;
 }
 
-/// Steps that the scene gives are taken, whatever grows in them, and default ones where strips grow
-/// in all.
+/// Steps that the scene gives are taken, whatever grows in them, and default ones where something
+/// grows in all.
 std::string warning_of_growth(const PlaneSimulation& simulation) {
     const PlaneScene& scene = simulation.scene();
     const PlanePlan& plan = simulation.plan();
@@ -53,14 +53,14 @@ std::string warning_of_growth(const PlaneSimulation& simulation) {
     if (plan.steady && plan.steady->share > 0) {
         return "";  // default steps are none in which they grow
     }
-    if (!strips_grow_in(scene, sides, nodes, plan.time_step * rate)) {
+    if (!bodies_grow_in(scene, sides, nodes, plan.time_step * rate)) {
         return "";
     }
     const auto steady = plan.steady ? plan.steady : steady_step(scene, sides, nodes);
     const double longest = steady->time_step / rate;
     return fmt::format(
-        "in steps of {:.6g} (cfl = {:.3g}) strips between its sides grow{}", plan.time_step,
-        plan.cfl,
+        "in steps of {:.6g} (cfl = {:.3g}) strips or a box between its sides grow{}",
+        plan.time_step, plan.cfl,
         steady->share == 0
             ? ", as in those of any length"
             : fmt::format(": not up to time.step = {} (cfl = {})",

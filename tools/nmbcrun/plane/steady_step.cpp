@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <random>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -10,6 +12,8 @@
 #include "generator/families/vector_family.hpp"
 #include "generator/plane/sampled_growth.hpp"
 #include "tools/nmbcrun/plane/designed_side.hpp"
+#include "tools/nmbcrun/plane/plane_lattice.hpp"
+#include "tools/nmbcrun/stepping/plane_stepping.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -43,6 +47,65 @@ bool has_strips(const PlaneScene& scene, const nmbc::PlaneSides& sides) {
                return condition_of(*side).has_value();
            });
 }
+
+/// A small body between the scene's sides, its corners included.
+class Box {
+  public:
+    Box(const PlaneScene& scene, const nmbc::PlaneSides& sides,
+        const std::array<std::size_t, 2>& nodes)
+        : model_(model_of(scene)),
+          sides_(sides),
+          nx_(std::min(nodes[0], nmbcgen::side_samples.nodes)),
+          ny_(std::min(nodes[1], nmbcgen::side_samples.nodes)) {}
+
+    /// Whether random velocities have more than twice the squares towards the end of a long run
+    /// that they had before its middle.
+    bool grows(double time_step) const {
+        nmbc::Plane plane(model_, sides_, {.nx = nx_, .ny = ny_, .time_step = time_step});
+        std::mt19937 random;  // NOLINT(bugprone-random-generator-seed): alike in all runs
+        for (const std::size_t a : {0U, 1U}) {
+            for (std::size_t i = 0; i < nx_ * ny_; ++i) {
+                plane.velocity(a)[plane.entry(i % nx_, i / nx_)] = double(random()) / 0x1p32 - 0.5;
+            }
+        }
+        plane.start();
+        constexpr double duration = 1000;
+        constexpr std::size_t parts = 400;
+        const auto steps = std::size_t(duration / double(parts) / time_step) + 1;
+        double before = 0;
+        double after = 0;
+        for (std::size_t part = 1; part <= parts; ++part) {
+            plane.advance(steps);
+            const double now = squares_of(plane);
+            constexpr double far_more = 1e6;
+            if (!(now < far_more * double(nx_ * ny_))) {
+                return true;
+            }
+            if (part > parts / 4 && part <= parts / 2) {
+                before = std::max(before, now);
+            } else if (part > 3 * parts / 4) {
+                after = std::max(after, now);
+            }
+        }
+        return after > 2 * before;
+    }
+
+  private:
+    static double squares_of(const nmbc::Plane& plane) {
+        double sum = 0;
+        for (const std::size_t a : {0U, 1U}) {
+            for (const double velocity : plane.velocity(a)) {
+                sum += velocity * velocity;
+            }
+        }
+        return sum;
+    }
+
+    nmbc::PlaneModel model_;
+    nmbc::PlaneSides sides_;
+    std::size_t nx_;
+    std::size_t ny_;
+};
 
 class Strips {
   public:
@@ -114,19 +177,22 @@ std::optional<SteadyStep> steady_step(const PlaneScene& scene, const nmbc::Plane
         return std::nullopt;
     }
     const Strips strips(scene, sides, nodes);
+    const Box box(scene, sides, nodes);
     SteadyStep steady;
     for (const double share : nmbcgen::side_samples.steps) {
-        if (strips.grow(share * strips.longest_step())) {
+        const double time_step = share * strips.longest_step();
+        if (strips.grow(time_step) || box.grows(time_step)) {
             break;
         }
-        steady = {.share = share, .time_step = share * strips.longest_step()};
+        steady = {.share = share, .time_step = time_step};
     }
     return steady;
 }
 
-bool strips_grow_in(const PlaneScene& scene, const nmbc::PlaneSides& sides,
+bool bodies_grow_in(const PlaneScene& scene, const nmbc::PlaneSides& sides,
                     const std::array<std::size_t, 2>& nodes, double time_step) {
-    return has_strips(scene, sides) && Strips(scene, sides, nodes).grow(time_step);
+    return has_strips(scene, sides) && (Strips(scene, sides, nodes).grow(time_step) ||
+                                        Box(scene, sides, nodes).grows(time_step));
 }
 
 }  // namespace nmbcrun

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// In which steps of a plane scene strips between its sides do not grow.
+/// In which steps of a plane scene strips and a box between its sides do not grow.
 #pragma once
 
 #include <array>
@@ -17,16 +17,18 @@ struct SteadyStep {
 };
 
 /// Of sides whose ghosts move by conditions, the largest leapfrog step, in tenths of the longest
-/// that the lattice is stable in, up to which strips of it do not grow: between such a side and the
-/// one opposite where this is fixed, free (of an undamped lattice) or moves by a condition, too,
-/// else its like. Nothing of a scene without such sides, or with an influence of its own. On
-/// samples: strips of 5, 9 and 20 layers and, where a plane of these nodes (extended sides' layers
-/// are some) is narrower, of its own, 46 wave numbers along each.
+/// that the lattice is stable in, up to which strips of it and a box do not grow. Strips are
+/// between such a side and the one opposite where this is fixed, free (of an undamped lattice) or
+/// moves by a condition, too, else its like; the box is between the scene's own sides. Nothing of a
+/// scene without such sides, or with an influence of its own. On samples: strips of 5, 9 and 20
+/// layers and, where a plane of these nodes (extended sides' layers are some) is narrower, of its
+/// own, 46 wave numbers along each; a box of up to 12 x 12 nodes, from random velocities to t =
+/// 1000.
 std::optional<SteadyStep> steady_step(const PlaneScene& scene, const nmbc::PlaneSides& sides,
                                       const std::array<std::size_t, 2>& nodes);
 
-/// Whether such strips grow in steps of this length [dX sqrt(rho/E)].
-bool strips_grow_in(const PlaneScene& scene, const nmbc::PlaneSides& sides,
+/// Whether such strips, or the box, grow in steps of this length [dX sqrt(rho/E)].
+bool bodies_grow_in(const PlaneScene& scene, const nmbc::PlaneSides& sides,
                     const std::array<std::size_t, 2>& nodes, double time_step);
 
 }  // namespace nmbcrun
