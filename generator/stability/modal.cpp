@@ -34,6 +34,20 @@ ModalVerdict damped_verdict(const HalfSpace& half_space) {
     return verdict;
 }
 
+/// The middle of the narrowest piece between critical frequencies that differ.
+double narrowest_piece_of(const std::vector<double>& critical) {
+    double least = critical.back();
+    double middle = 0;
+    for (std::size_t i = 0; i + 1 < critical.size(); ++i) {
+        const double width = critical[i + 1] - critical[i];
+        if (width > 0 && width < least) {
+            least = width;
+            middle = critical[i] + width / 2;
+        }
+    }
+    return middle;
+}
+
 }  // namespace
 
 double like_ends_supremum(const Reflection& reflection) {
@@ -71,8 +85,11 @@ ModalVerdict modal_verdict(const HalfSpace& half_space) {
         return like_ends_supremum(R);
     };
     const std::vector<double> critical = critical_frequencies(half_space);
-    const Peak highest = largest_over_band(critical, supremum);
+    Peak highest = largest_over_band(critical, supremum);
     const Grade most = grade_of_narrow_pieces(half_space, critical);
+    if (highest.value <= amplification_limit && most == Grade::none) {
+        highest.omega = narrowest_piece_of(critical);  // elsewhere the peak is one of roundings
+    }
     ModalVerdict verdict;
     verdict.supremum = highest.value;
     verdict.contractive = largest_norm <= amplification_limit && most == Grade::contractive;

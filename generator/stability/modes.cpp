@@ -33,9 +33,9 @@ Complex decaying_one(const HalfSpace& h, double omega, Complex k, Complex dampin
     return log_k_by_growth.real() < 0 ? k : 1.0 / k;
 }
 
-/// nearby: the modes of another frequency, or none.
+/// cosines: those of another frequency, or none; then those of this one.
 std::vector<Mode> damped_outgoing_modes(const HalfSpace& h, double omega,
-                                        const std::vector<Mode>& nearby) {
+                                        std::vector<Complex>& cosines) {
     const Complex rate = damped_rate(h, omega);
     const std::vector<double>& square = h.symbol_in_cosine;
     const std::vector<double>& damping = h.damping_in_cosine;
@@ -44,17 +44,14 @@ std::vector<Mode> damped_outgoing_modes(const HalfSpace& h, double omega,
         polynomial[i] = square[i] + rate * damping[i];
     }
     polynomial[0] -= omega * omega;
-    std::vector<Complex> guesses;
-    guesses.reserve(nearby.size());
-    for (const Mode& mode : nearby) {
-        guesses.push_back((mode.k + 1.0 / mode.k) / 2.0);
-    }
+    cosines = polynomial_roots(polynomial, cosines);
     std::vector<Mode> modes;
-    for (const Complex x : polynomial_roots(polynomial, guesses)) {
+    modes.reserve(cosines.size());
+    for (const Complex x : cosines) {
         Complex k = inner_root(x);
         // Nearer to the unit circle roundings would choose between k and 1/k.
-        constexpr double near = 1e-6;
-        if (1 - std::abs(k) < near) {
+        constexpr double near = 1 - 1e-6;
+        if (std::norm(k) > near * near) {
             k = decaying_one(h, omega, k, evaluate_with_slope(damping, x).value,
                              evaluate_with_slope(polynomial, x).slope);
         }
@@ -97,14 +94,13 @@ void sort_modes(std::vector<Mode>& modes) {
 
 OutgoingModes::OutgoingModes(const HalfSpace& half_space)
     : half_space_(half_space),
-      cosines_(half_space.is_damped() ? std::vector<double>{} : half_space.symbol_in_cosine) {}
+      undamped_(half_space.is_damped() ? std::vector<double>{} : half_space.symbol_in_cosine) {}
 
 std::vector<Mode> OutgoingModes::at(double omega) {
     std::vector<Mode> modes = half_space_.is_damped()
-                                  ? damped_outgoing_modes(half_space_, omega, last_)
-                                  : undamped_outgoing_modes(half_space_, omega, cosines_);
+                                  ? damped_outgoing_modes(half_space_, omega, damped_)
+                                  : undamped_outgoing_modes(half_space_, omega, undamped_);
     sort_modes(modes);
-    last_ = modes;
     return modes;
 }
 

@@ -38,8 +38,8 @@ class OutgoingModes {
 
   private:
     const HalfSpace& half_space_;
-    LevelRoots cosines_;      ///< of an undamped lattice: where omega^2 of x = cos xi has a value
-    std::vector<Mode> last_;  ///< of the frequency before
+    LevelRoots undamped_;                         ///< where omega^2, of x = cos xi, has a value
+    std::vector<std::complex<double>> damped_{};  ///< x of the frequency before
 };
 
 /// The one that decays least on its way, which brings most of what comes back.

@@ -35,7 +35,7 @@ inline constexpr RationalFunction b[]{
 };
 
 inline constexpr Window modal[]{
-    // low: 243/280, beyond it: backward band at xi = 0.59
+    // low: 243/280, beyond it: backward band at xi = 0.53
     // high: between 12.9087982 and 12.9087992, beyond it: backward band at xi = 1.22
     {0.8678571428571429, 12.908798194610595},
 };
