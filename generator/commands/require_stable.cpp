@@ -86,10 +86,12 @@ PlaneGrade require_stable_in_plane(const Specification& what, const ProjectedFam
     const auto condition = component_condition(model, lattice, what);
     if (!condition) {
         throw NotStable(fmt::format(
-            "a side of the plane takes conditions of both polarisations, and NMBC{} of {} waves "
-            "has no solution at g = {}. Nothing was written; without --require-stable the table "
+            "a side of the plane takes conditions of both polarisations, and NMBC{} of {} waves, "
+            "stride {}, has no solution at g = {}. Nothing was written; without --require-stable "
+            "the table "
             "is.",
-            what.order, projected.polarisation == Polarisation::P ? "S" : "P", to_string(model.g)));
+            what.order, projected.polarisation == Polarisation::P ? "S" : "P", what.stride,
+            to_string(model.g)));
     }
     GhostSide side{.name = component_name(what.order, what.stride), .condition = *condition};
     examine(side, model, lattice);
@@ -116,13 +118,12 @@ PlaneGrade require_stable_in_plane(const Specification& what, const ProjectedFam
     }
     const bool only_in_continuous_time = grade == "contractive" || grade == "paired";
     throw NotStable(fmt::format(
-        "{} is not stable as a side of the plane{}, g = {}, though it is for waves at normal "
+        "{} is not stable {}as a side of the plane, g = {}, though it is for waves at normal "
         "incidence: {}. Nothing was written.{}",
-        side.name, only_in_continuous_time ? " that moves in steps" : "", to_string(model.g),
+        side.name, only_in_continuous_time ? "in leapfrog steps " : "", to_string(model.g),
         side.grows() ? fmt::format("{} grow, Re s = {:.2g} sqrt(E/density)/dX", what_grows, rate)
         : only_in_continuous_time
-            ? fmt::format("it is {} in continuous time alone, not in leapfrog steps of a tenth of "
-                          "the longest and more",
+            ? fmt::format("it is {} in continuous time, and not in steps of a tenth of the longest",
                           grade)
             : fmt::format("of {} wave vectors some are amplified, {} times a reflection "
                           "between like sides",

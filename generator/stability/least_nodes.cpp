@@ -18,7 +18,7 @@ using nmbc::Window;
 /// The longest chain that grows in such steps [dX/c]; 0: none does. Throws NotCertifiable.
 std::size_t longest_growing(const HalfSpace& half_space, double time_step) {
     constexpr std::size_t every_one_to = 24;
-    constexpr std::size_t at_least_beyond = 3;  // or a tenth of the length
+    constexpr std::size_t least_step_beyond = 3;  // or a tenth of the length
     constexpr std::size_t at_least_to = 60;
     constexpr std::size_t farthest = 400;  // 39 is the most of the committed tables
     constexpr double roundings = 1e-8;     // of eigenvalues, with double ones near 1
@@ -27,7 +27,7 @@ std::size_t longest_growing(const HalfSpace& half_space, double time_step) {
         1, (half_space.c.size() - 1) * std::size_t(half_space.stride));  // that the end reads
     std::size_t longest = 0;
     for (std::size_t nodes = first; nodes <= std::max(at_least_to, 2 * longest);
-         nodes += nodes < every_one_to ? 1 : std::max(at_least_beyond, nodes / 10)) {
+         nodes += nodes < every_one_to ? 1 : std::max(least_step_beyond, nodes / 10)) {
         if (spectral_radius(end, nodes, time_step) > 1 + roundings) {
             longest = nodes;
         }

@@ -18,10 +18,10 @@ struct NotCertifiable : std::runtime_error {
 /// The number of interior nodes from which on no chain of an undamped lattice between two like ends
 /// was found to grow in the certified steps, and a quarter more for what lies between the samples;
 /// at least what the lattice's forces and the condition reach. 0 where no step is certified.
-/// Sampled: chains of every length up to 24 nodes, of every third one up to 60 and as far as twice
-/// the longest that grows, at the ends and at two values between them of every row of pieces of G,
-/// in their largest steps, and in steps of cfl 0.05. Throws NotCertifiable where one of 400 nodes
-/// grows.
+/// Sampled: chains of every length up to 24 nodes, from there to 60 and to twice the longest that
+/// grows in steps of 3 nodes or a tenth of the length, at the ends and at two values between them
+/// of every row of pieces of G, in their largest steps, and in steps of cfl 0.05. Throws
+/// NotCertifiable where one of 400 nodes grows.
 unsigned least_nodes(const Table& table, const Certificate& certificate);
 
 }  // namespace nmbcgen

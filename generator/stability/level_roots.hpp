@@ -8,13 +8,15 @@
 namespace nmbcgen {
 
 /// The roots x of p(x) = y. Between neighbouring extrema of p, which are found once, p is monotone:
-/// there real roots are bracketed, so that their number is right wherever p - y is told from 0 at
-/// each extremum. They are divided out of p - y; the others are those of what is left.
+/// there real roots are bracketed, and none is missed. They are divided out of p - y, and the
+/// others are the roots of what is left: within roundings of an extremum these may be one more real
+/// pair.
 ///
-/// Near an extremum e roots are found in powers of x - e. So two that are about to meet there are
-/// those of one value next to y, which they are not if each has roundings of its own. Where p' has
-/// a root beyond 10, as p has whose leading coefficients are nearly 0, that would cost digits:
-/// there roots are those of a companion matrix, and real where nearly so.
+/// Near an extremum e real roots are found in powers of x - e. So two that are about to meet there
+/// are those of one value next to y, which they are not if each has roundings of its own.
+///
+/// A root of p' beyond 10 comes of leading coefficients near 0. Powers of x - e would lose digits
+/// there, so roots are those of a companion matrix, and real where nearly so.
 class LevelRoots {
   public:
     /// p: coefficients by ascending powers.

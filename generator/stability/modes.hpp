@@ -33,6 +33,7 @@ class OutgoingModes {
   public:
     /// The half space has to stay where it is; its time step may change.
     explicit OutgoingModes(const HalfSpace& half_space);
+    explicit OutgoingModes(const HalfSpace&& half_space) = delete;
 
     std::vector<Mode> at(double omega);
 

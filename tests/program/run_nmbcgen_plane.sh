@@ -225,7 +225,7 @@ waves=("${smallest[@]}" --polarisation P --order 1 --stdout --require-stable)
 refuses 4 "strips between such sides grow, Re s = 0.021" "${waves[@]}" --G 0
 refuses 4 "of 1200 wave vectors some are amplified, <= 1.100 times a reflection" "${waves[@]}" --G 1/10
 expect_stderr "nmbcgen recommend --family nopd2d --radius2 1 --nu 1/4 --G 1/10 shows the sides there are"
-refuses 4 "NMBC2 of S waves has no solution at g = 1/5" "${smallest[@]}" --polarisation P --order 2 --stdout --require-stable --G 1/5
+refuses 4 "NMBC2 of S waves, stride 1, has no solution at g = 1/5" "${smallest[@]}" --polarisation P --order 2 --stdout --require-stable --G 1/5
 # What is stable says what it is as a side, and on which samples.
 try "${waves[@]}" --G 1/4 --format json
 expect_exit 0

@@ -181,11 +181,17 @@ try run "$scene" --set model.G=0.5 --set 'domain.nodes=[40, 60]' --set 'initial.
     --set boundary.order=2 --set boundary.allow_unstable=true --out strip
 expect_exit 0
 expect_stdout_with ": 0.4 of what the lattice allows: in longer ones strips or a box between its sides grow"
+# Where sides allow shorter steps than the lattice does, a box is looked at in theirs.
+try run "$scene" --set model.G=1 --set 'domain.nodes=[40, 60]' --set 'initial.centre=[20, 30]' --set time.end=1 \
+    --set boundary.layer=4 --set boundary.left.kind=nmbc --set boundary.left.as_printed=true \
+    --set boundary.allow_unstable=true --out strip
+expect_exit 0
+expect "nine tenths of what sides allow" bash -c '! grep -q "between" "$1"' - "$scratch/stdout"
 # Opposite a fixed side it grows in steps of any length, which the report says.
 try run "${strip[@]:0:1}" "${strip[@]:2}" --set boundary.right.kind=fixed --set time.end=9 --out strip
-expect "no step is steady" grep -q "strips or a box between them grow in steps of any length" "$scratch/stdout"
+expect "no step is steady" grep -q "strips or a box between them grow in a tenth of it, too" "$scratch/stdout"
 try run "${strip[@]}" --set boundary.right.kind=fixed --set time.end=9 --out strip
-expect_stderr ") strips or a box between its sides grow, as in those of any length"
+expect_stderr ") strips or a box between its sides grow, as in a tenth of the lattice's longest"
 rm -r strip
 
 # A run that grows says so, and what was computed up to there is there.

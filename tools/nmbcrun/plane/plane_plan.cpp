@@ -31,11 +31,11 @@ void choose_step(const PlaneScene& scene, const nmbc::PlaneSides& sides,
                  const std::array<std::size_t, 2>& nodes, double stable, PlanePlan& plan) {
     plan.time_step = of_stable_by_default * stable;
     plan.limit = fmt::format("{} of {}", of_stable_by_default, limit_of(scene));
-    plan.steady = steady_step(scene, sides, nodes);
+    plan.steady = steady_step(scene, sides, nodes, plan.time_step * rate_of(scene));
     if (plan.steady) {
         const double longest = plan.steady->time_step / rate_of(scene);
         if (plan.steady->share == 0) {
-            plan.limit += ": strips or a box between them grow in steps of any length";
+            plan.limit += ": strips or a box between them grow in a tenth of it, too";
         } else if (plan.steady->share < of_stable_by_default && longest < plan.time_step) {
             plan.time_step = longest;
             plan.limit = fmt::format(
@@ -97,13 +97,15 @@ PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
         const auto [longest, largest] = in_words(below * stable);
         auto [step, cfl] = std::pair(longest, largest);
         std::string growth;
-        if (const auto steady = steady_step(scene, sides, nodes); steady && steady->share > 0) {
+        if (const auto steady =
+                steady_step(scene, sides, nodes, of_stable_by_default * stable * rate);
+            steady && steady->share > 0) {
             std::tie(step, cfl) = in_words(std::min(below * stable, steady->time_step / rate));
             growth = fmt::format(
                 ", and strips and a box between its sides do not grow up to {} (cfl = {})", step,
                 cfl);
         } else if (steady) {
-            growth = ", and strips or a box between its sides grow in steps of any length";
+            growth = ", and strips or a box between its sides grow in a tenth of it, too";
         }
         throw Unstable(fmt::format(
             "steps of {:.6g} (cfl = {:.3g}) are too long: {} is {} (cfl = {}){}. Give time.{} or "

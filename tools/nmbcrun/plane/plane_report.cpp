@@ -56,16 +56,20 @@ std::string warning_of_growth(const PlaneSimulation& simulation) {
     if (!bodies_grow_in(scene, sides, nodes, plan.time_step * rate)) {
         return "";
     }
-    const auto steady = plan.steady ? plan.steady : steady_step(scene, sides, nodes);
+    const double by_default = of_stable_by_default * plan.time_step / plan.of_stable;
+    const auto steady =
+        plan.steady ? plan.steady : steady_step(scene, sides, nodes, by_default * rate);
     const double longest = steady->time_step / rate;
-    return fmt::format(
-        "in steps of {:.6g} (cfl = {:.3g}) strips or a box between its sides grow{}",
-        plan.time_step, plan.cfl,
-        steady->share == 0
-            ? ", as in those of any length"
-            : fmt::format(": not up to time.step = {} (cfl = {})",
-                          nmbcgen::rounded_down(longest, 6),
-                          nmbcgen::rounded_down(longest / plan.time_step * plan.cfl, 3)));
+    std::string others;
+    if (steady->share == 0) {
+        others = ", as in a tenth of the lattice's longest";
+    } else if (longest < plan.time_step) {
+        others =
+            fmt::format(": not up to time.step = {} (cfl = {})", nmbcgen::rounded_down(longest, 6),
+                        nmbcgen::rounded_down(longest / plan.time_step * plan.cfl, 3));
+    }
+    return fmt::format("in steps of {:.6g} (cfl = {:.3g}) strips or a box between its sides grow{}",
+                       plan.time_step, plan.cfl, others);
 }
 
 /// Where boundary.allow_unstable has nothing to allow.

@@ -22,10 +22,13 @@ struct SteadyStep {
 /// moves by a condition, too, else its like; the box is between the scene's own sides. Nothing of a
 /// scene without such sides, or with an influence of its own. On samples: strips of 5, 9 and 20
 /// layers and, where a plane of these nodes (extended sides' layers are some) is narrower, of its
-/// own, 46 wave numbers along each; a box of up to 12 x 12 nodes, from random velocities to t =
-/// 1000.
+/// own, 46 wave numbers along each; a box of 12 x 12 nodes, of fewer where the plane has fewer and
+/// of more where its sides need more, run from random velocities to t = 1000 dX sqrt(rho/E).
+///
+/// longest_taken [dX sqrt(rho/E)]: no longer step is looked at.
 std::optional<SteadyStep> steady_step(const PlaneScene& scene, const nmbc::PlaneSides& sides,
-                                      const std::array<std::size_t, 2>& nodes);
+                                      const std::array<std::size_t, 2>& nodes,
+                                      double longest_taken);
 
 /// Whether such strips, or the box, grow in steps of this length [dX sqrt(rho/E)].
 bool bodies_grow_in(const PlaneScene& scene, const nmbc::PlaneSides& sides,
