@@ -31,7 +31,7 @@ void choose_step(const PlaneScene& scene, const nmbc::PlaneSides& sides,
                  const std::array<std::size_t, 2>& nodes, double stable, PlanePlan& plan) {
     plan.time_step = of_stable_by_default * stable;
     plan.limit = fmt::format("{} of {}", of_stable_by_default, limit_of(scene));
-    plan.steady = steady_step(scene, sides, nodes, plan.time_step * rate_of(scene));
+    plan.steady = steady_step(scene, sides, nodes, stable * rate_of(scene));
     if (plan.steady) {
         const double longest = plan.steady->time_step / rate_of(scene);
         if (plan.steady->share == 0) {
@@ -97,8 +97,7 @@ PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
         const auto [longest, largest] = in_words(below * stable);
         auto [step, cfl] = std::pair(longest, largest);
         std::string growth;
-        if (const auto steady =
-                steady_step(scene, sides, nodes, of_stable_by_default * stable * rate);
+        if (const auto steady = steady_step(scene, sides, nodes, stable * rate);
             steady && steady->share > 0) {
             std::tie(step, cfl) = in_words(std::min(below * stable, steady->time_step / rate));
             growth = fmt::format(

@@ -56,9 +56,8 @@ std::string warning_of_growth(const PlaneSimulation& simulation) {
     if (!bodies_grow_in(scene, sides, nodes, plan.time_step * rate)) {
         return "";
     }
-    const double by_default = of_stable_by_default * plan.time_step / plan.of_stable;
-    const auto steady =
-        plan.steady ? plan.steady : steady_step(scene, sides, nodes, by_default * rate);
+    const double stable = plan.time_step / plan.of_stable;
+    const auto steady = plan.steady ? plan.steady : steady_step(scene, sides, nodes, stable * rate);
     const double longest = steady->time_step / rate;
     std::string others;
     if (steady->share == 0) {

@@ -207,22 +207,22 @@ bool grow_in(const Strips& strips, const Box& box, double time_step) {
 }  // namespace
 
 std::optional<SteadyStep> steady_step(const PlaneScene& scene, const nmbc::PlaneSides& sides,
-                                      const std::array<std::size_t, 2>& nodes,
-                                      double longest_taken) {
+                                      const std::array<std::size_t, 2>& nodes, double stable) {
     if (!has_conditions(scene, sides)) {
         return std::nullopt;
     }
     const Strips strips(scene, sides, nodes);
     const Box box(scene, sides, nodes);
+    constexpr double well_below = 0.95;
     SteadyStep steady;
     for (const double share : nmbcgen::side_samples.steps) {
         // Beyond what the sides allow, a box grows by its steps alone.
-        const double time_step = std::min(share * strips.longest_step(), longest_taken);
+        const double time_step = std::min(share * strips.longest_step(), well_below * stable);
         if (grow_in(strips, box, time_step)) {
             break;
         }
         steady = {.share = share, .time_step = time_step};
-        if (time_step == longest_taken) {
+        if (time_step < share * strips.longest_step()) {
             break;
         }
     }

@@ -25,10 +25,10 @@ struct SteadyStep {
 /// own, 46 wave numbers along each; a box of 12 x 12 nodes, of fewer where the plane has fewer and
 /// of more where its sides need more, run from random velocities to t = 1000 dX sqrt(rho/E).
 ///
-/// longest_taken [dX sqrt(rho/E)]: no longer step is looked at.
+/// stable [dX sqrt(rho/E)]: the longest step that is stable between these sides without what their
+/// conditions feed in; none beyond 0.95 of it is looked at.
 std::optional<SteadyStep> steady_step(const PlaneScene& scene, const nmbc::PlaneSides& sides,
-                                      const std::array<std::size_t, 2>& nodes,
-                                      double longest_taken);
+                                      const std::array<std::size_t, 2>& nodes, double stable);
 
 /// Whether such strips, or the box, grow in steps of this length [dX sqrt(rho/E)].
 bool bodies_grow_in(const PlaneScene& scene, const nmbc::PlaneSides& sides,
