@@ -49,11 +49,9 @@ bool has_conditions(const PlaneScene& scene, const nmbc::PlaneSides& sides) {
 
 /// Interior nodes that the condition of a side, if it has one, reads.
 std::size_t reach_of(const nmbc::PlaneSide& side) {
-    const auto* const matching = std::get_if<nmbc::MatchingSide>(&side);
     std::size_t reach = 0;
-    for (const std::size_t a : {0U, 1U}) {
-        if (matching != nullptr) {
-            const nmbc::BoundaryCoefficients& own = matching->coefficients[a];
+    if (const auto* const matching = std::get_if<nmbc::MatchingSide>(&side)) {
+        for (const nmbc::BoundaryCoefficients& own : matching->coefficients) {
             reach = std::max(reach, (own.c.size() - 1) * std::size_t(own.stride));
         }
     }
@@ -73,9 +71,8 @@ nmbc::PlaneSide thin(nmbc::PlaneSide side) {
 /// eigenvalues, so that sides of all kinds can meet in it.
 class Box {
   public:
-    Box(const PlaneScene& scene, const nmbc::PlaneSides& sides,
-        const std::array<std::size_t, 2>& nodes)
-        : model_(model_of(scene)), sides_(sides) {
+    Box(const PlaneScene& scene, nmbc::PlaneSides sides, const std::array<std::size_t, 2>& nodes)
+        : model_(model_of(scene)), sides_(std::move(sides)) {
         std::size_t edge = std::max(nmbcgen::side_samples.nodes, 2 * model_.horizon());
         for (auto* const side : {&sides_.left, &sides_.right, &sides_.bottom, &sides_.top}) {
             edge = std::max(edge, reach_of(*side));
