@@ -189,8 +189,7 @@ std::string choice_of(const DesignedSide& passive, const SidesOfLattice& sides) 
     return fmt::format(
         "passive, on the {} outermost layers of {}, g = {}\n"
         "  stable     by construction: this straight side adds no energy. A body between sides "
-        "that "
-        "add none gains none\n"
+        "that add none gains none\n"
         "  designed   for waves up to {:g} degrees from the normal; what is left head-on does not "
         "vanish for long waves\n"
         "  steps      times {:.2f} of those without it, beside an endless side\n",
@@ -235,8 +234,7 @@ std::string legend() {
         "steps: the grade holds in continuous time and in leapfrog steps up to this part of the "
         "lattice's longest.\n"
         "  For passive sides that is the limit. For others it is the last tenth that was tried: "
-        "the "
-        "limit is up to a tenth higher\n"
+        "the limit is up to a tenth higher\n"
         "opposite: in these steps and in continuous time; no fixed, no free: strips between the "
         "row's side and such a one grow\n"
         "amplifies: amplitudes at one reflection between like sides, the largest; <=: a bound\n"

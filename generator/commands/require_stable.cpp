@@ -88,8 +88,7 @@ PlaneGrade require_stable_in_plane(const Specification& what, const ProjectedFam
         throw NotStable(fmt::format(
             "a side of the plane takes conditions of both polarisations, and NMBC{} of {} waves, "
             "stride {}, has no solution at g = {}. Nothing was written; without --require-stable "
-            "the table "
-            "is.",
+            "the table is.",
             what.order, projected.polarisation == Polarisation::P ? "S" : "P", what.stride,
             to_string(model.g)));
     }

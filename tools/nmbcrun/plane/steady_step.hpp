@@ -23,7 +23,8 @@ struct SteadyStep {
 /// scene without such sides, or with an influence of its own. On samples: strips of 5, 9 and 20
 /// layers and, where a plane of these nodes (extended sides' layers are some) is narrower, of its
 /// own, 46 wave numbers along each; a box of 12 x 12 nodes, of fewer where the plane has fewer and
-/// of more where its sides need more, run from random velocities to t = 1000 dX sqrt(rho/E).
+/// of more where its sides need more, run from random velocities to t = 1000 dX sqrt(rho/E). In
+/// steps below a tenth of the lattice's longest strips alone are looked at.
 ///
 /// stable [dX sqrt(rho/E)]: the longest step that is stable between these sides without what their
 /// conditions feed in; none beyond 0.95 of it is looked at.
