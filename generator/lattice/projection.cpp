@@ -69,12 +69,16 @@ Polynomial speed_squared(const VectorModel& model, std::size_t direction) {
     return sum;
 }
 
+NoProjection long_waves_do_not_travel(std::size_t polarisation) {
+    return NoProjection(std::string("long ") + (polarisation == 0 ? "P" : "S") +
+                        " waves do not travel: nothing in this model resists them");
+}
+
 Model project(const VectorModel& model, std::size_t direction) {
     require_uncoupled(model, direction);
     const Polynomial square_of_speed = speed_squared(model, direction);
     if (square_of_speed.is_zero()) {
-        throw NoProjection(std::string("long ") + (direction == 0 ? "P" : "S") +
-                           " waves do not travel: nothing in this model resists them");
+        throw long_waves_do_not_travel(direction);
     }
     if (square_of_speed.degree() > 0) {
         throw NoProjection("the speed of long waves depends on G in this model");

@@ -13,6 +13,9 @@ struct NoProjection : std::invalid_argument {
     using std::invalid_argument::invalid_argument;
 };
 
+/// Of P waves (0) or S waves (1).
+NoProjection long_waves_do_not_travel(std::size_t polarisation);
+
 /// The model of waves along x in which nodes move in one direction: 0 is x (P), 1 is y (S). Its
 /// units are dX = 1 and the speed of its own long waves = 1; its parameter is g. Its symbol is not
 /// filled in. Throws NoProjection where the direction is coupled to another one (each off-diagonal

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <stdexcept>
-#include <string>
 
 #include "generator/exact/rational_function.hpp"
 #include "generator/lattice/force_constants.hpp"
@@ -133,8 +132,7 @@ PlaneTaylor taylor_of(const ForceConstants& phi, std::size_t polarisation,
     const Block block = block_of(phi, cosine_squared, order + 1);
     const Speeds speeds = speeds_of(block, cosine_squared, polarisation == 0);
     if (speeds.own <= 0) {
-        throw NoProjection(std::string("long ") + (polarisation == 0 ? "P" : "S") +
-                           " waves do not travel: nothing in this model resists them");
+        throw long_waves_do_not_travel(polarisation);
     }
     // s^2 = X m: m^2 - t m + d = 0, X t = tr(-D), X^2 d = det(D).
     const Polynomial both = constant(cosine_squared * (1 - cosine_squared));

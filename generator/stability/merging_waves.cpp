@@ -225,10 +225,11 @@ class Band {
 
 }  // namespace
 
-Grade grade_of_narrow_pieces(const HalfSpace& half_space, const std::vector<double>& critical) {
+NarrowPieces grade_of_narrow_pieces(const HalfSpace& half_space,
+                                    const std::vector<double>& critical) {
     const double top = critical.back();
-    Grade least = Grade::contractive;
-    for (std::size_t i = 0; i + 1 < critical.size() && least != Grade::none; ++i) {
+    NarrowPieces pieces;
+    for (std::size_t i = 0; i + 1 < critical.size() && pieces.grade != Grade::none; ++i) {
         const double low = critical[i];
         const double high = critical[i + 1];
         const double square = low * high;
@@ -250,10 +251,10 @@ Grade grade_of_narrow_pieces(const HalfSpace& half_space, const std::vector<doub
         const Squares squares(half_space);
         const Forms forms(squares, waves, square / slowed);
         if (!forms.is_contractive()) {
-            least = forms.is_paired() ? Grade::paired : Grade::none;
+            pieces = {forms.is_paired() ? Grade::paired : Grade::none, std::sqrt(square)};
         }
     }
-    return least;
+    return pieces;
 }
 
 }  // namespace nmbcgen

@@ -11,10 +11,15 @@
 
 namespace nmbcgen {
 
-/// The grade that the narrow pieces (band_search.hpp) between these critical frequencies leave to
-/// an undamped half space, in its own step; contractive where there are none. One frequency of each
-/// is looked at. Where roundings do not tell which of two extrema is the higher one, the waves of
-/// both are taken to travel.
-Grade grade_of_narrow_pieces(const HalfSpace& half_space, const std::vector<double>& critical);
+struct NarrowPieces {
+    Grade grade = Grade::contractive;  ///< what they leave to a half space
+    double omega = 0;                  ///< in the piece that leaves no more; 0: none takes any
+};
+
+/// The narrow pieces (band_search.hpp) between these critical frequencies of an undamped half
+/// space, in its own step. One frequency of each is looked at. Where roundings do not tell which of
+/// two extrema is the higher one, the waves of both are taken to travel.
+NarrowPieces grade_of_narrow_pieces(const HalfSpace& half_space,
+                                    const std::vector<double>& critical);
 
 }  // namespace nmbcgen

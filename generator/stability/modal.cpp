@@ -34,20 +34,6 @@ ModalVerdict damped_verdict(const HalfSpace& half_space) {
     return verdict;
 }
 
-/// The middle of the narrowest piece between critical frequencies that differ.
-double narrowest_piece_of(const std::vector<double>& critical) {
-    double least = critical.back();
-    double middle = 0;
-    for (std::size_t i = 0; i + 1 < critical.size(); ++i) {
-        const double width = critical[i + 1] - critical[i];
-        if (width > 0 && width < least) {
-            least = width;
-            middle = critical[i] + width / 2;
-        }
-    }
-    return middle;
-}
-
 }  // namespace
 
 double like_ends_supremum(const Reflection& reflection) {
@@ -86,14 +72,14 @@ ModalVerdict modal_verdict(const HalfSpace& half_space) {
     };
     const std::vector<double> critical = critical_frequencies(half_space);
     Peak highest = largest_over_band(critical, supremum);
-    const Grade most = grade_of_narrow_pieces(half_space, critical);
-    if (highest.value <= amplification_limit && most == Grade::none) {
-        highest.omega = narrowest_piece_of(critical);  // elsewhere the peak is one of roundings
+    const NarrowPieces narrow = grade_of_narrow_pieces(half_space, critical);
+    if (highest.value <= amplification_limit && narrow.grade == Grade::none) {
+        highest.omega = narrow.omega;  // elsewhere the peak is one of roundings
     }
     ModalVerdict verdict;
     verdict.supremum = highest.value;
-    verdict.contractive = largest_norm <= amplification_limit && most == Grade::contractive;
-    if (highest.value > amplification_limit || most == Grade::none) {
+    verdict.contractive = largest_norm <= amplification_limit && narrow.grade == Grade::contractive;
+    if (highest.value > amplification_limit || narrow.grade == Grade::none) {
         verdict.failure = Failure::amplified_wave;
     }
     if (highest.omega > 0) {

@@ -96,7 +96,7 @@ bool keeps_narrow_pieces(const LatticeEnd& left, const LatticeEnd& right) {
     const Grade enough = meets_its_image ? Grade::paired : Grade::contractive;
     const auto keeps = [enough](const LatticeEnd& end) {
         return end.kind != LatticeEnd::Kind::matching ||
-               grade_of_narrow_pieces(end.half_space, critical_frequencies(end.half_space)) >=
+               grade_of_narrow_pieces(end.half_space, critical_frequencies(end.half_space)).grade >=
                    enough;
     };
     return keeps(left) && keeps(right);

@@ -41,7 +41,7 @@ Grade StepGrades::found() {
                     .value <= limit;
         return holds ? Grade::paired : Grade::none;
     }
-    const Grade most = grade_of_narrow_pieces(half_space_, critical_);
+    const Grade most = grade_of_narrow_pieces(half_space_, critical_).grade;
     if (most == Grade::contractive && holds(norm)) {
         return Grade::contractive;
     }
