@@ -41,7 +41,7 @@ struct Candidate {
     Specification what;
     StepRange certified{};
     double cfl = 0;        ///< of the steps
-    double time_step = 0;  ///< [dX/c]
+    double time_step = 0;  ///< [dX/c]; 0: it is not certified in them
     double reflected = 0;  ///< mean reflected energy over the band, in these steps
     double loss = 0;       ///< of the energy of a wave of 20 dX over one wavelength, by damping
     std::string lost;      ///< why another one is recommended; empty: this one is

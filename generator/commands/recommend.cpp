@@ -66,8 +66,7 @@ std::string in_a_scene(const std::vector<Candidate>& all, double tolerance) {
     text += fmt::format("  table      to be made beside the scene: {} --format json --out FOLDER\n",
                         regenerating_command(best.what));
     const auto ready = std::ranges::find_if(all, [tolerance](const Candidate& other) {
-        return other.certified.largest > 0 && other.reflected <= tolerance &&
-               is_committed(other.what);
+        return other.time_step > 0 && other.reflected <= tolerance && is_committed(other.what);
     });
     if (ready != all.end()) {
         text += fmt::format("  ready      NMBC{}, stride {}, {}reflects {:.1e}: {}\n",

@@ -37,6 +37,12 @@ expect_exit 0
 expect_file generated/nmbc/tables/nopd1d_n2_order2_s2_dt1697o1000_G1o1.hpp
 rm -r generated/nmbc/tables
 
+# What is ready is certified in these steps, too.
+try recommend --horizon 2 --G 1 --cfl 0.7
+expect_exit 0
+row "3 2 0 - 0\.37 0\.70 - 0\.0e\+00 not certified in such steps"
+expect "nothing is ready" test "$(grep -c '^  ready ' "$scratch/stdout")" -eq 0
+
 # In steps of one's own what counts is the reflection.
 try recommend --horizon 2 --G 1 --cfl 0.2
 expect_exit 0

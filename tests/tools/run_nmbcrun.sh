@@ -116,6 +116,22 @@ expect_exit 4
 expect_stderr "warning: there is no certificate for explicit ghosts"
 expect_stderr "times the peak that it had while its sources acted"  # found long before anything overflows
 
+# An initial field that reaches an end that lets waves out, unless it goes out there.
+pulse=(run "$sourceless" --quiet "${short[@]}")
+try "${pulse[@]}" --set 'initial={shape = "gaussian", amplitude = 1e-3, width = 10, centre = 5}'
+expect_exit 0
+expect_stderr "nmbcrun: warning: initial reaches the left end, with 0.9 of its largest value"
+expect_stderr_lines 1
+for quiet in 'direction = "left", centre = 5' 'centre = 40'; do
+    try "${pulse[@]}" --set "initial={shape = \"gaussian\", amplitude = 1e-3, width = 10, $quiet}"
+    expect_exit 0
+    expect_no_stderr
+done
+try "${pulse[@]}" --set 'initial={shape = "gaussian", amplitude = 1e-3, width = 10, centre = 5}' \
+    --set boundary.left.kind=free
+expect_exit 0
+expect_no_stderr
+
 # From an initial field the peak counts from the start: what grows later is found.
 try run "$2/tools/scenes/broadband.toml" --set boundary.order=2 --set boundary.stride=1 \
     --set boundary.allow_unstable=true

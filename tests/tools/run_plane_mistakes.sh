@@ -27,6 +27,26 @@ expect_stderr "the model is of small strains"
 try run "$scene" --quiet --set time.end=1 --set 'initial={shape = "gaussian", component = "x", amplitude = 10, width = 3, centre = [20, 20]}'
 expect_exit 0
 expect "it is told first" grep -qE "^nmbcrun: warning: at the start neighbours are up to 2.[0-9]* times dX further apart, or nearer, than at rest: the model is of small strains" "$scratch/stderr"
+# Of one that reaches a side that lets waves out, too.
+at_side='initial={shape = "gaussian", component = "x", amplitude = 1e-3, width = 10, centre = [1, 75]}'
+try run "$scene" --quiet --set time.end=1 --set "$at_side"
+expect_exit 0
+expect_stderr "nmbcrun: warning: initial reaches the left side, with 1 of its largest value"
+expect_stderr_lines 1
+try run "$scene" --quiet --set time.end=1 --set "$at_side" --set boundary.left.kind=fixed
+expect_exit 0
+expect_no_stderr
+# And of a load that stays on where no side holds the body.
+load='load.a={kind = "force", side = "left", component = "x", amplitude = 1e-3, rise = 1}'
+try run "$scene" --quiet --set time.end=2 --set "$load"
+expect_exit 0
+expect_stderr "nmbcrun: warning: load.a stays on, and no side holds the body"
+for held in --set\ boundary.right.kind=fixed --set\ load.a.until=1.5; do
+    # shellcheck disable=SC2086  # two words
+    try run "$scene" --quiet --set time.end=2 --set "$load" $held
+    expect_exit 0
+    expect_no_stderr
+done
 rm -r results
 
 # verify: 4 % of the pulse comes back; sides so far off that nothing does.

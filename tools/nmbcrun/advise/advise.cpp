@@ -311,7 +311,9 @@ void advise(const Scene& scene, double tolerance, bool quiet, const Pause& pause
         print_ranked(scene, advice.ranked);
         print_left_out(scene, advice);
     }
-    const double run = seconds_of_run(advised(scene, best));
+    const Scene as_settings = advised(scene, best);
+    print_warnings(Simulation(as_settings).warnings());
+    const double run = seconds_of_run(as_settings);
     const double took = seconds_since(start);
     constexpr double patience = 2;  // [s]
     constexpr double many_runs = 10;

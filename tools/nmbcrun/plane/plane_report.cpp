@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rounded_text.hpp"
@@ -69,6 +71,73 @@ std::string warning_of_growth(const PlaneSimulation& simulation) {
     }
     return fmt::format("in steps of {:.6g} (cfl = {:.3g}) strips or a box between its sides grow{}",
                        plan.time_step, plan.cfl, others);
+}
+
+/// Sides that let waves out and have nothing behind them.
+bool lets_go(SideKind kind) {
+    return kind == SideKind::passive || kind == SideKind::nmbc || kind == SideKind::higdon;
+}
+
+/// The largest |value| of a scene's outermost nodes at a side, over that of all its nodes.
+double share_at(std::size_t side, std::span<const double> field,
+                const PlaneSimulation& simulation) {
+    const auto& [nx, ny] = simulation.scene().nodes;
+    double most = 0;
+    double there = 0;
+    for (std::size_t y = 0; y < ny; ++y) {
+        for (std::size_t x = 0; x < nx; ++x) {
+            const double size = std::abs(field[simulation.entry(x, y)]);
+            const std::array layers{x, nx - 1 - x, y, ny - 1 - y};
+            most = std::max(most, size);
+            there = layers[side] == 0 ? std::max(there, size) : there;
+        }
+    }
+    return most > 0 ? there / most : 0;
+}
+
+/// Where [initial] moves the outermost nodes at such sides.
+std::vector<std::string> warnings_of_start(const PlaneSimulation& simulation) {
+    std::vector<std::string> warnings;
+    for (std::size_t side = 0; side < plane_side_names.size(); ++side) {
+        if (!lets_go(simulation.scene().sides[side].kind)) {
+            continue;
+        }
+        double share = 0;
+        for (const std::size_t a : {0U, 1U}) {
+            for (const auto& field :
+                 {simulation.plane().displacement(a), simulation.plane().velocity(a)}) {
+                share = std::max(share, share_at(side, field, simulation));
+            }
+        }
+        constexpr double negligible = 0.01;
+        if (share > negligible) {
+            warnings.push_back(fmt::format(
+                "initial reaches the {} side, with {:.1g} of its largest value on the outermost "
+                "nodes. A side that lets waves out knows nothing of what would come in from "
+                "beyond it, so what is found near it is wrong by about as much",
+                plane_side_names[side], share));
+        }
+    }
+    return warnings;
+}
+
+/// Where loads stay on and all sides let the body go.
+std::string warning_of_lasting_loads(const PlaneScene& scene) {
+    const bool is_held = std::ranges::any_of(scene.sides, [](const PlaneSideChoice& side) {
+        return side.kind == SideKind::fixed || side.kind == SideKind::extended ||
+               side.kind == SideKind::sponge || side.kind == SideKind::pml;
+    });
+    const bool is_let_go = std::ranges::any_of(
+        scene.sides, [](const PlaneSideChoice& side) { return lets_go(side.kind); });
+    const auto lasting = std::ranges::find_if(scene.loads, [&](const PlaneLoad& load) {
+        return load.given == Given::force && load.file.empty() && load.until >= scene.end;
+    });
+    return is_held || !is_let_go || lasting == scene.loads.end()
+               ? ""
+               : fmt::format(
+                     "{} stays on, and no side holds the body: sides that let waves out give way "
+                     "to a lasting load as free ones do, in the end",
+                     lasting->name);
 }
 
 /// Where boundary.allow_unstable has nothing to allow.
@@ -140,6 +209,11 @@ std::vector<std::string> warnings_of(const PlaneSimulation& simulation) {
                     {warning_of_idle_key(simulation.scene()), warning_of_growth(simulation),
                      begins ? warning_of_strains(simulation, "at the start") : "",
                      warning_of_short_run(simulation.scene())});
+    if (begins) {
+        const auto start = warnings_of_start(simulation);
+        warnings.insert(warnings.end(), start.begin(), start.end());
+    }
+    warnings.push_back(warning_of_lasting_loads(simulation.scene()));
     std::erase(warnings, "");
     return warnings;
 }

@@ -94,6 +94,7 @@ void Sources::start(nmbc::Chain& chain) {
     }
     auto [u, v, is_staggered] = initial_fields(scene_, chain.lattice(), chain.parameters(),
                                                chain.nodes(), chain.first_interior());
+    look_at_ends(u, v, chain);
     const std::vector<double> zeros(chain.nodes());
     WavesAtStart waves{zeros, zeros, zeros};
     for (const auto side : {nmbc::End::left, nmbc::End::right}) {
@@ -115,6 +116,43 @@ void Sources::start(nmbc::Chain& chain) {
         staggered.push_back(v[entry] + waves.before[entry]);
     }
     start_from(chain, u, at_start, staggered);
+}
+
+void Sources::look_at_ends(std::span<const double> u, std::span<const double> v,
+                           const nmbc::Chain& chain) {
+    const auto largest = [](std::span<const double> field) {
+        double most = 0;
+        for (const double value : field) {
+            most = std::max(most, std::abs(value));
+        }
+        return most;
+    };
+    const std::size_t last = first_interior_ + chain.parameters().nodes;
+    for (const auto side : {nmbc::End::left, nmbc::End::right}) {
+        const bool left = side == nmbc::End::left;
+        const Boundary& end = left ? scene_.left : scene_.right;
+        const bool goes_out =
+            scene_.initial &&
+            scene_.initial->kind == (left ? InitialKind::to_the_left : InitialKind::to_the_right);
+        if (!scene_.initial || goes_out || is_physical(end.kind) ||
+            end.kind == BoundaryKind::extended) {
+            continue;
+        }
+        double share = 0;
+        for (const auto& field : {u, v}) {
+            const double most = largest(field.subspan(first_interior_, last - first_interior_));
+            const std::size_t outermost = left ? first_interior_ : last - 1;
+            share = std::max(share, most > 0 ? std::abs(field[outermost]) / most : 0);
+        }
+        constexpr double negligible = 0.01;
+        if (share > negligible) {
+            of_start_.push_back(fmt::format(
+                "initial reaches the {} end, with {:.1g} of its largest value at the outermost "
+                "node. An end that lets waves out knows nothing of what would come in from beyond "
+                "it, so what is found near it is wrong by about as much",
+                left ? "left" : "right", share));
+        }
+    }
 }
 
 /// The exact end that refuses these fields. The waves that come in are known to the end they come
@@ -202,6 +240,7 @@ std::vector<std::string> Sources::warnings() const {
         const auto more = surface.warnings(table, time_step_, scene_.end);
         all.insert(all.end(), more.begin(), more.end());
     }
+    all.insert(all.end(), of_start_.begin(), of_start_.end());
     return all;
 }
 
