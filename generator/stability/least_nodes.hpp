@@ -20,8 +20,9 @@ struct NotCertifiable : std::runtime_error {
 /// at least what the lattice's forces and the condition reach. 0 where no step is certified.
 /// Sampled: chains of every length up to 24 nodes, from there to 60 and to twice the longest that
 /// grows in steps of 3 nodes or a tenth of the length, at the ends and at two values between them
-/// of every row of pieces of G, in their largest steps, and in steps of cfl 0.05. Throws
-/// NotCertifiable where one of 400 nodes grows.
+/// of every row of pieces of G, in their largest steps, and in steps of cfl 0.05; then chains of
+/// the number found, and of up to 3 nodes more, at both ends of every piece in its largest steps,
+/// until none grows. Throws NotCertifiable where one of 400 nodes grows.
 unsigned least_nodes(const Table& table, const Certificate& certificate);
 
 }  // namespace nmbcgen

@@ -94,6 +94,24 @@ TEST_CASE("a certificate holds from a length on from which none grows") {
     }
 }
 
+/// 6 nodes grow there by 4.5e-3 and 5e-4 a step.
+TEST_CASE("nor does one where a piece of the certified steps begins") {
+    for (const double G : {1.9046, 1.8489}) {
+        CAPTURE(G);
+        const Boundary boundary{2, 3, 1, G};
+        const auto& table = committed_table(boundary);
+        const auto h = half_space(boundary);
+        const nmbcgen::LatticeEnd end{nmbcgen::LatticeEnd::Kind::matching, h};
+        const double step = 2 * nmbc::certified_cfl(table, G) / maximum_frequency(h);
+        CHECK(spectral_radius(end, 6, step) > 1 + 1e-4);
+        for (std::size_t nodes = table.least_nodes; nodes < 40U; ++nodes) {
+            CAPTURE(nodes);
+            constexpr double roundings = 1e-9;
+            CHECK(spectral_radius(end, nodes, step) < 1 + roundings);
+        }
+    }
+}
+
 TEST_CASE("roundings do not make chains of a large G grow") {
     const nmbcgen::Rational G = 1000;
     const auto h = make_half_space(

@@ -29,6 +29,11 @@ stable --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 \
     --set "time.cfl=$(sed -n 's/.* Give time.cfl = \(.*\) or less$/\1/p' "$scratch/stderr")"
 rm -r results
 unstable "are stable, and none is certified" --set boundary.order=2 --set model.G=1 --set time.cfl=2
+# A chain too short for the certificate of its ends.
+sed '/^step/d' "$sourceless" >"$scratch/short.toml"
+refuses 4 "The certificate of these ends, up to cfl = 0.69, holds from 9 nodes on" "$scratch/short.toml" --set domain.nodes=6 \
+    --set model.G=1.9046 --set boundary.order=3 --set time.cfl=0.69 --set 'initial={shape = "gaussian", amplitude = 1e-3, width = 1, centre = 3}'
+expect_stderr "in a chain of 6 nodes, so short that decaying waves reach the other end, it grows"
 
 # What is certified in its place: for the pair another order and stride, or a shorter step.
 unstable "Certified at this G: order 1, stride 2 up to cfl = 0.98; order 2, stride 2 up to cfl = 0.69;" \

@@ -121,7 +121,7 @@ inline constexpr MatchingTable nopd1d_n2_order3{
     .contractive = nopd1d_n2_order3_data::contractive,
     .max_cfl = nopd1d_n2_order3_data::max_cfl,
     .max_cfl_contractive = nopd1d_n2_order3_data::max_cfl_contractive,
-    .least_nodes = 6,
+    .least_nodes = 9,
 };
 
 }  // namespace nmbc::generated

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nmbc/coefficients.hpp>
 #include <nmbc/table.hpp>
 #include <vector>
@@ -64,6 +65,17 @@ bool has_passive(const Scene& scene, const Suits& suits) {
     return true;
 }
 
+/// Nodes from which on the certificates of both ends hold.
+unsigned least_nodes_of(const Scene& scene) {
+    unsigned least = 0;
+    for (const Boundary* end : {&scene.left, &scene.right}) {
+        if (end->kind == BoundaryKind::nmbc) {
+            least = std::max(least, unsigned(table_of(scene, *end).least_nodes));
+        }
+    }
+    return least;
+}
+
 }  // namespace
 
 std::string choices_in_place(const Scene& scene, const Suits& suits) {
@@ -93,6 +105,12 @@ std::string choices_in_place(const Scene& scene, const Suits& suits) {
 std::string what_is_certified(const Scene& scene, const nmbc::Lattice& lattice) {
     const double omega_max = highest_frequency(scene, lattice);
     if (const double own = largest_certified_cfl(scene, lattice); own > 0) {
+        const unsigned least = least_nodes_of(scene);
+        if (scene.nodes < least) {
+            return fmt::format(
+                "The certificate of these ends, up to cfl = {:.3g}, holds from {} nodes on", own,
+                least);
+        }
         return fmt::format("Certified for these ends is cfl = {:.3g}, time.step = {}", own,
                            nmbcgen::rounded_down(2 * own / omega_max, 4));
     }

@@ -121,23 +121,27 @@ std::vector<std::string> warnings_of_start(const PlaneSimulation& simulation) {
     return warnings;
 }
 
-/// Where loads stay on and all sides let the body go.
-std::string warning_of_lasting_loads(const PlaneScene& scene) {
-    const bool is_held = std::ranges::any_of(scene.sides, [](const PlaneSideChoice& side) {
-        return side.kind == SideKind::fixed || side.kind == SideKind::extended ||
-               side.kind == SideKind::sponge || side.kind == SideKind::pml;
+/// Where a load stays on, alone, and all sides let the body go. Several may balance each other.
+std::string warning_of_lasting_load(const PlaneScene& scene) {
+    const auto has_side = [&](auto is_such) {
+        return std::ranges::any_of(scene.sides, is_such, &PlaneSideChoice::kind);
+    };
+    const bool is_held = has_side([](SideKind kind) {
+        return kind == SideKind::fixed || kind == SideKind::extended || kind == SideKind::sponge ||
+               kind == SideKind::pml;
     });
-    const bool is_let_go = std::ranges::any_of(
-        scene.sides, [](const PlaneSideChoice& side) { return lets_go(side.kind); });
-    const auto lasting = std::ranges::find_if(scene.loads, [&](const PlaneLoad& load) {
-        return load.given == Given::force && load.file.empty() && load.until >= scene.end;
-    });
-    return is_held || !is_let_go || lasting == scene.loads.end()
+    std::vector<std::string> lasting;
+    for (const PlaneLoad& load : scene.loads) {
+        if (load.given == Given::force && load.file.empty() && load.until >= scene.end) {
+            lasting.push_back(load.name);
+        }
+    }
+    return is_held || !has_side(lets_go) || lasting.size() != 1
                ? ""
                : fmt::format(
                      "{} stays on, and no side holds the body: sides that let waves out give way "
                      "to a lasting load as free ones do, in the end",
-                     lasting->name);
+                     lasting.front());
 }
 
 /// Where boundary.allow_unstable has nothing to allow.
@@ -209,11 +213,11 @@ std::vector<std::string> warnings_of(const PlaneSimulation& simulation) {
                     {warning_of_idle_key(simulation.scene()), warning_of_growth(simulation),
                      begins ? warning_of_strains(simulation, "at the start") : "",
                      warning_of_short_run(simulation.scene())});
-    if (begins) {
+    if (begins && simulation.scene().initial->file.empty()) {  // what is in a file may be going out
         const auto start = warnings_of_start(simulation);
         warnings.insert(warnings.end(), start.begin(), start.end());
     }
-    warnings.push_back(warning_of_lasting_loads(simulation.scene()));
+    warnings.push_back(warning_of_lasting_load(simulation.scene()));
     std::erase(warnings, "");
     return warnings;
 }

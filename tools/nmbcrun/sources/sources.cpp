@@ -131,11 +131,10 @@ void Sources::look_at_ends(std::span<const double> u, std::span<const double> v,
     for (const auto side : {nmbc::End::left, nmbc::End::right}) {
         const bool left = side == nmbc::End::left;
         const Boundary& end = left ? scene_.left : scene_.right;
-        const bool goes_out =
-            scene_.initial &&
-            scene_.initial->kind == (left ? InitialKind::to_the_left : InitialKind::to_the_right);
-        if (!scene_.initial || goes_out || is_physical(end.kind) ||
-            end.kind == BoundaryKind::extended) {
+        const InitialKind outwards = left ? InitialKind::to_the_left : InitialKind::to_the_right;
+        const bool may_go_out = !scene_.initial || scene_.initial->kind == outwards ||
+                                scene_.initial->kind == InitialKind::file;
+        if (may_go_out || is_physical(end.kind) || end.kind == BoundaryKind::extended) {
             continue;
         }
         double share = 0;
