@@ -144,8 +144,8 @@ unsigned least_nodes(const Table& table, const Certificate& certificate) {
     };
     unsigned least = enough(most_over(over_rows(table, certificate.max_cfl), longest_growing));
     const std::vector<Stepped> edges = at_edges(table, certificate.max_cfl);
-    for (std::size_t growing = least; growing > 0;) {
-        growing = most_over(edges, [least](const Stepped& chains) {
+    for (;;) {
+        const std::size_t growing = most_over(edges, [least](const Stepped& chains) {
             constexpr unsigned longer = 3;
             std::size_t longest = 0;
             for (unsigned nodes = least; nodes <= least + longer; ++nodes) {
@@ -153,10 +153,12 @@ unsigned least_nodes(const Table& table, const Certificate& certificate) {
             }
             return longest;
         });
+        if (growing == 0) {
+            return least;
+        }
         require_short(growing);
-        least = growing > 0 ? enough(growing) : least;
+        least = enough(growing);
     }
-    return least;
 }
 
 }  // namespace nmbcgen

@@ -229,9 +229,8 @@ double seconds_since(Clock::time_point start) {
 }
 
 /// About: from the first of its steps.
-double seconds_of_run(const Scene& scene) {
+double seconds_of_run(Simulation& simulation) {
     constexpr double enough = 0.02;
-    Simulation simulation(scene);
     const auto start = Clock::now();
     do {
         simulation.step();
@@ -311,9 +310,9 @@ void advise(const Scene& scene, double tolerance, bool quiet, const Pause& pause
         print_ranked(scene, advice.ranked);
         print_left_out(scene, advice);
     }
-    const Scene as_settings = advised(scene, best);
-    print_warnings(Simulation(as_settings).warnings());
-    const double run = seconds_of_run(as_settings);
+    Simulation simulation(advised(scene, best));
+    print_warnings(simulation.warnings());
+    const double run = seconds_of_run(simulation);
     const double took = seconds_since(start);
     constexpr double patience = 2;  // [s]
     constexpr double many_runs = 10;

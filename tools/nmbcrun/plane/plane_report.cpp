@@ -14,6 +14,7 @@
 #include "tools/nmbcrun/plane/plane_spectrum.hpp"
 #include "tools/nmbcrun/plane/side_prospect.hpp"
 #include "tools/nmbcrun/plane/steady_step.hpp"
+#include "tools/nmbcrun/sources/start_at_edge.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -78,44 +79,43 @@ bool lets_go(SideKind kind) {
     return kind == SideKind::passive || kind == SideKind::nmbc || kind == SideKind::higdon;
 }
 
-/// The largest |value| of a scene's outermost nodes at a side, over that of all its nodes.
-double share_at(std::size_t side, std::span<const double> field,
-                const PlaneSimulation& simulation) {
+/// Of each side: the largest |value| of the scene's outermost nodes, over that of all its nodes.
+std::array<double, 4> shares_at_sides(std::span<const double> field,
+                                      const PlaneSimulation& simulation) {
     const auto& [nx, ny] = simulation.scene().nodes;
     double most = 0;
-    double there = 0;
+    std::array<double, 4> there{};
     for (std::size_t y = 0; y < ny; ++y) {
         for (std::size_t x = 0; x < nx; ++x) {
             const double size = std::abs(field[simulation.entry(x, y)]);
-            const std::array layers{x, nx - 1 - x, y, ny - 1 - y};
             most = std::max(most, size);
-            there = layers[side] == 0 ? std::max(there, size) : there;
-        }
-    }
-    return most > 0 ? there / most : 0;
-}
-
-/// Where [initial] moves the outermost nodes at such sides.
-std::vector<std::string> warnings_of_start(const PlaneSimulation& simulation) {
-    std::vector<std::string> warnings;
-    for (std::size_t side = 0; side < plane_side_names.size(); ++side) {
-        if (!lets_go(simulation.scene().sides[side].kind)) {
-            continue;
-        }
-        double share = 0;
-        for (const std::size_t a : {0U, 1U}) {
-            for (const auto& field :
-                 {simulation.plane().displacement(a), simulation.plane().velocity(a)}) {
-                share = std::max(share, share_at(side, field, simulation));
+            const std::array layers{x, nx - 1 - x, y, ny - 1 - y};
+            for (std::size_t side = 0; side < there.size(); ++side) {
+                there[side] = layers[side] == 0 ? std::max(there[side], size) : there[side];
             }
         }
-        constexpr double negligible = 0.01;
-        if (share > negligible) {
-            warnings.push_back(fmt::format(
-                "initial reaches the {} side, with {:.1g} of its largest value on the outermost "
-                "nodes. A side that lets waves out knows nothing of what would come in from "
-                "beyond it, so what is found near it is wrong by about as much",
-                plane_side_names[side], share));
+    }
+    for (double& largest : there) {
+        largest = most > 0 ? largest / most : 0;
+    }
+    return there;
+}
+
+/// Where [initial] moves the outermost nodes at sides that let waves out.
+std::vector<std::string> warnings_of_start(const PlaneSimulation& simulation) {
+    std::array<double, 4> shares{};
+    for (const std::size_t a : {0U, 1U}) {
+        for (const auto& field :
+             {simulation.plane().displacement(a), simulation.plane().velocity(a)}) {
+            std::ranges::transform(shares, shares_at_sides(field, simulation), shares.begin(),
+                                   [](double one, double other) { return std::max(one, other); });
+        }
+    }
+    std::vector<std::string> warnings;
+    for (std::size_t side = 0; side < shares.size(); ++side) {
+        if (lets_go(simulation.scene().sides[side].kind)) {
+            warnings.push_back(
+                warning_of_start_at(fmt::format("{} side", plane_side_names[side]), shares[side]));
         }
     }
     return warnings;

@@ -12,6 +12,7 @@
 #include "tools/nmbcrun/sources/incoming_wave.hpp"
 #include "tools/nmbcrun/sources/initial_fields.hpp"
 #include "tools/nmbcrun/sources/preload.hpp"
+#include "tools/nmbcrun/sources/start_at_edge.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -58,6 +59,33 @@ void add_waves(const IncidentField& incident, nmbc::End side, const nmbc::Chain&
     waves.add(-incident.arrival - 1, ignored, reached_part(fields.before));
 }
 
+/// Where [initial] moves the outermost node at an end that lets waves out. u, v: of the interior.
+std::vector<std::string> warnings_of_start(const Scene& scene, std::span<const double> u,
+                                           std::span<const double> v) {
+    std::vector<std::string> warnings;
+    if (!scene.initial || scene.initial->kind == InitialKind::file) {  // it may be going out
+        return warnings;
+    }
+    const auto share_at = [](bool left, std::span<const double> field) {
+        double most = 0;
+        for (const double value : field) {
+            most = std::max(most, std::abs(value));
+        }
+        return most > 0 ? std::abs(left ? field.front() : field.back()) / most : 0;
+    };
+    for (const bool left : {true, false}) {
+        const Boundary& end = left ? scene.left : scene.right;
+        const InitialKind outwards = left ? InitialKind::to_the_left : InitialKind::to_the_right;
+        if (scene.initial->kind != outwards && !is_physical(end.kind) &&
+            end.kind != BoundaryKind::extended) {
+            warnings.push_back(warning_of_start_at(left ? "left end" : "right end",
+                                                   std::max(share_at(left, u), share_at(left, v))));
+        }
+    }
+    std::erase(warnings, "");
+    return warnings;
+}
+
 }  // namespace
 
 Sources::Sources(const Scene& scene, const nmbc::Lattice& lattice,
@@ -94,7 +122,10 @@ void Sources::start(nmbc::Chain& chain) {
     }
     auto [u, v, is_staggered] = initial_fields(scene_, chain.lattice(), chain.parameters(),
                                                chain.nodes(), chain.first_interior());
-    look_at_ends(u, v, chain);
+    const auto of_interior = [&](std::span<const double> field) {
+        return field.subspan(first_interior_, chain.parameters().nodes);
+    };
+    of_start_ = warnings_of_start(scene_, of_interior(u), of_interior(v));
     const std::vector<double> zeros(chain.nodes());
     WavesAtStart waves{zeros, zeros, zeros};
     for (const auto side : {nmbc::End::left, nmbc::End::right}) {
@@ -116,42 +147,6 @@ void Sources::start(nmbc::Chain& chain) {
         staggered.push_back(v[entry] + waves.before[entry]);
     }
     start_from(chain, u, at_start, staggered);
-}
-
-void Sources::look_at_ends(std::span<const double> u, std::span<const double> v,
-                           const nmbc::Chain& chain) {
-    const auto largest = [](std::span<const double> field) {
-        double most = 0;
-        for (const double value : field) {
-            most = std::max(most, std::abs(value));
-        }
-        return most;
-    };
-    const std::size_t last = first_interior_ + chain.parameters().nodes;
-    for (const auto side : {nmbc::End::left, nmbc::End::right}) {
-        const bool left = side == nmbc::End::left;
-        const Boundary& end = left ? scene_.left : scene_.right;
-        const InitialKind outwards = left ? InitialKind::to_the_left : InitialKind::to_the_right;
-        const bool may_go_out = !scene_.initial || scene_.initial->kind == outwards ||
-                                scene_.initial->kind == InitialKind::file;
-        if (may_go_out || is_physical(end.kind) || end.kind == BoundaryKind::extended) {
-            continue;
-        }
-        double share = 0;
-        for (const auto& field : {u, v}) {
-            const double most = largest(field.subspan(first_interior_, last - first_interior_));
-            const std::size_t outermost = left ? first_interior_ : last - 1;
-            share = std::max(share, most > 0 ? std::abs(field[outermost]) / most : 0);
-        }
-        constexpr double negligible = 0.01;
-        if (share > negligible) {
-            of_start_.push_back(fmt::format(
-                "initial reaches the {} end, with {:.1g} of its largest value at the outermost "
-                "node. An end that lets waves out knows nothing of what would come in from beyond "
-                "it, so what is found near it is wrong by about as much",
-                left ? "left" : "right", share));
-        }
-    }
 }
 
 /// The exact end that refuses these fields. The waves that come in are known to the end they come

@@ -54,9 +54,6 @@ class Sources {
   private:
     nmbc::End exact_end_that_moves(const nmbc::Chain& chain, std::span<const double> u,
                                    std::span<const double> v) const;
-    /// Warns of [initial] where it moves what is next to an end that lets waves out.
-    void look_at_ends(std::span<const double> u, std::span<const double> v,
-                      const nmbc::Chain& chain);
     /// u and v at t = 0. staggered: v at -dt/2, in the place of what the chain makes of v; empty:
     /// none. Throws SceneError, with the end, where an exact end refuses what moves next to it.
     void start_from(nmbc::Chain& chain, std::span<const double> u, std::span<const double> v,
@@ -68,7 +65,7 @@ class Sources {
     std::optional<Driver> driver_;
     std::optional<Forcing> forcing_;
     std::map<std::string, ForceInTime> surfaces_;  ///< what is given on them, by table
-    std::vector<std::string> of_start_{};          ///< warnings
+    std::vector<std::string> of_start_{};          ///< warnings of start()
     std::shared_ptr<const IncidentField> left_;    // none: nullptr
     std::shared_ptr<const IncidentField> right_;
 };
