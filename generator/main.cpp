@@ -188,11 +188,14 @@ int run(const Request& request) {
             print(reflection_csv(derive(request.specification), request.samples));
             return done;
         case Action::prove:
-            if (request.as_json) {
-                print_with_progress(std::bind_front(proof_json, request.specification));
-            } else {
+            if (request.proof.all) {
+                print_with_progress(std::bind_front(proof_of_set, request.proof));
+            } else if (!request.specification.stabilisation) {
                 print_with_progress(
-                    std::bind_front(proof_text, request.specification, request.proof));
+                    std::bind_front(proof_of_windows, request.specification, request.proof));
+            } else {
+                print_with_progress(std::bind_front(request.as_json ? proof_at_G_json : proof_at_G,
+                                                    request.specification));
             }
             return done;
         case Action::bonds:

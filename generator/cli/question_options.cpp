@@ -26,11 +26,15 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
     auto* const prove = app.add_subcommand(
         "prove", "say what of a certificate is proved by enclosures (docs/explanation/proofs.md)");
     const SpecificationOptions options = add_specification(*prove, request, pending);
-    for (CLI::Option* other : {options.match, options.damping}) {
-        prove->remove_option(other);
-    }
-    options.order->required();
-    require_one_of(*prove, options.horizon, options.radius);
+    prove->remove_option(options.match);
+    const auto* const all = prove->add_flag(
+        "--all", request.proof.all,
+        "of every table of the committed set, how much of its windows is proved; half a minute");
+    prove->parse_complete_callback([options, all] {
+        if (all->count() == 0) {
+            require_condition(options, " (or --all)");
+        }
+    });
     add_parsed(*prove, "--up-to", request.proof.cfl, parse_fraction,
                "prove all steps up to this cfl, too (default: continuous time alone)")
         ->excludes(options.G)

@@ -3,20 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <tuple>
+#include <utility>
 
 #include "generator/emit/certificate_json.hpp"
 #include "generator/emit/formula.hpp"
-#include "generator/enclosures/prove.hpp"
 #include "generator/exact/algebraic_number.hpp"
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rounded_text.hpp"
 #include "generator/pipeline.hpp"
-#include "generator/stability/certify.hpp"
 #include "generator/stability/modal.hpp"
 #include "generator/stability/step_edges.hpp"
 
@@ -25,19 +21,36 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double farthest = 8;  ///< from the low end of a window that has no high one
-
-std::string in_steps(double cfl) {
-    return cfl > 0 ? fmt::format("in every step up to cfl {:g}", cfl) : "in continuous time";
+constexpr const char* name_of(Undecided undecided) {
+    return undecided == Undecided::modes ? "modes" : "waves";
 }
 
-/// Of a condition that is matched in it.
-std::string in_own_step(const Specification& what) {
-    return fmt::format("in its step of {} dX/c", to_string(what.time_step));
+bool is_all(const ProvedSteps& proved, const StepRange& sampled) {
+    return proved.cfl >= sampled.largest;
 }
 
-double own_step(const Specification& what) {
-    return nearest_double(what.time_step);
+std::string of_steps(const ProvedSteps& proved, const StepRange& sampled) {
+    const std::string undecided = proved.beyond == Undecided::modes
+                                      ? "undecided whether a boundary mode grows"
+                                      : "undecided whether waves are amplified";
+    const bool is_left = sampled.largest > 0 && !is_all(proved, sampled);
+    if (proved.cfl < 0) {
+        return "nothing proved" + (is_left ? ": " + undecided : "");
+    }
+    const std::string open = is_left ? ", then " + undecided : "";
+    if (sampled.from > 0) {
+        return fmt::format("proved in every step from cfl {:g} to {:g}{}", sampled.from, proved.cfl,
+                           open);
+    }
+    return (proved.cfl > 0 ? fmt::format("proved in every step up to cfl {:g}", proved.cfl)
+                           : "proved in continuous time alone") +
+           open;
+}
+
+/// So many grades done, and the next one up to a cfl.
+void tell(const Progress& progress, std::size_t done, double cfl, std::size_t all) {
+    constexpr std::size_t parts = 100;
+    progress(parts * done + std::size_t(double(parts) * cfl), parts * all);
 }
 
 std::string half_step_squared(const AlgebraicNumber& square) {
@@ -64,9 +77,9 @@ std::string edge_line(const std::optional<StepEdge>& edge) {
     }
     const auto* critical = std::get_if<AlgebraicNumber>(&edge->where);
     const std::string where =
-        rounded_down(edge->cfl, 9) + (critical != nullptr
-                                          ? ", critical: (dt/2)^2 " + half_step_squared(*critical)
-                                          : fmt::format(", sampled to {:g}", edges_sampled_to));
+        critical != nullptr
+            ? fmt::format("{:.9g}, critical: (dt/2)^2 {}", edge->cfl, half_step_squared(*critical))
+            : fmt::format("{}, sampled to {:g}", rounded_down(edge->cfl, 9), edges_sampled_to);
     const std::string why =
         edge->beyond == Failure::none ? "" : fmt::format("; beyond it: {}", name_of(edge->beyond));
     return fmt::format("{:<12} edge: cfl {}{}\n", "", where, why);
@@ -90,15 +103,6 @@ Json edge_object(const std::optional<StepEdge>& edge) {
     return {{"kind", "sampled"}, {"cfl", low}, {"bracket", {low, high}}, {"beyond", beyond}};
 }
 
-std::string heading(const Specification& what, const Table& table) {
-    return fmt::format("NMBC{}, stride {}, at horizon {}{}\n{:<12} {}\n", what.order, what.stride,
-                       what.horizon,
-                       what.stabilisation && has_stabilisation(table.model)
-                           ? ", G = " + to_string(*what.stabilisation)
-                           : "",
-                       "lattice", table.model.description);
-}
-
 /// In continuous time, where no steps have a grade.
 std::string why_none(const HalfSpace& half_space, Grade grade) {
     const ModalVerdict verdict = modal_verdict(half_space);
@@ -108,16 +112,6 @@ std::string why_none(const HalfSpace& half_space, Grade grade) {
     return grade == Grade::contractive && !verdict.contractive
                ? ": waves of one frequency can come back larger"
                : "";
-}
-
-Prover prover_of(const Table& table) {
-    try {
-        return Prover(table);
-    } catch (const std::invalid_argument&) {
-        throw NotProvable(
-            "there are proofs for undamped lattices only, and for conditions whose "
-            "even and odd parts have no leading coefficient 0 at every G");
-    }
 }
 
 /// What is proved, and what is sampled, at one G: in the condition's own step, or in steps up to a
@@ -140,9 +134,11 @@ class AtOneG {
         return stability_grade(stepped(half_space_, own_step_)) >= grade;
     }
 
-    /// Below 0: of no step.
-    double proved_cfl(Grade grade) const { return prover_.largest_cfl(about_, grade); }
-    double sampled_cfl(Grade grade) { return edges_->range(grade).largest; }
+    /// From the same step on as those that are sampled.
+    ProvedSteps proved_steps(Grade grade, const std::function<void(double)>& told) {
+        return prover_.proved_steps(about_, grade, edges_->range(grade).from, told);
+    }
+    StepRange sampled_steps(Grade grade) { return edges_->range(grade); }
     std::optional<StepEdge> edge(Grade grade) { return edges_->edge(grade); }
     const HalfSpace& half_space() const { return half_space_; }
 
@@ -154,103 +150,95 @@ class AtOneG {
     std::optional<StepEdges> edges_;
 };
 
-std::string at_one_G(const Specification& what, const Table& table, const Progress& progress) {
+/// The grades that are sought, each with its name.
+std::vector<std::pair<const char*, Grade>> grades_of(const Specification& what) {
+    std::vector<std::pair<const char*, Grade>> found{{"paired", Grade::paired}};
+    if (what.damping == 0) {
+        found.emplace_back("contractive", Grade::contractive);
+    }
+    return found;
+}
+
+}  // namespace
+
+Table with_open_G(const Specification& what) {
+    Specification open = what;
+    open.stabilisation.reset();
+    return derive(open);
+}
+
+Prover prover_of(const Table& table) {
+    try {
+        return Prover(table);
+    } catch (const std::invalid_argument&) {
+        throw NotProvable(
+            "there are proofs for conditions only whose even and odd parts have no leading "
+            "coefficient 0 at every G");
+    }
+}
+
+std::string proof_heading(const Specification& what, const Table& table) {
+    const std::string at_G = what.stabilisation && has_stabilisation(table.model)
+                                 ? ", G = " + to_string(*what.stabilisation)
+                                 : "";
+    const std::string damped = what.damping > 0 ? ", tau = " + to_string(what.damping) : "";
+    return fmt::format("NMBC{}, stride {}, at horizon {}{}{}\n{:<12} {}\n", what.order, what.stride,
+                       what.horizon, at_G, damped, "lattice", table.model.description);
+}
+
+double own_step(const Specification& what) {
+    return nearest_double(what.time_step);
+}
+
+std::string in_own_step(const Specification& what) {
+    return fmt::format("in its step of {} dX/c", to_string(what.time_step));
+}
+
+std::string proof_at_G(const Specification& what, const Progress& progress) {
+    const Table table = with_open_G(what);
     const std::string place = has_stabilisation(table.model)
                                   ? fmt::format("G = {}", to_string(*what.stabilisation))
                                   : "at every G";
     AtOneG at(what, table);
-    std::string text = heading(what, table);
+    std::string text = proof_heading(what, table);
+    const auto grades = grades_of(what);
+    std::size_t done = 0;
+    const auto told = [&](double cfl) { tell(progress, done, cfl, grades.size()); };
     const auto in_one_step = [&](Grade grade) {
         return fmt::format("{} {}; sampled: {}", at.holds(grade) ? "proved" : "not proved",
                            in_own_step(what), at.is_sampled(grade) ? "stable" : "not stable");
     };
     const auto in_all_steps = [&](Grade grade) {
-        const double proved = at.proved_cfl(grade);
-        const double sampled = at.sampled_cfl(grade);
-        return fmt::format("{}; sampled: {}",
-                           proved < 0   ? "nothing proved"
-                           : proved > 0 ? fmt::format("proved {}", in_steps(proved))
-                                        : "proved in continuous time alone",
-                           sampled > 0 ? fmt::format("cfl {:.2f}", sampled)
-                                       : "none" + why_none(at.half_space(), grade));
+        const StepRange sampled = at.sampled_steps(grade);
+        const ProvedSteps proved = at.proved_steps(grade, told);
+        return fmt::format("{}; sampled: {}", of_steps(proved, sampled),
+                           sampled.largest > 0 ? fmt::format("cfl {:.2f}", sampled.largest)
+                                               : "none" + why_none(at.half_space(), grade));
     };
-    std::size_t done = 0;
-    for (const auto& [name, grade] :
-         {std::pair("paired", Grade::paired), std::pair("contractive", Grade::contractive)}) {
-        progress(done++, 2);
+    for (const auto& [name, grade] : grades) {
         text += fmt::format("{:<12} {}: {}\n", name, place,
                             at.is_stepped() ? in_one_step(grade) : in_all_steps(grade));
         text += at.is_stepped() ? "" : edge_line(at.edge(grade));
+        ++done;
     }
     return text;
 }
 
-std::string of_window(const StabilityWindow& window, const char* grade_name,
-                      const std::function<bool(const nmbc::Window&)>& holds, const ProofTask& task,
-                      const Progress& progress) {
-    const double low = window.low.inner;
-    const double high = window.high ? window.high->inner : low + farthest;
-    const double finest = task.finest.value_or((high - low) / 1000);
-    const auto told = [&](double G) {
-        constexpr double in_all = 1000;
-        progress(std::size_t(in_all * (G - low) / std::max(high - low, finest)),
-                 std::size_t(in_all));
-    };
-    const auto parts = parts_where(holds, {low, high}, finest, told);
-    double proved = 0;
-    std::string text = fmt::format(
-        "{:<12} {:.6f} .. {}\n", grade_name, low,
-        window.high ? fmt::format("{:.6f}", high) : fmt::format("(looked at up to {:g})", high));
-    for (const nmbc::Window& part : parts) {
-        proved += part.high - part.low;
-        text += fmt::format("  proved     {:.6f} .. {:.6f}\n", std::ceil(part.low * 1e6) / 1e6,
-                            std::floor(part.high * 1e6) / 1e6);  // not more than is proved
-    }
-    return text + fmt::format("  undecided  {:.6f} in all\n", high - low - proved);
-}
-
-}  // namespace
-
-std::string proof_text(const Specification& what, const ProofTask& task, const Progress& progress) {
-    Specification open = what;
-    open.stabilisation.reset();
-    const Table table = derive(open);
-    if (what.stabilisation) {
-        return at_one_G(what, table, progress);
-    }
-    const Prover prover = prover_of(table);
-    if (!has_stabilisation(table.model)) {
-        throw NotProvable("no G in this model: prove it at --G 0");
-    }
-    const Certificate certificate = certify(table);
-    const bool is_stepped = own_step(what) > 0;
-    std::string text =
-        heading(what, table) + (is_stepped ? in_own_step(what) : in_steps(task.cfl)) + "\n";
-    for (const auto& [name, grade, windows] :
-         {std::tuple("paired", Grade::paired, &certificate.modal),
-          std::tuple("contractive", Grade::contractive, &certificate.contractive)}) {
-        const auto holds = [&, least = grade](const nmbc::Window& piece) {
-            return is_stepped ? prover.holds_in_step(piece, own_step(what), least)
-                              : prover.holds(piece, task.cfl, least);
-        };
-        for (const StabilityWindow& window : *windows) {
-            text += of_window(window, name, holds, task, progress);
-        }
-    }
-    return text;
-}
-
-std::string proof_json(const Specification& what, const Progress& progress) {
-    Specification open = what;
-    open.stabilisation.reset();
-    AtOneG at(what, derive(open));
+std::string proof_at_G_json(const Specification& what, const Progress& progress) {
+    AtOneG at(what, with_open_G(what));
+    const auto grades = grades_of(what);
+    std::size_t done = 0;
+    const auto told = [&](double cfl) { tell(progress, done, cfl, grades.size()); };
     const auto object_of = [&](Grade grade) -> Json {
         if (at.is_stepped()) {
             return {{"proved", at.holds(grade)}, {"sampled", at.is_sampled(grade)}};
         }
-        const double proved = at.proved_cfl(grade);
-        return {{"proved_cfl", proved < 0 ? Json() : Json(proved)},
-                {"sampled_cfl", at.sampled_cfl(grade)},
+        const StepRange sampled = at.sampled_steps(grade);
+        const ProvedSteps proved = at.proved_steps(grade, told);
+        return {{"from", sampled.from},
+                {"proved_cfl", proved.cfl < 0 ? Json() : Json(proved.cfl)},
+                {"undecided", is_all(proved, sampled) ? Json() : Json(name_of(proved.beyond))},
+                {"sampled_cfl", sampled.largest},
                 {"edge", edge_object(at.edge(grade))}};
     };
     Json object = {{"order", what.order},
@@ -258,10 +246,10 @@ std::string proof_json(const Specification& what, const Progress& progress) {
                    {"stride", what.stride},
                    {"G", to_string(*what.stabilisation)},
                    {"time_step", to_string(what.time_step)}};
-    progress(0, 2);
-    object["paired"] = object_of(Grade::paired);
-    progress(1, 2);
-    object["contractive"] = object_of(Grade::contractive);
+    for (const auto& [name, grade] : grades) {
+        object[name] = object_of(grade);
+        ++done;
+    }
     return object.dump(2) + "\n";
 }
 

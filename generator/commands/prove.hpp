@@ -2,15 +2,19 @@
 /// nmbcgen prove: what of a certificate is a proof.
 #pragma once
 
+#include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "generator/commands/recommend.hpp"
+#include "generator/enclosures/prove.hpp"
 #include "generator/table/table.hpp"
 
 namespace nmbcgen {
 
 struct ProofTask {
-    double cfl = 0;                ///< up to which steps are to be stable, too; G is open
+    bool all = false;              ///< of the committed set
+    double cfl = 0;                ///< up to which steps are to be stable, too
     std::optional<double> finest;  ///< of an interval of G; none: a thousandth of the window
 };
 
@@ -19,13 +23,29 @@ struct NotProvable : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Where G is open, the parts of the certified windows in which the grade is proved, in continuous
-/// time and in all steps up to a cfl; at one G the largest cfl up to which it is. Of a condition
-/// that is matched in time steps, in its own step alone.
+/// At one G, which is given: the largest cfl up to which a grade is proved, from the one on from
+/// which it is sampled. Of a condition that is matched in time steps, in its own step alone.
 /// Throws NotProvable.
-std::string proof_text(const Specification& what, const ProofTask& task, const Progress& progress);
+std::string proof_at_G(const Specification& what, const Progress& progress);
 
-/// The same of one G, which is given, as an object (docs/reference/json-other.md).
-std::string proof_json(const Specification& what, const Progress& progress);
+/// The same as an object (docs/reference/json-other.md).
+std::string proof_at_G_json(const Specification& what, const Progress& progress);
+
+/// Where G is open, the parts of the certified windows in which the grade is proved, in continuous
+/// time and in all steps up to a cfl; of a condition that is matched in time steps, in its own one.
+/// Throws NotProvable.
+std::string proof_of_windows(const Specification& what, const ProofTask& task,
+                             const Progress& progress);
+
+/// How much is proved of the windows in continuous time of every table of the committed set that
+/// has any, and of all.
+std::string proof_of_set(const ProofTask& task, const Progress& progress);
+
+/// What all of these begin with.
+Table with_open_G(const Specification& what);
+Prover prover_of(const Table& table);  ///< throws NotProvable
+std::string proof_heading(const Specification& what, const Table& table);
+double own_step(const Specification& what);          ///< dt [dX/c] that it is matched in, or 0
+std::string in_own_step(const Specification& what);  ///< a clause
 
 }  // namespace nmbcgen

@@ -126,13 +126,16 @@ std::string evidence_statement(const Table& table, const Certificate& certificat
         std::string& list = evidence == Evidence::proved ? proved : sampled;
         list += (list.empty() ? "" : ", ") + names;
     };
-    add(certificate.paired, "modal, max_cfl");
-    if (!damped) {
+    if (damped) {
+        add(certificate.paired, "growing modes of modal and max_cfl");
+        add(Evidence::sampled, "round trips");
+    } else {
+        add(certificate.paired, "modal, max_cfl");
         add(certificate.with_any, "contractive, max_cfl_contractive");
     }
     add(Evidence::sampled, "least_nodes");
-    const bool all_proved =
-        certificate.paired == Evidence::proved && certificate.with_any == Evidence::proved;
+    const bool all_proved = !damped && certificate.paired == Evidence::proved &&
+                            certificate.with_any == Evidence::proved;
     const char* spacing = at_one_G ? ""
                           : damped ? ", every 1/16 of G or closer"
                                    : ", 8 to 24 G between critical values";

@@ -22,34 +22,43 @@ class Sweep {
             return false;
         }
         --boxes_left_;
-        if (holds_in_one(square, tau)) {
+        EnclosedPolynomial waves = c_.band;
+        waves[0] -= square;
+        const auto clusters = real_zeros(waves);
+        if (clusters && holds_in_one(square, tau, *clusters)) {
             return true;
         }
         const double in_time = width(tau) * square.upper();
         const double in_band = width(square) / top;
-        if (std::max(in_time, in_band) < finest_) {
-            return false;
+        // Next to an extremum of the band the waves are known to the root of in_band only.
+        constexpr double as_good = 30;
+        const bool waves_blur = !clusters || in_time <= as_good * widest(*clusters);
+        if (waves_blur && in_band >= finest_) {
+            const double middle = median(square);
+            return holds(Interval(square.lower(), middle), tau, top) &&
+                   holds(Interval(middle, square.upper()), tau, top);
         }
-        if (in_time > in_band) {
+        if (clusters && in_time >= finest_) {
             const double middle = median(tau);
             return holds(square, Interval(tau.lower(), middle), top) &&
                    holds(square, Interval(middle, tau.upper()), top);
         }
-        const double middle = median(square);
-        return holds(Interval(square.lower(), middle), tau, top) &&
-               holds(Interval(middle, square.upper()), tau, top);
+        return false;
     }
 
   private:
-    bool holds_in_one(const Interval& square, const Interval& tau) const {
+    bool holds_in_one(const Interval& square, const Interval& tau,
+                      const std::vector<ZeroCluster>& clusters) const {
         const Interval slowed = 1.0 - tau * square;
-        if (slowed.lower() <= 0) {
-            return false;
+        return slowed.lower() > 0 && holds_for_all(clusters, 0, {}, c_.scale * rise(square, tau));
+    }
+
+    static double widest(const std::vector<ZeroCluster>& clusters) {
+        double widest = 0;
+        for (const ZeroCluster& cluster : clusters) {
+            widest = std::max(widest, width(cluster.where));
         }
-        EnclosedPolynomial waves = c_.band;
-        waves[0] -= square;
-        const auto clusters = real_zeros(waves);
-        return clusters && holds_for_all(*clusters, 0, {}, c_.scale * rise(square, tau));
+        return widest;
     }
 
     /// omega^2/(1 - omega^2 dt^2/4), which rises with both.

@@ -3,53 +3,17 @@
 
 #include <algorithm>
 #include <complex>
-#include <numeric>
 
 #include "generator/enclosures/band_grade.hpp"
+#include "generator/enclosures/by_halves.hpp"
 #include "generator/enclosures/root_discs.hpp"
+#include "generator/enclosures/weighted_sum.hpp"
 
 namespace nmbcgen {
 namespace {
 
 using Complex = std::complex<double>;
 using Disc = RootDisc;
-
-/// modes + tau modes_in_steps
-class ModeEquation {
-  public:
-    ModeEquation(const ModePolynomials<EnclosedPolynomial, Expansion>& polynomials,
-                 const Interval& tau)
-        : f_(polynomials.modes), in_steps_(polynomials.modes_in_steps.value) {
-        const Expansion& more = polynomials.modes_in_steps;
-        const double middle = median(tau);
-        delay_ = tau - middle;
-        add(f_.value, middle, more.value);
-        add(f_.slope, tau, more.slope);
-        add(f_.rest, tau, more.rest);
-        enclosed_ = f_.enclosed();
-        add(enclosed_, delay_, more.value);
-    }
-
-    const EnclosedPolynomial& enclosed() const { return enclosed_; }
-
-    ComplexInterval at(const ComplexInterval& z) const {
-        return f_.at(z) + delay_ * value_at(in_steps_, z);
-    }
-
-  private:
-    static void add(EnclosedPolynomial& sum, const Interval& factor,
-                    const EnclosedPolynomial& more) {
-        sum.resize(std::max(sum.size(), more.size()), Interval(0));
-        for (std::size_t i = 0; i < more.size(); ++i) {
-            sum[i] += factor * more[i];
-        }
-    }
-
-    Expansion f_;
-    const EnclosedPolynomial& in_steps_;
-    Interval delay_;
-    EnclosedPolynomial enclosed_{};
-};
 
 /// Im f(x) / Im x, also where x is real.
 Interval slope_across(const EnclosedPolynomial& f, const ComplexInterval& x) {
@@ -78,7 +42,7 @@ class Chart {
           condition_(condition),
           E_(polynomials().E),
           O_(polynomials().O),
-          modes_(polynomials(), tau) {}
+          modes_({{polynomials().modes, 1}, {polynomials().modes_in_steps, tau}}) {}
 
     bool all_decay() const {
         const std::vector<Disc> discs = root_discs(
@@ -102,7 +66,7 @@ class Chart {
     }
 
     bool decay(const Disc& disc) const {
-        if (variable_ == Variable::v && decay_next_to_0(reach_of(disc))) {
+        if (decay_next_to_0(least_x(disc))) {
             return true;
         }
         const Disc in_x =
@@ -113,13 +77,12 @@ class Chart {
                (std::isfinite(in_x.radius) && decay_in_x(box_about(in_x)));
     }
 
-    static double reach_of(const Disc& disc) {
-        return (modulus(enclose(disc.centre)) + disc.radius).upper();
-    }
-
-    static ComplexInterval box_about(const Disc& disc) {
-        const Interval spread(-disc.radius, disc.radius);
-        return {disc.centre.real() + spread, disc.centre.imag() + spread};
+    /// |x| is no less there.
+    Interval least_x(const Disc& disc) const {
+        const ComplexInterval centre = enclose(disc.centre);
+        return variable_ == Variable::w
+                   ? 2.0 / (modulus(enclose(Complex(1)) - centre) + disc.radius) - 1.0
+                   : 1.0 / (modulus(centre) + disc.radius) - 3.0;
     }
 
     /// factor/z + shift of all z within the radius of a centre.
@@ -166,10 +129,10 @@ class Chart {
         return (square_of_modulus(vx) - square_of_modulus(v) - modulus(vx * vx - v * v)) / 2.0;
     }
 
-    /// The same for all |v| up to this: |k| <= 1/(2|x| - 1) there, since k + 1/k = 2x, and B/C is
+    /// The same for all |x| from this on: |k| <= 1/(2|x| - 1) there, since k + 1/k = 2x, and B/C is
     /// about b_0/c_0.
-    bool decay_next_to_0(double v) const {
-        const Interval inverse = 2.0 / Interval(v) - 7.0;
+    bool decay_next_to_0(const Interval& x) const {
+        const Interval inverse = 2.0 * x.lower() - Interval(1);
         if (inverse.lower() <= 1) {
             return false;
         }
@@ -205,38 +168,18 @@ class Chart {
     const EnclosedCondition& condition_;
     const EnclosedPolynomial& E_;
     const EnclosedPolynomial& O_;
-    ModeEquation modes_;
-};
-
-class Steps {
-  public:
-    Steps(const EnclosedCondition& condition, double longest)
-        : c_(condition),
-          shortest_(1e-6 * longest),
-          finest_(std::max(1e-6, spread_of(condition.band) / 4)) {}
-
-    bool hold(const Interval& tau) const {
-        if (Chart(Chart::Variable::w, c_, tau).all_decay() ||
-            Chart(Chart::Variable::v, c_, tau).all_decay()) {
-            return true;
-        }
-        if (width(tau) <= std::max(shortest_, finest_ * tau.upper())) {
-            return false;
-        }
-        const double middle = median(tau);
-        return hold(Interval(tau.lower(), middle)) && hold(Interval(middle, tau.upper()));
-    }
-
-  private:
-    const EnclosedCondition& c_;
-    double shortest_;
-    double finest_;  ///< in parts of tau
+    WeightedSum modes_;
 };
 
 }  // namespace
 
 bool no_mode_grows(const EnclosedCondition& condition, const Interval& tau) {
-    return Steps(condition, tau.upper()).hold(tau);
+    const Subdivision limits{.shortest = 1e-6 * tau.upper(),
+                             .finest = std::max(1e-6, spread_of(condition.band) / 4)};
+    return holds_by_halves(tau, limits, [&](const Interval& part) {
+        return Chart(Chart::Variable::w, condition, part).all_decay() ||
+               Chart(Chart::Variable::v, condition, part).all_decay();
+    });
 }
 
 }  // namespace nmbcgen

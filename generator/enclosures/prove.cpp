@@ -19,54 +19,79 @@ constexpr int boxes_of_one_step = 4096;  // every run proves its own step
 }  // namespace
 
 Prover::Prover(const Table& table)
-    : per_G_(exact_condition(table, Polynomial(std::vector<Rational>{0, 1}))),
-      plain_(exact_condition(table, constant(1))) {}
+    : condition_(table.model.damping.empty()
+                     ? decltype(condition_)(
+                           Undamped{exact_condition(table, Polynomial(std::vector<Rational>{0, 1})),
+                                    exact_condition(table, constant(1))})
+                     : damped_condition(table)) {}
 
-std::optional<EnclosedCondition> Prover::enclosed(const nmbc::Window& window) const {
-    try {
-        return enclose(window.low > 0 ? per_G_ : plain_, window.low, window.high);
-    } catch (const std::overflow_error&) {  // a coefficient has no double
-        return std::nullopt;
-    }
+EnclosedCondition Prover::Undamped::enclosed(const nmbc::Window& window) const {
+    return enclose(window.low > 0 ? per_G : plain, window.low, window.high);
 }
 
-bool Prover::holds(const nmbc::Window& window, double cfl, Grade least) const {
-    const std::optional<EnclosedCondition> enclosed = this->enclosed(window);
-    if (!enclosed) {
-        return false;
+Undecided Prover::undecided(const nmbc::Window& window, double cfl, Grade least,
+                            double from) const {
+    const auto is_usable = [](const Interval& square) {
+        return square.lower() > 0 && std::isfinite(square.upper());
+    };
+    try {
+        if (const auto* damped = std::get_if<DampedCondition>(&condition_)) {
+            const Interval top = highest_square(*damped, window);
+            return least > Grade::paired ? Undecided::waves
+                   : is_usable(top) &&
+                           no_mode_grows(*damped, window, Interval(from, cfl) / sqrt(top))
+                       ? Undecided::nothing
+                       : Undecided::modes;
+        }
+        const EnclosedCondition enclosed = std::get<Undamped>(condition_).enclosed(window);
+        const Interval top = highest_square(enclosed.band);
+        const Interval tau = square(Interval(from, cfl)) / top;
+        if (!is_usable(top) || !no_mode_grows(enclosed, tau)) {
+            return Undecided::modes;
+        }
+        return waves_have_grade(enclosed, tau, least, boxes_of_every_step) ? Undecided::nothing
+                                                                           : Undecided::waves;
+    } catch (const std::overflow_error&) {  // a coefficient has no double
+        return Undecided::modes;
     }
-    const double top = highest_square(enclosed->band).lower();
-    if (!(top > 0 && std::isfinite(top))) {
-        return false;
-    }
-    const Interval tau = hull(Interval(0), square(Interval(cfl)) / top);
-    return no_mode_grows(*enclosed, tau) &&
-           waves_have_grade(*enclosed, tau, least, boxes_of_every_step);
 }
 
 bool Prover::holds_in_step(const nmbc::Window& window, double time_step, Grade least) const {
-    const std::optional<EnclosedCondition> enclosed = this->enclosed(window);
-    if (!enclosed) {
-        return false;
-    }
     constexpr double roundings = 1e-12;
     const Interval step = time_step * Interval(1 - roundings, 1 + roundings);
-    const Interval tau = enclosed->scale * square(step) / 4.0;
-    return no_mode_grows(*enclosed, tau) &&
-           waves_have_grade(*enclosed, tau, least, boxes_of_one_step);
+    try {
+        if (const auto* damped = std::get_if<DampedCondition>(&condition_)) {
+            return least == Grade::paired && no_mode_grows(*damped, window, step / 2.0);
+        }
+        const EnclosedCondition enclosed = std::get<Undamped>(condition_).enclosed(window);
+        const Interval tau = enclosed.scale * square(step) / 4.0;
+        return no_mode_grows(enclosed, tau) &&
+               waves_have_grade(enclosed, tau, least, boxes_of_one_step);
+    } catch (const std::overflow_error&) {  // a coefficient has no double
+        return false;
+    }
 }
 
-double Prover::largest_cfl(const nmbc::Window& window, Grade least) const {
-    if (!holds(window, 0, least)) {
-        return -1;
+ProvedSteps Prover::proved_steps(const nmbc::Window& window, Grade least, double from,
+                                 const std::function<void(double)>& told) const {
+    ProvedSteps proved{.beyond = undecided(window, from, least, from)};
+    if (proved.beyond != Undecided::nothing) {
+        return proved;
     }
-    int proved = 0;
-    int open = 100;
-    while (open - proved > 1) {
-        const int middle = (proved + open) / 2;
-        (holds(window, middle / 100.0, least) ? proved : open) = middle;
+    proved.cfl = from;
+    for (int hundredths = 16; hundredths > 0;) {
+        told(proved.cfl);
+        const double next = std::floor(100 * proved.cfl + 1e-9 + hundredths) / 100;
+        const Undecided open =
+            next < 1 ? undecided(window, next, least, proved.cfl) : Undecided::modes;
+        if (open == Undecided::nothing) {
+            proved.cfl = next;
+        } else {
+            proved.beyond = open;
+            hundredths /= 2;
+        }
     }
-    return proved / 100.0;
+    return proved;
 }
 
 std::vector<nmbc::Window> parts_where(const std::function<bool(const nmbc::Window&)>& holds,
@@ -108,7 +133,7 @@ bool shortened_to_proof(const Prover& prover, const nmbc::Window& window,
     const double sampled = steps.front().cfl;
     const auto less = [&](int hundredths) { return std::round(100 * sampled - hundredths) / 100; };
     const auto holds = [&](double cfl) {
-        return cfl > steps.front().from && prover.holds(window, cfl, grade);
+        return cfl > steps.front().from && prover.holds(window, cfl, grade, steps.front().from);
     };
     if (holds(sampled)) {
         return true;
@@ -124,10 +149,10 @@ bool shortened_to_proof(const Prover& prover, const nmbc::Window& window,
 
 void prove_certificate(const Table& table, Certificate& certificate) {
     const Specification& what = table.specification;
-    constexpr unsigned highest_horizon = 3;
     const bool at_one_G = what.stabilisation || !has_stabilisation(table.model);
     const double own_step = nearest_double(what.time_step);
-    if (!at_one_G || what.damping > 0 || (own_step == 0 && what.horizon > highest_horizon)) {
+    constexpr unsigned highest_horizon = 6;  // above, waves of one frequency are many
+    if (!at_one_G || (own_step == 0 && what.horizon > highest_horizon)) {
         return;
     }
     try {

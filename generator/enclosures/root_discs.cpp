@@ -12,6 +12,11 @@ ComplexInterval enclose(const std::complex<double>& z) {
     return {Interval(z.real()), Interval(z.imag())};
 }
 
+ComplexInterval box_about(const RootDisc& disc) {
+    const Interval spread(-disc.radius, disc.radius);
+    return {disc.centre.real() + spread, disc.centre.imag() + spread};
+}
+
 namespace {
 
 using Complex = std::complex<double>;

@@ -20,6 +20,9 @@ struct RootDisc {
 /// The interval about a number that is exact.
 ComplexInterval enclose(const std::complex<double>& z);
 
+/// The square about a disc.
+ComplexInterval box_about(const RootDisc& disc);
+
 /// About approximations (Smith 1970): all roots of a polynomial of degree n with the leading
 /// coefficient a are, for any n different z_i, in discs about z_i with radius n |f(z_i)/(a prod_{l
 /// != i} (z_i - z_l))|; as many roots as discs in discs that hang together, anywhere in these. The

@@ -134,7 +134,8 @@ StepEdges::StepEdges(const HalfSpace& half_space)
     : half_space_(half_space),
       grades_(half_space),
       top_(grades_.maximum_frequency()),
-      critical_(critical_steps(half_space)) {}
+      critical_(half_space.is_damped() ? std::vector<AlgebraicNumber>()
+                                       : critical_steps(half_space)) {}
 
 StepRange StepEdges::range(Grade least) {
     return stable_range(grades_, least);

@@ -16,10 +16,16 @@ namespace {
 
 using nmbcgen::Grade;
 using nmbcgen::Prover;
+using nmbcgen::Undecided;
 
 Prover prover(unsigned horizon, unsigned order, unsigned stride) {
     return Prover(nmbcgen::derive(
         {.horizon = horizon, .order = order, .stride = stride, .stabilisation = {}}));
+}
+
+/// At one G, from continuous time on.
+double proved_cfl(const Prover& proof, double G, Grade grade) {
+    return proof.proved_steps({G, G}, grade, 0, [](double) {}).cfl;
 }
 
 /// Of a window, paired, in every step up to this cfl.
@@ -43,9 +49,26 @@ TEST_CASE("at one G every step is proved as far as sampling finds them stable") 
         CAPTURE(each.horizon);
         CAPTURE(each.order);
         const Prover proof = prover(each.horizon, each.order, each.stride);
-        CHECK(proof.largest_cfl({each.G, each.G}, Grade::paired) == each.paired);
-        CHECK(proof.largest_cfl({each.G, each.G}, Grade::contractive) == each.contractive);
+        CHECK(proved_cfl(proof, each.G, Grade::paired) == each.paired);
+        CHECK(proved_cfl(proof, each.G, Grade::contractive) == each.contractive);
     }
+}
+
+TEST_CASE("at horizon 4, too, in seconds" * doctest::test_suite("long")) {
+    CHECK(proved_cfl(prover(4, 1, 1), 1, Grade::paired) == 0.66);
+    const Prover proof = prover(4, 2, 4);
+    CHECK(proved_cfl(proof, 3, Grade::paired) == 0.72);
+    CHECK(proved_cfl(proof, 3, Grade::contractive) == 0.72);
+}
+
+TEST_CASE("what is undecided where the proof ends is named") {
+    const Prover proof = prover(1, 2, 1);
+    const auto beyond = [&](double G, double cfl) {
+        return proof.undecided({G, G}, cfl, Grade::paired);
+    };
+    CHECK(beyond(0.5, 0.7) == Undecided::nothing);
+    CHECK(beyond(0.5, 0.72) == Undecided::modes);  // one grows from cfl 0.7071 on
+    CHECK(prover(2, 1, 1).undecided({1, 1}, 0, Grade::contractive) == Undecided::waves);
 }
 
 TEST_CASE("in one step at one G what is sampled stable is mostly proved" *
@@ -162,11 +185,51 @@ TEST_CASE("windows of G are proved but for their ends") {
     CHECK(covered > 0.95 * (one_end - 0.25 + other_end - 1));
 }
 
-TEST_CASE("damped lattices have no proofs") {
-    CHECK_THROWS_AS(
-        Prover(nmbcgen::derive(
-            {.horizon = 1, .order = 2, .stabilisation = {}, .damping = nmbcgen::Rational(1, 10)})),
-        std::invalid_argument);
+Prover damped_prover(unsigned horizon, unsigned order, unsigned stride, int inverse_tau) {
+    return Prover(nmbcgen::derive({.horizon = horizon,
+                                   .order = order,
+                                   .stride = stride,
+                                   .stabilisation = {},
+                                   .damping = nmbcgen::Rational(1, inverse_tau)}));
+}
+
+TEST_CASE("half spaces of damped lattices are proved as far as chains of 100 are sampled stable") {
+    struct Case {
+        unsigned horizon, order, stride;
+        int inverse_tau;
+        double G, cfl;
+    };
+    for (const Case& each :
+         {Case{1, 1, 1, 10, 0.5, 0.81}, Case{1, 2, 1, 10, 0.5, 0.03}, Case{2, 2, 2, 10, 1, 0.75},
+          Case{2, 3, 2, 10, 1, 0.37}, Case{3, 2, 3, 20, 2, 0.78}}) {
+        CAPTURE(each.horizon);
+        CAPTURE(each.order);
+        CHECK(proved_cfl(damped_prover(each.horizon, each.order, each.stride, each.inverse_tau),
+                         each.G, Grade::paired) == each.cfl);
+    }
+}
+
+TEST_CASE("of a damped lattice nothing is proved that does not hold") {
+    // stable in continuous time and from cfl 0.047 on; below, a mode grows
+    const Prover gap = damped_prover(1, 2, 1, 50);
+    CHECK(gap.holds({0.045, 0.045}, 0, Grade::paired));
+    CHECK(!gap.holds({0.045, 0.045}, 0.02, Grade::paired));
+    CHECK(gap.holds({0.045, 0.045}, 0.15, Grade::paired, 0.047));
+    // a growing mode at every step
+    CHECK(!damped_prover(2, 2, 1, 10).holds({1, 1}, 0, Grade::paired));
+    // waves that do not fade: omega = 0 at xi = pi
+    CHECK(!damped_prover(1, 1, 1, 10).holds({0, 0}, 0, Grade::paired));
+    // grades of waves that keep their energy are not told of
+    CHECK(!damped_prover(1, 1, 1, 10).holds({0.5, 0.5}, 0, Grade::contractive));
+    // the lattice's own limit, dt^2 omega^2/4 + dt tau sigma/2 = 1
+    CHECK(!damped_prover(1, 1, 1, 1).holds({0.5, 0.5}, 0.9, Grade::paired));
+}
+
+TEST_CASE("windows of G of a damped lattice are proved but for their ends") {
+    const auto parts = proved_parts(damped_prover(1, 2, 1, 10), {1.01, 3}, 0, 1e-3);
+    REQUIRE(parts.size() == 1);
+    CHECK(parts.front().low == 1.01);
+    CHECK(parts.front().high == 3);
 }
 
 }  // namespace

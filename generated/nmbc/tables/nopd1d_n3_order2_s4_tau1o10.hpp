@@ -5,7 +5,7 @@
 // units   xi in 1/dX, omega, tau and b_j in c/dX, c_j and G without dimension
 // sign    sum_j c_j v_{M+js} = sum_j b_j u_{M+js}, j = 0 .. N counted inwards from the ghost node M, s the stride
 // proved  residual of (49) identically zero in G; symbol = sum of the energy's squares; damping = tau times those of stabilisation at G = 1; C(1) not identically zero
-// stable  modal, sought up to G = 3: no growing boundary mode and no growth by round trips on the band, both ends alike, in chains of 100 interior nodes and more, on whose length the damping takes back what an end amplifies; max_cfl: the same of the leapfrog scheme, damping force from the old velocities; reflection, contractive and max_cfl_contractive: not sought, since waves lose energy on the way; modal edges are exact where an exact value is given, else in the bracket; proved: poles; sampled: modal, max_cfl, least_nodes, every 1/16 of G or closer, steps every 0.05 of cfl
+// stable  modal, sought up to G = 3: no growing boundary mode and no growth by round trips on the band, both ends alike, in chains of 100 interior nodes and more, on whose length the damping takes back what an end amplifies; max_cfl: the same of the leapfrog scheme, damping force from the old velocities; reflection, contractive and max_cfl_contractive: not sought, since waves lose energy on the way; modal edges are exact where an exact value is given, else in the bracket; proved: poles; sampled: growing modes of modal and max_cfl, round trips, least_nodes, every 1/16 of G or closer, steps every 0.05 of cfl
 #pragma once
 
 #include <nmbc/table.hpp>

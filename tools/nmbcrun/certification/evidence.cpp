@@ -38,8 +38,9 @@ std::string evidence_of(const Scene& scene, const nmbc::Lattice& lattice,
         return "sampled: the eigenvalues of this chain";
     }
     const bool are_alike = scene.left == scene.right;
-    const nmbcgen::Grade grade =
-        are_alike || meets_half_line ? nmbcgen::Grade::paired : nmbcgen::Grade::contractive;
+    const nmbcgen::Grade grade = are_alike || meets_half_line || is_damped(scene)
+                                     ? nmbcgen::Grade::paired
+                                     : nmbcgen::Grade::contractive;
     const bool proved = (meets_half_line || !is_short(scene)) &&
                         (!matches_left || is_proved(left, scene.G, step, grade)) &&
                         (!matches_right || are_alike || is_proved(right, scene.G, step, grade));

@@ -12,9 +12,9 @@ namespace nmbcrun {
 
 /// In one of three words, and what it is said of, where PairOfEnds has no objection to a step
 /// [dX/c]: "proved", by enclosures at the scene's own G and step (generator/enclosures/prove.hpp),
-/// of like ends that they amplify nothing together, of others that each adds no energy, where the
-/// chain is not short (is_short()); "sampled", also of all damped lattices and beside surface
-/// nodes; "by construction", where no end is an nmbc.
+/// of like ends that they amplify nothing together, of others that each adds no energy, of a damped
+/// lattice's that no mode of either grows, where the chain is not short (is_short()); "sampled",
+/// also beside surface nodes; "by construction", where no end is an nmbc.
 std::string evidence_of(const Scene& scene, const nmbc::Lattice& lattice,
                         const nmbc::MatchingTable& left, const nmbc::MatchingTable& right,
                         double step);
