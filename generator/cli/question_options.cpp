@@ -27,21 +27,33 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
         "prove", "say what of a certificate is proved by enclosures (docs/explanation/proofs.md)");
     const SpecificationOptions options = add_specification(*prove, request, pending);
     prove->remove_option(options.match);
-    const auto* const all = prove->add_flag(
-        "--all", request.proof.all,
-        "of every table of the committed set, how much of its windows is proved; half a minute");
-    prove->parse_complete_callback([options, all] {
-        if (all->count() == 0) {
-            require_condition(options, " (or --all)");
-        }
-    });
-    add_parsed(*prove, "--up-to", request.proof.cfl, parse_fraction,
-               "prove all steps up to this cfl, too (default: continuous time alone)")
-        ->excludes(options.G)
-        ->excludes(options.time_step);
+    auto* const up_to =
+        add_parsed(*prove, "--up-to", request.proof.cfl, parse_fraction,
+                   "prove all steps up to this cfl, too (default: continuous time alone)")
+            ->excludes(options.G)
+            ->excludes(options.time_step);
     add_parsed(*prove, "--finest", request.proof.finest, parse_fraction,
                "do not halve intervals of G below this (default: a thousandth of the window)")
         ->excludes(options.G);
+    auto* const all = prove->add_flag(
+        "--all", request.proof.all,
+        "how much is proved of the windows of every table of the committed set; half a minute");
+    for (CLI::Option* other :
+         {options.family, options.order, options.horizon, options.radius, options.weights,
+          options.stride, options.damping, options.time_step, options.G, up_to}) {
+        all->excludes(other);
+    }
+    prove->parse_complete_callback([options, all] {
+        if (all->count() > 0) {
+            return;
+        }
+        if (options.order->count() == 0) {
+            throw CLI::RequiredError("--order (or --all)");
+        }
+        if (options.horizon->count() + options.radius->count() == 0) {
+            throw CLI::RequiredError("--horizon (or --radius2)");
+        }
+    });
     add_format(*prove, request)->needs(options.G);
     return prove;
 }

@@ -103,8 +103,12 @@ std::string emit_c(const Table& table) {
         "// The largest certified cfl = dt omega_max / 2 at G, both ends alike, midpoint ghosts; "
         "0:\n"
         "// none.\n";
-    return text + certified_steps(name, "largest", certificate.max_cfl, &StableStep::cfl) +
-           certified_steps(name, "smallest", certificate.max_cfl, &StableStep::from) + "#endif\n";
+    // Any end may be a like one.
+    std::vector<StableStep> steps = certificate.max_cfl;
+    steps.insert(steps.end(), certificate.max_cfl_contractive.begin(),
+                 certificate.max_cfl_contractive.end());
+    return text + certified_steps(name, "largest", steps, &StableStep::cfl) +
+           certified_steps(name, "smallest", steps, &StableStep::from) + "#endif\n";
 }
 
 }  // namespace nmbcgen

@@ -78,13 +78,16 @@ def coefficients(G=FIXED_G):
     return [evaluate(f, G) for f in C], [evaluate(f, G) for f in B]
 
 
-def largest_cfl(G, steps=MAX_CFL):
-    """The largest certified cfl = dt omega_max / 2 at G, given as in evaluate(); 0: none is."""
+def largest_cfl(G, steps=MAX_CFL + MAX_CFL_CONTRACTIVE):
+    """The largest certified cfl = dt omega_max / 2 at G, given as in evaluate(); 0: none is.
+
+    Of like ends; of any other end, steps=MAX_CFL_CONTRACTIVE.
+    """
     G = float(Fraction(G))  # as the ends of the windows are
     return max((cfl for low, high, cfl, _ in steps if low <= G <= high), default=0)
 
 
-def smallest_cfl(G, steps=MAX_CFL):
+def smallest_cfl(G, steps=MAX_CFL + MAX_CFL_CONTRACTIVE):
     """The least cfl from which all steps to the largest are certified; 0: all shorter ones are."""
     G = float(Fraction(G))
     found = (step for step in steps if step[0] <= G <= step[1])

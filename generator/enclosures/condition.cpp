@@ -121,4 +121,18 @@ EnclosedCondition enclose(const ExactCondition& condition, double low, double hi
             .in_v = all(condition.in_v)};
 }
 
+bool rate_is_below_0(const EnclosedPolynomial& c, const EnclosedPolynomial& b, unsigned stride,
+                     const Interval& modulus_of_k) {
+    const auto others = [&](const EnclosedPolynomial& coefficients) {
+        Interval sum = 0;
+        for (std::size_t j = coefficients.size() - 1; j > 0; --j) {
+            sum = (sum + abs(coefficients[j])) * pow(modulus_of_k, int(stride));
+        }
+        return sum;
+    };
+    const Interval of_C = others(c);
+    const Interval of_B = others(b);
+    return (b[0] * c[0] + abs(b[0]) * of_C + abs(c[0]) * of_B + of_B * of_C).upper() < 0;
+}
+
 }  // namespace nmbcgen

@@ -60,4 +60,8 @@ using EnclosedCondition = Condition<EnclosedPolynomial, Expansion, Interval>;
 
 EnclosedCondition enclose(const ExactCondition& condition, double low, double high);
 
+/// Whether Re B/C < 0 for all |k| up to this: near k = 0 it is about b_0/c_0.
+bool rate_is_below_0(const EnclosedPolynomial& c, const EnclosedPolynomial& b, unsigned stride,
+                     const Interval& modulus_of_k);
+
 }  // namespace nmbcgen

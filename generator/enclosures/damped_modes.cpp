@@ -6,6 +6,7 @@
 
 #include "generator/enclosures/band_grade.hpp"
 #include "generator/enclosures/by_halves.hpp"
+#include "generator/enclosures/condition.hpp"
 #include "generator/enclosures/root_discs.hpp"
 #include "generator/enclosures/weighted_sum.hpp"
 #include "generator/exact/rational_function.hpp"
@@ -131,6 +132,9 @@ class Enclosed {
     Enclosed(const DampedCondition& condition, const nmbc::Window& window)
         : low_(window.low),
           high_(window.high),
+          c_(enclosed(condition.in_k.C)),
+          b_(enclosed(condition.in_k.B)),
+          stride_(condition.stride),
           C_(enclosed(condition.in_y.C)),
           B_(enclosed(condition.in_y.B)),
           slope_of_C_(derivative(C_)),
@@ -183,6 +187,12 @@ class Enclosed {
         if (real_part_with_conjugate(B, value_at(chart.C, t)).upper() < 0) {
             return true;
         }
+        const ComplexInterval forward{1.0 + double(chart.p) * t.re, double(chart.p) * t.im};
+        const ComplexInterval backward{1.0 - t.re, -t.im};
+        if (const Interval k = modulus(quotient(forward, backward));
+            k.upper() < 1 && rate_is_below_0(c_, b_, stride_, k)) {
+            return true;
+        }
         const ComplexInterval denominator{more * t.re + 2.0, more * t.im};
         return denominator.re.lower() > 0 && decay_in_y((more + 2) * quotient(t, denominator));
     }
@@ -201,6 +211,9 @@ class Enclosed {
 
     double low_;
     double high_;
+    EnclosedPolynomial c_;
+    EnclosedPolynomial b_;
+    unsigned stride_;
     EnclosedPolynomial C_;
     EnclosedPolynomial B_;
     EnclosedPolynomial slope_of_C_;
@@ -235,6 +248,8 @@ DampedCondition damped_condition(const Table& table) {
     DampedCondition condition{
         .band = band(table.model.symbol),
         .damping = band(constants(table.model.damping)),
+        .in_k = coefficients,
+        .stride = table.specification.stride,
         .charts = {chart(table, coefficients, 1), chart(table, coefficients, 3)},
         .in_y = {},
         .Q = {}};

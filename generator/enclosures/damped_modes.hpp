@@ -23,7 +23,7 @@ namespace nmbcgen {
 
 /// A condition and its lattice, at every G exactly; polynomials in t, y, w or x, ascending.
 struct DampedCondition {
-    /// C(k) and B(k), times a positive function of k.
+    /// C(k) and B(k), in other variables than k times a positive function of it.
     struct CAndB {
         InX C;
         InX B;
@@ -38,6 +38,8 @@ struct DampedCondition {
 
     InX band;     ///< omega^2 in x = cos xi
     InX damping;  ///< tau sigma in x
+    CAndB in_k;
+    unsigned stride = 1;
     std::array<Chart, 2> charts;
     CAndB in_y;
     InX Q;  ///< Q(w) / |w|^q for w < 0, in -w

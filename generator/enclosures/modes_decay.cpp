@@ -129,26 +129,11 @@ class Chart {
         return (square_of_modulus(vx) - square_of_modulus(v) - modulus(vx * vx - v * v)) / 2.0;
     }
 
-    /// The same for all |x| from this on: |k| <= 1/(2|x| - 1) there, since k + 1/k = 2x, and B/C is
-    /// about b_0/c_0.
+    /// Whether they do at all |x| from this on: |k| <= 1/(2|x| - 1) there, since k + 1/k = 2x.
     bool decay_next_to_0(const Interval& x) const {
         const Interval inverse = 2.0 * x.lower() - Interval(1);
-        if (inverse.lower() <= 1) {
-            return false;
-        }
-        const Interval k = 1.0 / inverse;
-        const auto others = [&](const EnclosedPolynomial& coefficients) {
-            Interval sum = 0;
-            for (std::size_t j = coefficients.size() - 1; j > 0; --j) {
-                sum = (sum + abs(coefficients[j])) * pow(k, int(condition_.stride));
-            }
-            return sum;
-        };
-        const Interval c = condition_.C.front();
-        const Interval b = condition_.B.front();
-        const Interval of_C = others(condition_.C);
-        const Interval of_B = others(condition_.B);
-        return (b * c + abs(b) * of_C + abs(c) * of_B + of_B * of_C).upper() < 0;
+        return inverse.lower() > 1 &&
+               rate_is_below_0(condition_.C, condition_.B, condition_.stride, 1.0 / inverse);
     }
 
     /// Of a real root, which is alone in its disc: it decays, or travels.

@@ -229,7 +229,7 @@ class Search {
             for (std::size_t i = 0; i < windows.size(); ++i) {
                 Edge& begin = windows[i].low;
                 if (begin.inner == 0 && compare(value, 0) == 0) {
-                    begin.inner = std::nextafter(0, HUGE_VAL);
+                    begin.inner = aside;
                     begin.beyond = failure;
                     break;
                 }
@@ -266,14 +266,14 @@ class Search {
         return outside ? std::nextafter(nearest, above ? HUGE_VAL : 0) : nearest;
     }
 
-    /// The nearest double above the value, or below it.
+    /// Above the value, or below it, at a distance: right beside a pole, say, the coefficients of
+    /// a table in doubles have lost all digits.
     static double beside(const AlgebraicNumber& value, bool above) {
-        const double inner = inner_double(value, above);
-        return compare(value, Rational(inner)) == 0 ? std::nextafter(inner, above ? HUGE_VAL : 0)
-                                                    : inner;
+        return nearest_double(value) * (above ? 1 + aside : 1 - aside);
     }
 
     static constexpr double bracket_width = 5e-7;
+    static constexpr double aside = 1e-9;  ///< from an edge that is open, in parts of it
 
     const Table& table_;
     EvenAndOddParts parts_;

@@ -51,6 +51,24 @@ try prove --family chain1d --horizon 1 --order 2
 expect_exit 0
 expect "without a G" grep -q '^paired       at every G: proved in every step' "$scratch/stdout"
 
+# Damped: no mode of its half spaces grows.
+try prove --order 2 --horizon 2 --stride 2 --damping 1/10 --G 1
+expect_exit 0
+expect_stdout_line "NMBC2, stride 2, at horizon 2, G = 1, tau = 1/10"
+expect_stdout_line "paired       G = 1: proved in every step up to cfl 0.75; sampled: cfl 0.75"
+expect "no grade of waves that keep their energy" bash -c '! grep -q contractive "$1"' - "$scratch/stdout"
+try prove --order 2 --horizon 1 --damping 1/50 --G 9/200
+expect "certified from a step on" grep -q 'G = 9/200: proved in every step from cfl 0.047 to 0.15; sampled: cfl 0.15' "$scratch/stdout"
+try prove --order 2 --horizon 1 --damping 1/50 --G 9/200 --format json
+expect "its fields" grep -qx '    "from": 0.047,' "$scratch/stdout"
+try prove --order 2 --horizon 1 --damping 1/10
+expect "windows of a damped lattice" grep -q '^  proved     1.0078' "$scratch/stdout"
+
+# What is undecided, by name.
+try prove --order 1 --horizon 4 --G 28/25
+expect "no proof, and why" grep -q \
+    'G = 28/25: nothing proved: undecided whether waves are amplified; sampled: cfl 0.67' "$scratch/stdout"
+
 # Matched in a step: that one alone.
 try prove --order 2 --horizon 1 --time-step 1/2 --G 1/2
 expect_exit 0
@@ -71,7 +89,7 @@ expect_exit 3
 
 for wrong in '--horizon 1' '--order 2' '--order 2 --horizon 1 --up-to 1' \
     '--order 2 --horizon 1 --up-to 0' '--order 2 --horizon 1 --finest x' \
-    '--order 2 --horizon 1 --G 1 --up-to 0.5' '--order 2 --horizon 1 --damping 1/10' \
+    '--order 2 --horizon 1 --G 1 --up-to 0.5' '--all --order 2' '--all --G 1' '--all --up-to 0.5' '' \
     '--order 2 --horizon 1 --time-step 1/2 --up-to 0.3' '--order 2 --horizon 1 --time-step -1' \
     '--order 2 --horizon 1 --format json' '--order 2 --horizon 1 --cfl 0.3' '--order 2 --horizon 1 --G -1'; do
     # shellcheck disable=SC2086  # words
