@@ -72,6 +72,11 @@ TEST_CASE("a history of a file is linear in between, and 0 outside") {
     std::ofstream(file) << "time,force\n0,1\n0,3\n";
     CHECK_THROWS_WITH_AS(Forcing(forced(force), 0.1),
                          doctest::Contains("its times must ascend from row to row"), SceneError);
+    for (const char* idle : {"time,force\n0,1\n", "time,force\n0,0\n1,0\n2,0\n"}) {
+        std::ofstream(file) << idle;
+        CHECK_THROWS_WITH_AS(Forcing(forced(force), 0.1), doctest::Contains("it drives nothing"),
+                             SceneError);
+    }
     std::filesystem::remove(file);
     CHECK_THROWS_AS(Forcing(forced(force), 0.1), FileError);
 }

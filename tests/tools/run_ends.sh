@@ -78,7 +78,7 @@ expect_stdout_line "stable    sampled: the eigenvalues of this chain"
 stable --set model.family=chain1d --set model.horizon=1 --set boundary.right.order=1 --set boundary.left.kind=snm
 expect_stdout_line "stable    sampled (docs/reference/scene.md)"
 stable --set boundary.order=2 --set boundary.stride=2 --set model.G=1 --set model.damping=1/100
-expect_stdout_line "stable    sampled (docs/explanation/stability.md)"
+expect_stdout_line "stable    proved at this G in these steps; that the chain is long enough for it: sampled"
 stable --set boundary.kind=passive --set boundary.right.kind=fixed --set model.G=0
 stable --set boundary.kind=passive --set boundary.right.kind=nmbc --set boundary.right.order=2 \
     --set boundary.right.stride=2 --set model.G=1
@@ -155,7 +155,7 @@ refuses 4 "NMBC1, stride 1, midpoint ghosts on the left sends back up to 6.2 tim
 refuses 4 'Certified and absorbing at this G: boundary.kind = "passive" without order and stride;' \
     "$scratch/steel.toml"
 expect_stderr 'at model.G = "27/7", which suits long waves best: order 1, stride 3 up to cfl = 0.82; order 2, stride 3 up to cfl ='
-refuses 4 "of what force sends out is in waves so short that the lattice disperses them or turns them back; no force.duration alone would do" \
+refuses 4 "of what force sends out is in waves so short that the lattice disperses them or turns them back; no other force.duration cures it" \
     "$scratch/steel.toml"
 refuses 4 "lattice disperses them or turns them back; force.duration = 3.2e-06 with force.time = 1.3e-05 would do" \
     "$scratch/steel.toml" --set model.G=27/7

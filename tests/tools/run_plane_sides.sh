@@ -54,7 +54,7 @@ expect_stdout_line "ends      all comes back from the far ends of extended sides
 try "${known[@]}" --set material.density=1e6 --set initial.width=2
 expect_exit 0
 expect_stderr "of what initial sends out is in waves so short that the lattice disperses them or turns them back; initial.width ="
-expect_stderr "until time.end waves go 0.01 dX: do the units of material, domain and time belong together?"
+expect_stderr "in time.end waves travel 0.01 dX: do the units of material, domain and time belong together?"
 try "${known[@]}" --set boundary.allow_unstable=true
 expect_exit 0
 expect_stderr "boundary.allow_unstable does nothing: no side of this scene may feed energy in"

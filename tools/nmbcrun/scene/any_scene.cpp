@@ -16,7 +16,7 @@ namespace nmbcrun {
 std::string warning_of_short_run(const AnyScene& scene) {
     const double way = scene.end / unit_of_time(scene);
     return way < 1 ? fmt::format(
-                         "until time.end waves go {:.1g} dX: do the units of material, "
+                         "in time.end waves travel {:.1g} dX: do the units of material, "
                          "domain and time belong together?",
                          way)
                    : "";

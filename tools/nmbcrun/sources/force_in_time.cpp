@@ -42,6 +42,12 @@ ForceInTime::ForceInTime(ForceHistory history, const std::string& column)
                 fmt::format("{}: its times must ascend from row to row, not from {} to {}",
                             force_.file.string(), *later, *std::next(later)));
         }
+        if (std::ranges::count_if(forces_, [](double force) { return force != 0; }) == 0 ||
+            times_.size() < 2) {
+            throw SceneError(fmt::format(
+                "{}: it drives nothing: a force needs two rows at least, and one that is not 0",
+                force_.file.string()));
+        }
     }
     constexpr double widths = 6.5;  // exp(-42), times the 84 of a ricker
     switch (force_.history) {
