@@ -87,11 +87,11 @@ DampedCondition::Chart chart(const Table& table, const DampedCondition::CAndB& c
     const InX B = of_condition(coefficients.B, stride, powers);
     const InX square = of_lattice(table.model.symbol, powers);
     const InX damping = of_lattice(constants(table.model.damping), powers);
-    const InX BB = times(B, B);
+    const InX square_of_B = times(B, B);
     std::array<InX, 3> modes{
-        plus(times(BB, powers.at(n, 2 * n)),
+        plus(times(square_of_B, powers.at(n, 2 * n)),
              times(C, plus(times(damping, B), times(square, C), constant(1))), constant(1)),
-        negated(times(damping, BB)), negated(times(square, BB))};
+        negated(times(damping, square_of_B)), negated(times(square, square_of_B))};
     const std::size_t common =
         std::min({zeros_at_0(modes[0]), zeros_at_0(modes[1]), zeros_at_0(modes[2])});
     for (InX& part : modes) {

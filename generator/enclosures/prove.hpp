@@ -21,8 +21,8 @@ enum class Undecided {
 };
 
 struct ProvedSteps {
-    double cfl = -1;   ///< the largest, in hundredths; less than 0: not even the first
-    Undecided beyond;  ///< in the next hundredth
+    double cfl = -1;  ///< the largest, in hundredths; less than 0: not even the first
+    Undecided beyond = Undecided::nothing;  ///< in the next hundredth
 };
 
 /// Proofs about one condition, its G open. Of a damped lattice, whose waves fade, only
