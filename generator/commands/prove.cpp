@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -136,7 +137,12 @@ class AtOneG {
 
     /// From the same step on as those that are sampled.
     ProvedSteps proved_steps(Grade grade, const std::function<void(double)>& told) {
-        return prover_.proved_steps(about_, grade, edges_->range(grade).from, told);
+        const StepRange sampled = edges_->range(grade);
+        ProvedSteps proved = prover_.proved_steps(about_, grade, sampled.from, told);
+        if (half_space_.is_damped()) {  // in longer ones round trips of chains grow
+            proved.cfl = sampled.largest > 0 ? std::min(proved.cfl, sampled.largest) : -1;
+        }
+        return proved;
     }
     StepRange sampled_steps(Grade grade) { return edges_->range(grade); }
     std::optional<StepEdge> edge(Grade grade) { return edges_->edge(grade); }
