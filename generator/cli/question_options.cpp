@@ -35,12 +35,13 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
     add_parsed(*prove, "--finest", request.proof.finest, parse_fraction,
                "do not halve intervals of G below this (default: a thousandth of the window)")
         ->excludes(options.G);
+    auto* const format = add_format(*prove, request)->needs(options.G);
     auto* const all = prove->add_flag(
         "--all", request.proof.all,
         "how much is proved of the windows of every table of the committed set; half a minute");
-    for (CLI::Option* other :
-         {options.family, options.order, options.horizon, options.radius, options.weights,
-          options.stride, options.damping, options.time_step, options.G, up_to}) {
+    for (CLI::Option* other : {options.family, options.order, options.horizon, options.radius,
+                               options.weights, options.stride, options.damping, options.time_step,
+                               options.cfl, options.G, up_to, format}) {
         all->excludes(other);
     }
     prove->parse_complete_callback([options, all] {
@@ -54,7 +55,6 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
             throw CLI::RequiredError("--horizon (or --radius2)");
         }
     });
-    add_format(*prove, request)->needs(options.G);
     return prove;
 }
 

@@ -58,7 +58,7 @@ std::string text_of(const StabilityWindow& window, const char* grade_name, const
 }
 
 /// The grades that are sought, each with its name and its windows.
-std::vector<std::tuple<const char*, Grade, const std::vector<StabilityWindow>*>> grades_of(
+std::vector<std::tuple<const char*, Grade, const std::vector<StabilityWindow>*>> windows_of(
     const Certificate& certificate) {
     return {{"paired", Grade::paired, &certificate.modal},
             {"contractive", Grade::contractive, &certificate.contractive}};
@@ -87,7 +87,7 @@ std::vector<Share> shares_of(const Specification& what, const ProofTask& task) {
     const Prover prover(table);
     const Certificate certificate = certify(table);
     std::vector<Share> shares;
-    for (const auto& [name, grade, windows] : grades_of(certificate)) {
+    for (const auto& [name, grade, windows] : windows_of(certificate)) {
         Share share;
         for (const StabilityWindow& window : *windows) {
             const nmbc::Window whole = looked_at(window);
@@ -121,7 +121,7 @@ std::string proof_of_windows(const Specification& what, const ProofTask& task,
             : task.cfl > 0 ? fmt::format("in every step up to cfl {:g}", task.cfl)
                            : "in continuous time";
     text += "\n";
-    for (const auto& [name, grade, windows] : grades_of(certificate)) {
+    for (const auto& [name, grade, windows] : windows_of(certificate)) {
         const auto holds = [&, least = grade](const nmbc::Window& piece) {
             return step > 0 ? prover.holds_in_step(piece, step, least)
                             : prover.holds(piece, task.cfl, least);

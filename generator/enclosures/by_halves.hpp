@@ -21,7 +21,7 @@ bool holds_by_halves(const Interval& range, const Subdivision& limits, const Hol
     if (holds(range)) {
         return true;
     }
-    if (width(range) <= std::max(limits.shortest, limits.finest * range.upper())) {
+    if (!(width(range) > std::max(limits.shortest, limits.finest * range.upper()))) {
         return false;
     }
     const double middle = median(range);

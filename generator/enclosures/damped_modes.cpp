@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "generator/enclosures/band_grade.hpp"
 #include "generator/enclosures/by_halves.hpp"
@@ -237,7 +238,12 @@ bool interior_is_stable(const DampedCondition& condition, const EnclosedPolynomi
                                      : Interval(0);
         load.push_back(half_step * (damping + half_step * square));
     }
-    return highest_square(load).upper() < 1;
+    return std::ranges::all_of(load,
+                               [](const Interval& part) {
+                                   return std::isfinite(part.lower()) &&
+                                          std::isfinite(part.upper());
+                               }) &&
+           highest_square(load).upper() < 1;
 }
 
 }  // namespace
@@ -254,6 +260,10 @@ DampedCondition damped_condition(const Table& table) {
         .in_y = {},
         .Q = {}};
     condition.in_y = condition.charts[0].condition;
+    // A factor t of B is taken out, and those of the modes, which are k = 1 at rest then.
+    if (zeros_at_0(condition.in_y.B) == 0 || zeros_at_0(condition.in_y.C) > 0) {
+        throw std::invalid_argument("damped_condition: B(1) is not 0, or C(1) is at every G");
+    }
     condition.Q = even_part(condition.in_y);
     return condition;
 }

@@ -45,7 +45,8 @@ struct DampedCondition {
     InX Q;  ///< Q(w) / |w|^q for w < 0, in -w
 };
 
-/// Of a table whose G is open.
+/// Of a table whose G is open. Throws std::invalid_argument where B(1) != 0, or C(1) = 0 at every
+/// G.
 DampedCondition damped_condition(const Table& table);
 
 /// Whether, at all G of a window above 0 and for all h = dt/2 [dX/c] of an interval, the interior

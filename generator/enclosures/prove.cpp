@@ -31,6 +31,9 @@ EnclosedCondition Prover::Undamped::enclosed(const nmbc::Window& window) const {
 
 Undecided Prover::undecided(const nmbc::Window& window, double cfl, Grade least,
                             double from) const {
+    if (from > cfl) {
+        throw std::invalid_argument("Prover: steps from a longer one to a shorter one");
+    }
     const auto is_usable = [](const Interval& square) {
         return square.lower() > 0 && std::isfinite(square.upper());
     };

@@ -29,7 +29,7 @@ struct ProvedSteps {
 /// Grade::paired is told, and at G > 0: no boundary mode grows (damped_modes.hpp).
 class Prover {
   public:
-    /// Throws std::invalid_argument as exact_condition() does.
+    /// Throws std::invalid_argument as exact_condition() and damped_condition() do.
     explicit Prover(const Table& table);
 
     /// Whether, at all G of the window, the half space has this grade in all leapfrog steps with

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/enclosures/prove.hpp"
+#include "generator/exact/rational_function.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/certify.hpp"
 #include "generator/stability/discrete.hpp"
@@ -223,6 +224,18 @@ TEST_CASE("of a damped lattice nothing is proved that does not hold") {
     CHECK(!damped_prover(1, 1, 1, 10).holds({0.5, 0.5}, 0, Grade::contractive));
     // the lattice's own limit, dt^2 omega^2/4 + dt tau sigma/2 = 1
     CHECK(!damped_prover(1, 1, 1, 1).holds({0.5, 0.5}, 0.9, Grade::paired));
+}
+
+TEST_CASE("a condition that does not let a constant displacement rest has no proof") {
+    auto table = nmbcgen::derive({.horizon = 1,
+                                  .order = 1,
+                                  .stride = 1,
+                                  .stabilisation = {},
+                                  .damping = nmbcgen::Rational(1, 10)});
+    table.b.front() = nmbcgen::to_rational_function(nmbcgen::constant(nmbcgen::Rational(-19, 10)));
+    CHECK_THROWS_AS(Prover{table}, std::invalid_argument);
+    CHECK_THROWS_AS(damped_prover(1, 1, 1, 10).holds({1, 1}, 0.1, Grade::paired, 0.5),
+                    std::invalid_argument);
 }
 
 TEST_CASE("windows of G of a damped lattice are proved but for their ends") {
