@@ -35,7 +35,7 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
     add_parsed(*prove, "--finest", request.proof.finest, parse_fraction,
                "do not halve intervals of G below this (default: a thousandth of the window)")
         ->excludes(options.G);
-    auto* const format = add_format(*prove, request)->needs(options.G);
+    auto* const format = add_format(*prove, request);
     auto* const all = prove->add_flag(
         "--all", request.proof.all,
         "how much is proved of the windows of every table of the committed set; half a minute");
@@ -44,7 +44,7 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
                                options.cfl, options.G, up_to, format}) {
         all->excludes(other);
     }
-    prove->parse_complete_callback([options, all] {
+    prove->parse_complete_callback([options, all, format] {
         if (all->count() > 0) {
             return;
         }
@@ -53,6 +53,9 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
         }
         if (options.horizon->count() + options.radius->count() == 0) {
             throw CLI::RequiredError("--horizon (or --radius2)");
+        }
+        if (format->count() > 0 && options.G->count() == 0) {
+            throw CLI::RequiresError("--format", "--G");
         }
     });
     return prove;

@@ -89,7 +89,7 @@ expect_exit 3
 
 for wrong in '--horizon 1' '--order 2' '--order 2 --horizon 1 --up-to 1' \
     '--order 2 --horizon 1 --up-to 0' '--order 2 --horizon 1 --finest x' \
-    '--order 2 --horizon 1 --G 1 --up-to 0.5' '--all --order 2' '--all --G 1' '--all --up-to 0.5' '' \
+    '--order 2 --horizon 1 --G 1 --up-to 0.5' '--all --order 2' '--all --G 1' '--all --up-to 0.5' '--all --format json' '' \
     '--order 2 --horizon 1 --time-step 1/2 --up-to 0.3' '--order 2 --horizon 1 --time-step -1' \
     '--order 2 --horizon 1 --format json' '--order 2 --horizon 1 --cfl 0.3' '--order 2 --horizon 1 --G -1'; do
     # shellcheck disable=SC2086  # words
