@@ -5,13 +5,16 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "generator/commands/prove.hpp"
+#include "generator/families/family.hpp"
 #include "generator/names/names.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/stability/certify.hpp"
+#include "generator/stability/modal_windows.hpp"
 #include "generator/support/on_all_cores.hpp"
 
 namespace nmbcgen {
@@ -58,10 +61,21 @@ std::string text_of(const StabilityWindow& window, const char* grade_name, const
 }
 
 /// The grades that are sought, each with its name and its windows.
-std::vector<std::tuple<const char*, Grade, const std::vector<StabilityWindow>*>> windows_of(
-    const Certificate& certificate) {
-    return {{"paired", Grade::paired, &certificate.modal},
-            {"contractive", Grade::contractive, &certificate.contractive}};
+std::vector<std::tuple<const char*, Grade, std::vector<StabilityWindow>>> windows_of(
+    const Table& table) {
+    std::vector<StabilityWindow> paired;
+    std::vector<StabilityWindow> contractive;
+    if (own_step(table.specification) > 0) {
+        Certificate certificate = certify(table);
+        paired = std::move(certificate.modal);
+        contractive = std::move(certificate.contractive);
+    } else {
+        ModalWindows windows = modal_windows(table);  // without steps, which take as long again
+        paired = std::move(windows.modal);
+        contractive = std::move(windows.contractive);
+    }
+    return {{"paired", Grade::paired, std::move(paired)},
+            {"contractive", Grade::contractive, std::move(contractive)}};
 }
 
 /// Lengths of windows.
@@ -85,11 +99,10 @@ std::string text_of(const Share& share) {
 std::vector<Share> shares_of(const Specification& what, const ProofTask& task) {
     const Table table = derive(what);
     const Prover prover(table);
-    const Certificate certificate = certify(table);
     std::vector<Share> shares;
-    for (const auto& [name, grade, windows] : windows_of(certificate)) {
+    for (const auto& [name, grade, windows] : windows_of(table)) {
         Share share;
-        for (const StabilityWindow& window : *windows) {
+        for (const StabilityWindow& window : windows) {
             const nmbc::Window whole = looked_at(window);
             share.all += length(whole);
             const auto holds = [&, least = grade](const nmbc::Window& piece) {
@@ -114,19 +127,18 @@ std::string proof_of_windows(const Specification& what, const ProofTask& task,
     if (!has_stabilisation(table.model)) {
         throw NotProvable("no G in this model: prove it at --G 0");
     }
-    const Certificate certificate = certify(table);
     const double step = own_step(what);
     std::string text = proof_heading(what, table);
     text += step > 0       ? in_own_step(what)
             : task.cfl > 0 ? fmt::format("in every step up to cfl {:g}", task.cfl)
                            : "in continuous time";
     text += "\n";
-    for (const auto& [name, grade, windows] : windows_of(certificate)) {
+    for (const auto& [name, grade, windows] : windows_of(table)) {
         const auto holds = [&, least = grade](const nmbc::Window& piece) {
             return step > 0 ? prover.holds_in_step(piece, step, least)
                             : prover.holds(piece, task.cfl, least);
         };
-        for (const StabilityWindow& window : *windows) {
+        for (const StabilityWindow& window : windows) {
             text += text_of(window, name, holds, task, progress);
         }
     }
@@ -136,7 +148,7 @@ std::string proof_of_windows(const Specification& what, const ProofTask& task,
 std::string proof_of_set(const ProofTask& task, const Progress& progress) {
     std::vector<Specification> set = committed_set();
     std::erase_if(set, [](const Specification& what) {
-        return what.stabilisation || what.time_step != 0 || !has_stabilisation(derive(what).model);
+        return what.stabilisation || what.time_step != 0 || !is_stabilised(what.family);
     });
     std::vector<std::vector<Share>> shares(set.size());
     std::atomic<std::size_t> done = 0;

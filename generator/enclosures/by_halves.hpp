@@ -8,25 +8,25 @@
 
 namespace nmbcgen {
 
-/// How short the parts become before a proof is given up: `shortest`, or `finest` of their upper
-/// end.
-struct Subdivision {
-    double shortest;
-    double finest;
-};
-
-/// Whether something holds for all of a range, or for both of its halves, and so on.
+/// Whether something holds for all of a range, or for both of its halves, and so on, to a millionth
+/// of the range. spread: how far, in parts of itself, what is asked about is unknown anyhow.
 template <class Holds>
-bool holds_by_halves(const Interval& range, const Subdivision& limits, const Holds& holds) {
-    if (holds(range)) {
-        return true;
-    }
-    if (!(width(range) > std::max(limits.shortest, limits.finest * range.upper()))) {
-        return false;
-    }
-    const double middle = median(range);
-    return holds_by_halves(Interval(range.lower(), middle), limits, holds) &&
-           holds_by_halves(Interval(middle, range.upper()), limits, holds);
+bool holds_by_halves(const Interval& range, double spread, const Holds& holds) {
+    constexpr double millionth = 1e-6;
+    const double shortest = millionth * range.upper();
+    const double finest = std::max(millionth, spread / 4);
+    const auto holds_in = [&](const auto& itself, const Interval& part) -> bool {
+        if (holds(part)) {
+            return true;
+        }
+        if (!(width(part) > std::max(shortest, finest * part.upper()))) {
+            return false;
+        }
+        const double middle = median(part);
+        return itself(itself, Interval(part.lower(), middle)) &&
+               itself(itself, Interval(middle, part.upper()));
+    };
+    return holds_in(holds_in, range);
 }
 
 }  // namespace nmbcgen

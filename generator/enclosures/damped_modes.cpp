@@ -121,12 +121,6 @@ Interval real_part_with_conjugate(const ComplexInterval& z, const ComplexInterva
     return z.re * other.re + z.im * other.im;
 }
 
-ComplexInterval quotient(const ComplexInterval& z, const ComplexInterval& other) {
-    const Interval power = square(other.re) + square(other.im);
-    return {(z.re * other.re + z.im * other.im) / power,
-            (z.im * other.re - z.re * other.im) / power};
-}
-
 /// At all G of a window.
 class Enclosed {
   public:
@@ -190,12 +184,12 @@ class Enclosed {
         }
         const ComplexInterval forward{1.0 + double(chart.p) * t.re, double(chart.p) * t.im};
         const ComplexInterval backward{1.0 - t.re, -t.im};
-        if (const Interval k = modulus(quotient(forward, backward));
+        if (const Interval k = modulus(forward / backward);
             k.upper() < 1 && rate_is_below_0(c_, b_, stride_, k)) {
             return true;
         }
         const ComplexInterval denominator{more * t.re + 2.0, more * t.im};
-        return denominator.re.lower() > 0 && decay_in_y((more + 2) * quotient(t, denominator));
+        return denominator.re.lower() > 0 && decay_in_y((more + 2) * (t / denominator));
     }
 
     bool decay_in_y(const ComplexInterval& y) const {
@@ -274,10 +268,8 @@ bool no_mode_grows(const DampedCondition& condition, const nmbc::Window& window,
     if (!(window.low > 0) || !interior_is_stable(condition, band, half_step.upper())) {
         return false;
     }
-    const Subdivision limits{.shortest = 1e-6 * half_step.upper(),
-                             .finest = std::max(1e-6, spread_of(band) / 4)};
     const Enclosed enclosed(condition, window);
-    return holds_by_halves(half_step, limits,
+    return holds_by_halves(half_step, spread_of(band),
                            [&](const Interval& part) { return enclosed.all_decay(part); });
 }
 

@@ -69,6 +69,13 @@ inline ComplexInterval operator*(const ComplexInterval& one, const ComplexInterv
     return {one.re * other.re - one.im * other.im, one.re * other.im + one.im * other.re};
 }
 
+/// Infinite where the other may be 0.
+inline ComplexInterval operator/(const ComplexInterval& one, const ComplexInterval& other) {
+    const Interval power = square(other.re) + square(other.im);
+    return {(one.re * other.re + one.im * other.im) / power,
+            (one.im * other.re - one.re * other.im) / power};
+}
+
 /// |z|
 Interval modulus(const ComplexInterval& z);
 

@@ -159,9 +159,7 @@ class Chart {
 }  // namespace
 
 bool no_mode_grows(const EnclosedCondition& condition, const Interval& tau) {
-    const Subdivision limits{.shortest = 1e-6 * tau.upper(),
-                             .finest = std::max(1e-6, spread_of(condition.band) / 4)};
-    return holds_by_halves(tau, limits, [&](const Interval& part) {
+    return holds_by_halves(tau, spread_of(condition.band), [&](const Interval& part) {
         return Chart(Chart::Variable::w, condition, part).all_decay() ||
                Chart(Chart::Variable::v, condition, part).all_decay();
     });

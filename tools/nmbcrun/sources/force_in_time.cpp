@@ -42,8 +42,8 @@ ForceInTime::ForceInTime(ForceHistory history, const std::string& column)
                 fmt::format("{}: its times must ascend from row to row, not from {} to {}",
                             force_.file.string(), *later, *std::next(later)));
         }
-        if (std::ranges::count_if(forces_, [](double force) { return force != 0; }) == 0 ||
-            times_.size() < 2) {
+        if (times_.size() < 2 ||
+            std::ranges::all_of(forces_, [](double force) { return force == 0; })) {
             throw SceneError(fmt::format(
                 "{}: it drives nothing: a force needs two rows at least, and one that is not 0",
                 force_.file.string()));
