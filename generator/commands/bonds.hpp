@@ -20,7 +20,7 @@ struct BondsTask {
     std::vector<Rational> alpha{};    ///< in place of a method; shortest first
 };
 
-/// A table for people, or JSON (docs/reference/json.md). Throws NoSuchBonds (bonds/
+/// A table for people, or JSON (docs/reference/json-other.md). Throws NoSuchBonds (bonds/
 /// square_lattice.hpp).
 std::string bonds_text(const BondsTask& task);
 std::string bonds_json(const BondsTask& task);

@@ -16,7 +16,8 @@ struct ClosureTask {
     std::vector<Rational> weights{};  ///< of sbp: w_1 .. w_n
 };
 
-/// The rows of a closure: for people, or JSON (docs/reference/json.md). Throws as the closures do.
+/// The rows of a closure: for people, or JSON (docs/reference/json-other.md). Throws as the
+/// closures do.
 std::string closure_text(const ClosureTask& task);
 std::string closure_json(const ClosureTask& task);
 

@@ -22,7 +22,7 @@ inline constexpr unsigned largest_wave_horizon = 10;
 
 inline constexpr const char* coupling_source = "Seleson 2011, part IV: linear elements of length h";
 
-/// For people, or JSON (docs/reference/json.md).
+/// For people, or JSON (docs/reference/json-other.md).
 std::string coupling_text(const CouplingTask& task);
 std::string coupling_json(const CouplingTask& task);
 

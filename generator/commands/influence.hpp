@@ -8,7 +8,8 @@
 
 namespace nmbcgen {
 
-/// What the influence does to waves, and its chain: for people, or JSON (docs/reference/json.md).
+/// What the influence does to waves, and its chain: for people, or JSON
+/// (docs/reference/json-other.md).
 std::string power_influence_text(const PowerInfluence& influence);
 std::string power_influence_json(const PowerInfluence& influence);
 

@@ -27,7 +27,7 @@ struct ObliqueTask {
 /// The product over the waves of (D + e)(1 + Z) - b (Z - 1), D = d/dt, Z the shift by a node
 /// inwards, b = 2 c/(dX cos(angle)): (85) of Nicely 2018, corrected. A product without e keeps a
 /// drift, u_tt = 0, so that e is 1/500 unless it is given; one factor needs none. For people, or
-/// JSON (docs/reference/json.md). Throws NoProjection where c^2 is not rational
+/// JSON (docs/reference/json-other.md). Throws NoProjection where c^2 is not rational
 /// (plane/plane_taylor.hpp).
 std::string oblique_text(const ObliqueTask& task);
 std::string oblique_json(const ObliqueTask& task);

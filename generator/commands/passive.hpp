@@ -34,7 +34,7 @@ DesignedSide passive_end(const ChainModel& model);
 std::string passive_header(const ChainModel& model);
 std::string passive_header(const SideTask& model, const DesignProgress& progress);
 
-/// Designs as JSON (docs/reference/json.md): all of it exact, and what they reflect.
+/// Designs as JSON (docs/reference/json-other.md): all of it exact, and what they reflect.
 std::string passive_json(const SideTask& model, const DesignProgress& progress);
 std::string passive_json(const ChainModel& model);
 

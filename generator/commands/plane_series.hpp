@@ -18,8 +18,8 @@ struct PlaneSeriesTask {
     std::optional<Direction> direction{};  ///< none: at every angle, as polynomials of its sine
 };
 
-/// For people, or JSON (docs/reference/json.md). Throws NoProjection where there are no such exact
-/// coefficients (plane/plane_taylor.hpp).
+/// For people, or JSON (docs/reference/json-other.md). Throws NoProjection where there are no such
+/// exact coefficients (plane/plane_taylor.hpp).
 std::string plane_series_text(const PlaneSeriesTask& task);
 std::string plane_series_json(const PlaneSeriesTask& task);
 

@@ -9,7 +9,7 @@
 
 namespace stability_atlas {
 
-/// A row for each condition and G; docs/evidence/stability-atlas.md says what the columns are.
+/// A row for each condition and G, below the names of the columns.
 /// from, to: what a picture colours as it is at this G.
 std::string points_csv(const std::vector<Method>& methods);
 
