@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/duration.hpp"
 #include "tools/nmbcrun/output/step_warnings.hpp"
 
@@ -40,6 +41,11 @@ TEST_CASE("a run of many steps, or of very short ones, is told before it begins"
         "1e+09 steps of 720 nodes take about 2.0 h at 1e+08 node-steps a second: until time.end "
         "waves go 4e+08 dX"};
     CHECK(warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000'000, 720) == many);
+    CHECK_THROWS_WITH_AS(
+        warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000'000, 7'200'000),
+        "1e+09 steps of 7200000 nodes take about 2.3 years at 1e+08 node-steps a second: until "
+        "time.end waves go 4e+08 dX. At most a year is allowed",
+        nmbcrun::SceneError);
     // What is left of them after a checkpoint.
     CHECK(warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000, 720).empty());
     // Steps of 0.0045 dX/c at nine tenths of the limit.
@@ -61,10 +67,13 @@ TEST_CASE("files that are large, or do not fit, are told before a run begins") {
     CHECK(warning_of_files({.rows = 1e6, .snapshots = 100, .bytes_of_snapshot = 1e6}, 0.3 * giga) ==
           "the run writes about 0.5 GB, 1e+06 rows of energies most of it, and 0.3 GB are free: a "
           "larger output.every writes less");
-    CHECK(
-        warning_of_files({.rows = 1e4, .snapshots = 1e5, .bytes_of_snapshot = 3.2e7}, 80 * giga) ==
+    CHECK_THROWS_WITH_AS(
+        warning_of_files({.rows = 1e4, .snapshots = 1e5, .bytes_of_snapshot = 3.2e7}, 80 * giga),
         "the run writes about 3.2e+03 GB, 1e+05 snapshots most of it, and 80 GB are free: a "
-        "larger output.snapshots writes less");
+        "larger output.snapshots writes less",
+        nmbcrun::FileError);
+    // Sizes of rows are estimates.
+    CHECK_THROWS_AS(warning_of_files({.rows = 1e6}, 0.09 * giga), nmbcrun::FileError);
 }
 
 }  // namespace

@@ -27,8 +27,12 @@ expect "the last row at t - dt/2" grep -q '^1.99,' results/bar1d.csv
 expect "the energies add up" awk -F, '/^[0-9]/ && ($2 + $3 + $4 - $5)^2 > (1e-14 * $5)^2 { exit 1 }' \
     results/bar1d.csv
 
+# Pictures of an earlier run of that name go with its other files.
+mkdir elsewhere
+touch elsewhere/again_energy.png elsewhere/again_spacetime.png elsewhere/other_energy.png
 try run "$scene" "${short[@]}" --quiet --out elsewhere --set output.name=again
 expect_exit 0
+expect "no pictures of an earlier run" test "$(echo elsewhere/*.png)" = elsewhere/other_energy.png
 expect "four lines only" test "$(wc -l <"$scratch/stdout")" -eq 4
 expect_same results/bar1d.csv elsewhere/again.csv
 

@@ -9,6 +9,7 @@
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/energies_file.hpp"
+#include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/leftovers.hpp"
 
 namespace nmbcrun {
@@ -132,6 +133,10 @@ void RunFiles::publish(std::vector<nmbcgen::NewFile> files) const {
         }
     }
     nmbcgen::publish(files);
+    for (const char* const ending : picture_endings) {  // they show an earlier run
+        std::error_code ignored;
+        std::filesystem::remove(path(ending), ignored);
+    }
 }
 
 /// Growing files and copies of them that no process has open.

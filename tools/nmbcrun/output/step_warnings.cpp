@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/duration.hpp"
 
 namespace nmbcrun {
@@ -48,13 +50,18 @@ std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_
             longest, double(plan.steps)));
     }
     constexpr double hour = 3600;
+    constexpr double year = 365.25 * 24 * hour;
     const double seconds = seconds_of(steps_left, nodes);
     if (seconds > hour) {
-        warnings.push_back(fmt::format(
+        std::string length = fmt::format(
             "{:.3g} steps of {} nodes take about {} at {:g} node-steps a second: until time.end "
             "waves go {:.2g} dX",
             double(steps_left), nodes, duration(seconds), pace,
-            double(plan.steps) * plan.time_step / unit_of_time));
+            double(plan.steps) * plan.time_step / unit_of_time);
+        if (seconds > year) {
+            throw SceneError(length + ". At most a year is allowed");
+        }
+        warnings.push_back(std::move(length));
     }
     return warnings;
 }
@@ -64,6 +71,7 @@ std::string warning_of_files(const Output& output, double free) {
     constexpr double bytes_of_probe = 20;
     constexpr double many = 2e9;
     constexpr double giga = 1e9;
+    constexpr double surplus = 4;  // rows may be half as long, and the copy goes elsewhere
     // a growing file and, at the end, its copy
     const double of_rows = 2 * output.rows * (bytes_of_row + output.probes * bytes_of_probe);
     const double of_fields = output.snapshots * output.bytes_of_snapshot;
@@ -71,12 +79,16 @@ std::string warning_of_files(const Output& output, double free) {
         return "";
     }
     const bool rows_are_most = of_rows > of_fields;
-    return fmt::format(
-        "the run writes about {:.2g} GB, {:.3g} {}{}: a larger {} writes less",
-        (of_rows + of_fields) / giga, rows_are_most ? output.rows : output.snapshots,
-        rows_are_most ? "rows of energies most of it" : "snapshots most of it",
-        std::isfinite(free) ? fmt::format(", and {:.2g} GB are free", free / giga) : "",
-        rows_are_most ? "output.every" : "output.snapshots");
+    std::string sizes =
+        fmt::format("the run writes about {:.2g} GB, {:.3g} {}{}: a larger {} writes less",
+                    (of_rows + of_fields) / giga, rows_are_most ? output.rows : output.snapshots,
+                    rows_are_most ? "rows of energies most of it" : "snapshots most of it",
+                    std::isfinite(free) ? fmt::format(", and {:.2g} GB are free", free / giga) : "",
+                    rows_are_most ? "output.every" : "output.snapshots");
+    if (of_rows / surplus + of_fields > free) {
+        throw FileError(std::move(sizes));
+    }
+    return sizes;
 }
 
 }  // namespace nmbcrun

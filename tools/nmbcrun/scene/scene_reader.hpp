@@ -26,7 +26,7 @@ struct Bounds {
     std::string_view words;
 };
 
-inline constexpr double largest_number = 1e300;
+inline constexpr double largest_number = 1e100;
 inline constexpr Bounds positive{0, largest_number, false, "a positive number"};
 inline constexpr Bounds not_negative{0, largest_number, true, "a number not below 0"};
 inline constexpr Bounds up_to_10{0, 10, true, "a number from 0 to 10"};
