@@ -33,12 +33,12 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
             ->excludes(options.G)
             ->excludes(options.time_step);
     add_parsed(*prove, "--finest", request.proof.finest, parse_fraction,
-               "do not halve intervals of G below this (default: a thousandth of the window)")
+               "least width of the pieces of G that are tried (default 1e-4)")
         ->excludes(options.G);
     auto* const format = add_format(*prove, request);
     auto* const all = prove->add_flag(
         "--all", request.proof.all,
-        "how much is proved of the windows of every table of the committed set; half a minute");
+        "how much is proved of the windows of every table of the committed set; some five minutes");
     for (CLI::Option* other : {options.family, options.order, options.horizon, options.radius,
                                options.weights, options.stride, options.damping, options.time_step,
                                options.cfl, options.G, up_to, format}) {

@@ -79,8 +79,9 @@ std::vector<Polynomial> constants(const std::vector<Rational>& values) {
     return found;
 }
 
+/// h: about which the modes are expanded.
 DampedCondition::Chart chart(const Table& table, const DampedCondition::CAndB& coefficients,
-                             int p) {
+                             const Rational& h, int p) {
     const std::size_t stride = table.specification.stride;
     const std::size_t n = table.model.symbol.size() - 1;
     const Powers powers(p, std::max((coefficients.C.size() - 1) * stride, 2 * n));
@@ -89,10 +90,13 @@ DampedCondition::Chart chart(const Table& table, const DampedCondition::CAndB& c
     const InX square = of_lattice(table.model.symbol, powers);
     const InX damping = of_lattice(constants(table.model.damping), powers);
     const InX square_of_B = times(B, B);
-    std::array<InX, 3> modes{
+    const InX continuous =
         plus(times(square_of_B, powers.at(n, 2 * n)),
-             times(C, plus(times(damping, B), times(square, C), constant(1))), constant(1)),
-        negated(times(damping, square_of_B)), negated(times(square, square_of_B))};
+             times(C, plus(times(damping, B), times(square, C), constant(1))), constant(1));
+    const InX slope = negated(times(damping, square_of_B));
+    const InX curvature = negated(times(square, square_of_B));
+    std::array<InX, 3> modes{plus(plus(continuous, slope, constant(h)), curvature, constant(h * h)),
+                             plus(slope, curvature, constant(2 * h)), curvature};
     const std::size_t common =
         std::min({zeros_at_0(modes[0]), zeros_at_0(modes[1]), zeros_at_0(modes[2])});
     for (InX& part : modes) {
@@ -130,6 +134,7 @@ class Enclosed {
           c_(enclosed(condition.in_k.C)),
           b_(enclosed(condition.in_k.B)),
           stride_(condition.stride),
+          own_half_step_(enclose(condition.half_step)),
           C_(enclosed(condition.in_y.C)),
           B_(enclosed(condition.in_y.B)),
           slope_of_C_(derivative(C_)),
@@ -163,9 +168,9 @@ class Enclosed {
     }
 
     bool all_decay(const Chart& chart, const Interval& half_step) const {
-        const WeightedSum modes({{chart.modes[0], 1},
-                                 {chart.modes[1], half_step},
-                                 {chart.modes[2], square(half_step)}});
+        const Interval more = half_step - own_half_step_;
+        const WeightedSum modes(
+            {{chart.modes[0], 1}, {chart.modes[1], more}, {chart.modes[2], square(more)}});
         const std::vector<RootDisc> discs =
             root_discs(modes.enclosed(), [&](const ComplexInterval& t) { return modes.at(t); });
         return !discs.empty() && std::ranges::all_of(discs, [&](const RootDisc& disc) {
@@ -209,6 +214,7 @@ class Enclosed {
     EnclosedPolynomial c_;
     EnclosedPolynomial b_;
     unsigned stride_;
+    Interval own_half_step_;
     EnclosedPolynomial C_;
     EnclosedPolynomial B_;
     EnclosedPolynomial slope_of_C_;
@@ -245,12 +251,14 @@ bool interior_is_stable(const DampedCondition& condition, const EnclosedPolynomi
 DampedCondition damped_condition(const Table& table) {
     const EvenAndOddParts parts = even_and_odd_parts(table);
     const DampedCondition::CAndB coefficients{parts.c, parts.b};
+    const Rational h = table.specification.time_step / 2;
     DampedCondition condition{
         .band = band(table.model.symbol),
         .damping = band(constants(table.model.damping)),
         .in_k = coefficients,
         .stride = table.specification.stride,
-        .charts = {chart(table, coefficients, 1), chart(table, coefficients, 3)},
+        .half_step = h,
+        .charts = {chart(table, coefficients, h, 1), chart(table, coefficients, h, 3)},
         .in_y = {},
         .Q = {}};
     condition.in_y = condition.charts[0].condition;

@@ -32,7 +32,8 @@ struct DampedCondition {
     /// In t of one p.
     struct Chart {
         int p;
-        std::array<InX, 3> modes;  ///< by powers of h, without t^q, which all three have in common
+        /// By powers of h - half_step, without t^q, which all three have in common.
+        std::array<InX, 3> modes;
         CAndB condition;
     };
 
@@ -40,6 +41,9 @@ struct DampedCondition {
     InX damping;  ///< tau sigma in x
     CAndB in_k;
     unsigned stride = 1;
+    /// That the condition is matched in, whose long waves cancel exactly there; 0: in continuous
+    /// time.
+    Rational half_step;
     std::array<Chart, 2> charts;
     CAndB in_y;
     InX Q;  ///< Q(w) / |w|^q for w < 0, in -w

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "generator/enclosures/prove.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -100,23 +101,33 @@ ProvedSteps Prover::proved_steps(const nmbc::Window& window, Grade least, double
 std::vector<nmbc::Window> parts_where(const std::function<bool(const nmbc::Window&)>& holds,
                                       const nmbc::Window& window, double finest,
                                       const std::function<void(double)>& told) {
+    constexpr double growth = 1.5;  // most pieces hold then, and a failure costs more than a proof
+    constexpr double widest_gap = 1.0 / 200;  // of the window: what fails everywhere ends soon
+    const double whole = window.high - window.low;
+    const double narrowest = std::max(finest, 1e-12 * window.high);  // of two doubles
     std::vector<nmbc::Window> found;
-    const std::function<void(const nmbc::Window&)> collect = [&](const nmbc::Window& piece) {
-        told(piece.low);
-        const double middle = piece.low + (piece.high - piece.low) / 2;
+    double low = window.low;
+    double width = whole;
+    double gap = narrowest;
+    do {
+        told(low);
+        const nmbc::Window piece{low, std::min(low + width, window.high)};
         if (holds(piece)) {
             if (!found.empty() && found.back().high == piece.low) {
                 found.back().high = piece.high;
             } else {
                 found.push_back(piece);
             }
-        } else if (piece.high - piece.low > 2 * finest && piece.low < middle &&
-                   middle < piece.high) {
-            collect({piece.low, middle});
-            collect({middle, piece.high});
+            low = piece.high;
+            width *= growth;
+            gap = narrowest;
+        } else if (width > narrowest) {
+            width = std::max(narrowest, width / 2);
+        } else {
+            low += gap;
+            gap = std::min(2 * gap, std::max(narrowest, widest_gap * whole));
         }
-    };
-    collect(window);
+    } while (low < window.high);
     return found;
 }
 

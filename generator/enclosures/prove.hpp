@@ -57,8 +57,9 @@ class Prover {
     std::variant<Undamped, DampedCondition> condition_;
 };
 
-/// The parts of a window of G, ascending, in which something holds: by halves, to no less than
-/// `finest`. told: the G that is reached.
+/// Parts of a window of G, ascending, in which something holds, found in pieces no narrower than
+/// `finest`. Not all of them: after pieces that fail, up to 1/200 of the window is left out. told:
+/// the G that is reached.
 std::vector<nmbc::Window> parts_where(const std::function<bool(const nmbc::Window&)>& holds,
                                       const nmbc::Window& window, double finest,
                                       const std::function<void(double)>& told);

@@ -243,6 +243,42 @@ TEST_CASE("windows of G of a damped lattice are proved but for their ends") {
     REQUIRE(parts.size() == 1);
     CHECK(parts.front().low == 1.01);
     CHECK(parts.front().high == 3);
+    // Matched in a step, in which long waves cancel: that of 1/2 dX/c.
+    const Prover matched(nmbcgen::derive({.horizon = 2,
+                                          .order = 2,
+                                          .stride = 2,
+                                          .stabilisation = {},
+                                          .damping = nmbcgen::Rational(1, 10),
+                                          .time_step = nmbcgen::Rational(1, 2)}));
+    const auto in_step = nmbcgen::parts_where(
+        [&](const nmbc::Window& piece) { return matched.holds_in_step(piece, 0.5, Grade::paired); },
+        {0.1, 2}, 1e-3, [](double) {});
+    REQUIRE(in_step.size() == 1);
+    CHECK(in_step.front().low == 0.1);
+    CHECK(in_step.front().high == 2);
+}
+
+TEST_CASE("a window is searched in pieces that grow, and left where nothing holds") {
+    std::size_t asked = 0;
+    const auto parts_of = [&](double from, double to, const nmbc::Window& window) {
+        asked = 0;
+        return nmbcgen::parts_where(
+            [&](const nmbc::Window& piece) {
+                ++asked;
+                return piece.high - piece.low < 0.01 && piece.low >= from && piece.high <= to;
+            },
+            window, 1e-4, [](double) {});
+    };
+    const auto parts = parts_of(0.2, 0.8, {0, 1});
+    REQUIRE(parts.size() == 1);
+    CHECK(parts.front().low >= 0.2);
+    CHECK(parts.front().low < 0.2 + 1.0 / 200);  // what is left out after failures
+    CHECK(parts.front().high > 0.8 - 1e-4);
+    CHECK(parts.front().high <= 0.8);
+    CHECK(parts_of(2, 3, {0, 1}).empty());
+    CHECK(asked < 250);
+    CHECK(parts_of(0, 1, {0.5, 0.5}).size() == 1);  // one G
+    CHECK(parts_of(2, 3, {0.5, 0.5}).empty());
 }
 
 }  // namespace
