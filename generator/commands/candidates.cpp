@@ -129,7 +129,7 @@ Candidate in_steps(const Certified& certified, const Question& question, double 
         }
     }
     candidate.time_step = 2 * candidate.cfl / top;
-    if (candidate.reflected > tolerance) {
+    if (!(candidate.reflected <= tolerance)) {  // nor a NaN
         candidate.lost = "above the tolerance";
     }
     return candidate;

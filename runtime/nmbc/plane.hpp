@@ -98,16 +98,19 @@ class BasicPlane {
     /// Steps, each of them: v to t + dt/2, then u to t + dt. Before the sides' dashpots, which act
     /// on what it leaves, `prescribe` may change velocities: it is called with this plane and t +
     /// dt, u at t and v at t + dt/2. After the step, `observe` sees this plane.
+    /// Throws NotCertified where the step is longer than the interior allows; sides may allow less
+    /// (longest_step() of plane_stability.hpp).
     template <class Prescribe, class Observe>
     void advance(std::size_t steps, Prescribe&& prescribe, Observe&& observe) {
         for (std::size_t step = 0; step < steps; ++step) {
-            detail::advance(*this, 1, prescribe);
+            advance(1, prescribe);
             observe(std::as_const(*this));
         }
     }
     /// Many steps at once are faster than one by one, and the same bit for bit.
     template <class Prescribe>
     void advance(std::size_t steps, Prescribe&& prescribe) {
+        require_stable_interior();
         detail::advance(*this, steps, prescribe);
     }
     void advance(std::size_t steps) {
@@ -227,6 +230,9 @@ class BasicPlane {
         return {fields[0].data() + origin(), fields[1].data() + origin()};
     }
 
+    /// Not of the constructor: start() alone, in any step, finds accelerations.
+    void require_stable_interior();
+
     // What leapfrog asks of a body.
     void kick();
     template <class Prescribe>
@@ -303,8 +309,9 @@ class BasicPlane {
     Fields v_;
     std::array<double, 4> gone_{};  // sums of vbar.C vbar
     double broken_ = 0;
-    double released_ = 0;  // over E
-    double damped_ = 0;    // over density dX^2
+    double released_ = 0;      // over E
+    double damped_ = 0;        // over density dX^2
+    double longest_step_ = 0;  // of the interior; 0: not found yet
     std::size_t steps_ = 0;
 };
 

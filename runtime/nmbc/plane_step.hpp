@@ -4,7 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <nmbc/certificate.hpp>
 #include <nmbc/plane.hpp>
 #include <utility>
 #include <variant>
@@ -44,6 +46,19 @@ void BasicPlane<Real>::start_staggered() {
     close_ghosts(u_);
     for (auto& lines : ghost_lines_) {
         lines.start(u_, v_);
+    }
+}
+
+template <class Real>
+void BasicPlane<Real>::require_stable_interior() {
+    if (longest_step_ == 0) {
+        longest_step_ = 2 / std::sqrt(highest_eigenvalue(model_)) / parameters_.rate();
+    }
+    constexpr double roundings = 1e-9;
+    if (parameters_.time_step > longest_step_ * (1 + roundings)) {
+        throw NotCertified("the interior of the plane is stable in steps up to " +
+                           detail::to_text(longest_step_) + ", and the step is " +
+                           detail::to_text(parameters_.time_step));
     }
 }
 

@@ -12,6 +12,26 @@
 
 using namespace nmbc;
 
+TEST_CASE("steps that the interior does not stand are refused before they are taken") {
+    const PlaneModel model = nopd2d(1, 0.25, 1);
+    const double longest = 2 / std::sqrt(highest_eigenvalue(model));
+    const auto plane = [&](double step) {
+        PlaneParameters p{.nx = 8, .ny = 8, .spacing = 0.5, .youngs_modulus = 4, .density = 1};
+        p.time_step = step / p.rate();
+        return Plane(model, PlaneSides::all(FixedSide{}), p);
+    };
+    auto stable = plane(longest);
+    stable.start();
+    CHECK_NOTHROW(stable.advance(1));
+    auto too_long = plane(longest * (1 + 1e-6));
+    too_long.start();  // accelerations are there in any step
+    CHECK_THROWS_WITH_AS(too_long.advance(1), doctest::Contains("stable in steps up to"),
+                         NotCertified);
+    CHECK_THROWS_AS(too_long.advance(
+                        1, [](auto&&...) {}, [](const auto&) {}),
+                    NotCertified);
+}
+
 TEST_CASE("what cannot be is refused") {
     const auto refusal = [](auto make) {
         try {

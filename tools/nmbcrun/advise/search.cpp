@@ -106,7 +106,14 @@ double Search::interior_error_at(double cfl) {
     }
     const auto [known, is_new] = interior_errors_.try_emplace(cfl, 0.0);
     if (is_new) {
-        known->second = interior_error_.at(cfl, tolerance_);
+        try {
+            known->second = interior_error_.at(cfl, tolerance_);
+        } catch (const SceneError&) {  // a source is too short for these steps
+            if (given_cfl()) {
+                throw;
+            }
+            known->second = infinity;
+        }
         interior_meets_ = interior_meets_ || known->second * error_margin <= tolerance_;
     }
     return known->second;

@@ -187,7 +187,7 @@ std::string what_would_do(const Simulation& simulation, const std::string& sourc
                                others.empty() ? "" : " with ", fmt::join(others, " and "));
         }
     }
-    return fmt::format("; no other {} cures it", key);
+    return fmt::format("; no {} within a factor of 1000 cures it", key);
 }
 
 /// One for each source that the lattice does not carry.

@@ -196,7 +196,7 @@ std::string what_would_do(PlaneScene scene, EmptySpectrum& empty) {
             return fmt::format("; {} = {:.2g} would do", key, value);
         }
     }
-    return fmt::format("; no other {} cures it", key);
+    return fmt::format("; no {} within a factor of 1000 cures it", key);
 }
 
 std::string in_short_waves(double share, const char* source) {

@@ -24,13 +24,19 @@ std::string warning_of_short_run(const AnyScene& scene) {
 
 void read_title(SceneReader& reader, const std::string& path, AnyScene& scene) {
     const auto name = reader.text("output.name");
-    const auto forbidden = [](unsigned char c) { return c == '/' || std::iscntrl(c) != 0; };
-    if (name && (name->empty() || name->find("..") != std::string::npos ||
+    const auto is_quote = [](char c) { return c == '\'' || c == '"'; };  // gnuplot has its own
+    const auto forbidden = [&](char c) {
+        return c == '/' || is_quote(c) || std::iscntrl(static_cast<unsigned char>(c)) != 0;
+    };
+    if (name && (name->empty() || name->front() == '.' || name->find("..") != std::string::npos ||
                  std::ranges::any_of(*name, forbidden))) {
         reader.fail("output.name",
-                    "must be a file name without a folder, '..' and control characters");
+                    "must be a file name without a folder, a dot at its start, '..', quotes and "
+                    "control characters");
     }
-    scene.name = name.value_or(std::filesystem::path(path).stem().string());
+    std::string of_file = std::filesystem::path(path).stem().string();
+    std::ranges::replace_if(of_file, is_quote, '_');
+    scene.name = name.value_or(of_file);
     scene.title = nmbcgen::printable(reader.text("title").value_or(scene.name));
 }
 
