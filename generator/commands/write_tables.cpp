@@ -28,7 +28,7 @@ std::vector<Table> certified(const std::vector<Specification>& specifications,
     }
     const bool all_known = std::ranges::all_of(
         tables, [](const Table& table) { return table.certificate.has_value(); });
-    ProgressLine line(tables.size() > 1 ? "nmbcgen: certifying, minutes in all"
+    ProgressLine line(tables.size() > 1 ? "nmbcgen: certifying"
                                         : "nmbcgen: certifying (--uncertified leaves it out)");
     certify_all(tables, std::ref(line));
     if (cache_folder && !all_known) {

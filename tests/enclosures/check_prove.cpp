@@ -97,11 +97,15 @@ TEST_CASE("no long chain of a damped lattice grows in a step that is proved") {
             1e-3 * std::pow(most / 1e-3, nmbcgen::test::whole_number(0, 1001) / 1000.0);
         RC_LOG() << each.table.specification.horizon << " " << each.table.specification.order
                  << " G " << G << " cfl " << cfl << '\n';
-        // as above; what a chain gains by round trips fades with its length
-        constexpr std::size_t nodes = 120;
+        // As above. What a chain gains by round trips fades with its length: 120 nodes are mostly
+        // enough, not so at n = 1, N = 2, tau = 1/20, G = 365/128, cfl = 0.679 (1e-5 a step).
         constexpr double root_of_roundings = 1e-7;
-        RC_ASSERT(largest_factor(make_half_space(each.table, Rational(G)), cfl, nodes,
-                                 nmbcgen::test::whole_number(0, 2) == 0) < 1 + root_of_roundings);
+        const HalfSpace half_space = make_half_space(each.table, Rational(G));
+        const bool is_fixed = nmbcgen::test::whole_number(0, 2) == 0;
+        const auto decays = [&](std::size_t nodes) {
+            return largest_factor(half_space, cfl, nodes, is_fixed) < 1 + root_of_roundings;
+        };
+        RC_ASSERT(decays(120) || decays(480));
     }));
 }
 

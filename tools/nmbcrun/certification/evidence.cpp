@@ -47,9 +47,9 @@ std::string evidence_of(const Scene& scene, const nmbc::Lattice& lattice,
     if (!proved) {
         return "sampled (docs/explanation/stability.md)";
     }
-    return meets_half_line
-               ? "proved at this G in these steps"
-               : "proved at this G in these steps; that the chain is long enough for it: sampled";
+    return meets_half_line ? "proved of each half space at this G in these steps"
+                           : "proved of each half space at this G in these steps; that the chain "
+                             "is long enough for it: sampled";
 }
 
 }  // namespace nmbcrun
