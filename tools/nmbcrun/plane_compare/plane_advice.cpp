@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/duration.hpp"
 #include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/plane_compare/plane_strip.hpp"
 #include "tools/nmbcrun/plane_compare/side_candidates.hpp"
@@ -19,6 +21,8 @@
 
 namespace nmbcrun {
 namespace {
+
+constexpr std::size_t long_run = 20'000;  // steps
 
 struct SideAdvice {
     std::optional<PlaneStrip> strip{};
@@ -47,7 +51,6 @@ SideAdvice advice_for(const PlaneScene& scene, double tolerance, bool quiet) {
         return one.side.kind == SideKind::nmbc || one.side.kind == SideKind::higdon ||
                !is_artificial(one.side.kind);
     });
-    constexpr std::size_t long_run = 20'000;
     for (SidePoint& point :
          measure_sides(advice.strip ? advice.strip->scene : scene, candidates, long_run, quiet)) {
         (point.holds() && point.error <= tolerance ? advice.ranked : advice.others)
@@ -139,6 +142,8 @@ PlaneScene as_advised(const PlaneScene& scene, double tolerance, bool quiet) {
 
 void advise_plane(const PlaneScene& scene, double tolerance, bool quiet) {
     note_interrupts();
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
     const SideAdvice advice = advice_for(scene, tolerance, quiet);
     if (advice.strip && !quiet) {
         print_strip(*advice.strip, scene);
@@ -146,6 +151,10 @@ void advise_plane(const PlaneScene& scene, double tolerance, bool quiet) {
     if (advice.has_artificial) {
         if (!quiet) {
             print_table(advice);
+            fmt::print(
+                "took       {}: each side runs the scene beside a reference, layers with many "
+                "losses, and what\n           may grow {} steps more\n",
+                duration(std::chrono::duration<double>(Clock::now() - start).count()), long_run);
         }
         fmt::print("advice     {}, error {:.1e}\n", heading_of(advice.best().what.side),
                    advice.best().error);
