@@ -36,9 +36,9 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
                "least width of the pieces of G that are tried (default 1e-4)")
         ->excludes(options.G);
     auto* const format = add_format(*prove, request);
-    auto* const all = prove->add_flag(
-        "--all", request.proof.all,
-        "how much is proved of the windows of the committed tables; nine minutes of processor time");
+    auto* const all = prove->add_flag("--all", request.proof.all,
+                                      "how much is proved of the windows of the committed tables; "
+                                      "nine minutes of processor time");
     for (CLI::Option* other : {options.family, options.order, options.horizon, options.radius,
                                options.weights, options.stride, options.damping, options.time_step,
                                options.cfl, options.G, up_to, format}) {

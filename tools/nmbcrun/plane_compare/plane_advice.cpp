@@ -22,7 +22,7 @@
 namespace nmbcrun {
 namespace {
 
-constexpr std::size_t long_run = 20'000;  // steps
+constexpr std::size_t steps_of_long_run = 20'000;  // steps
 
 struct SideAdvice {
     std::optional<PlaneStrip> strip{};
@@ -51,8 +51,8 @@ SideAdvice advice_for(const PlaneScene& scene, double tolerance, bool quiet) {
         return one.side.kind == SideKind::nmbc || one.side.kind == SideKind::higdon ||
                !is_artificial(one.side.kind);
     });
-    for (SidePoint& point :
-         measure_sides(advice.strip ? advice.strip->scene : scene, candidates, long_run, quiet)) {
+    for (SidePoint& point : measure_sides(advice.strip ? advice.strip->scene : scene, candidates,
+                                          steps_of_long_run, quiet)) {
         (point.holds() && point.error <= tolerance ? advice.ranked : advice.others)
             .push_back(std::move(point));
     }
@@ -154,7 +154,8 @@ void advise_plane(const PlaneScene& scene, double tolerance, bool quiet) {
             fmt::print(
                 "took       {}: each side runs the scene beside a reference, layers with many "
                 "losses, and what\n           may grow {} steps more\n",
-                duration(std::chrono::duration<double>(Clock::now() - start).count()), long_run);
+                duration(std::chrono::duration<double>(Clock::now() - start).count()),
+                steps_of_long_run);
         }
         fmt::print("advice     {}, error {:.1e}\n", heading_of(advice.best().what.side),
                    advice.best().error);
