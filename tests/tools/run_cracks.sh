@@ -206,7 +206,7 @@ expect "no side is designed before that" bash -c '! grep -q design "$1" "$2"' - 
 refused 2 "model.alpha and model.weights say the same: give one" --set 'model.weights=[1, 1, 1, 1, 1, 1]'
 refused 2 "the square of a whole number, not 8, which takes weights" --set model.radius2=8 --set 'model.alpha=[1, 1, 1, 1, 1]'
 refused 2 "whose first point is not the lower left one" --set 'fracture.keep=[[1e-2, 1e-2, 0, 0]]'
-refused 2 "of size 1e+100 at most" --set 'fracture.cracks=[[-1e250, 5e-3, 8e-3, 5e-3]]'
+refused 2 "has -1e+250, which is not a number of size 1e+100 at most" --set 'fracture.cracks=[[-1e250, 5e-3, 8e-3, 5e-3]]'
 refused 2 "is before rise" --set load.top.rise=2 --set load.top.until=1
 refused 2 "both say how one and the same node moves" --set load.top.kind=velocity --set 'load.other={kind = "velocity", component = "y", amplitude = 1, side = "top"}'
 refused 2 "needs a side, or a centre and a half_width" --set 'load={top = {kind = "force", amplitude = 1, component = "y"}}'

@@ -86,7 +86,7 @@ std::string warning_of_files(const Output& output, double free) {
                     std::isfinite(free) ? fmt::format(", and {:.2g} GB are free", free / giga) : "",
                     rows_are_most ? "output.every" : "output.snapshots");
     if (of_rows / surplus + of_fields > free) {
-        throw FileError(std::move(sizes));
+        throw FileError(sizes);
     }
     return sizes;
 }

@@ -157,8 +157,12 @@ std::vector<std::array<double, Size>> SceneReader::lists(std::string_view key,
         for (std::size_t i = 0; i < Size; ++i) {
             const auto number =
                 list->at(i).is_number() ? list->at(i).value<double>() : std::nullopt;
-            if (!number || !is_within(*number, any_number)) {
+            if (!number) {
                 refuse(entry);
+            }
+            if (!is_within(*number, any_number)) {
+                fail(key, fmt::format("has {:g}, which is not {}", *number,
+                                      allowed(any_number, number)));
             }
             numbers[i] = *number;
         }
