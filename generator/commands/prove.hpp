@@ -13,9 +13,9 @@
 namespace nmbcgen {
 
 struct ProofTask {
-    bool all = false;      ///< of the committed set
-    double cfl = 0;        ///< up to which steps are to be stable, too
-    double finest = 1e-4;  ///< width of an interval of G
+    bool all = false;              ///< of the committed set
+    double cfl = 0;                ///< up to which steps are to be stable, too
+    std::optional<double> finest;  ///< width of an interval of G
 };
 
 /// A condition that no proof by enclosures is made for.

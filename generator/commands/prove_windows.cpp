@@ -36,12 +36,13 @@ double length(const nmbc::Window& window) {
 
 std::vector<nmbc::Window> proved_parts(const nmbc::Window& window, const Holds& holds,
                                        const ProofTask& task, const Progress& progress) {
+    const double finest = task.finest.value_or(std::min(1e-4, length(window) / 1000));
     const auto told = [&](double G) {
         constexpr double in_all = 1000;
-        progress(std::size_t(in_all * (G - window.low) / std::max(length(window), task.finest)),
+        progress(std::size_t(in_all * (G - window.low) / std::max(length(window), finest)),
                  std::size_t(in_all));
     };
-    return parts_where(holds, window, task.finest, told);
+    return parts_where(holds, window, finest, told);
 }
 
 std::string text_of(const StabilityWindow& window, const char* grade_name, const Holds& holds,
@@ -90,7 +91,7 @@ struct Share {
 
 std::string text_of(const Share& share) {
     return share.all > 0 ? fmt::format("{:>9.3f} of {:>7.3f} {:>4.0f} %", share.proved, share.all,
-                                       std::floor(100 * share.proved / share.all))
+                                       std::floor(100 * (share.proved / share.all)))
                          : fmt::format("{:>26}", "-");
 }
 

@@ -104,14 +104,16 @@ std::vector<nmbc::Window> parts_where(const std::function<bool(const nmbc::Windo
     constexpr double growth = 1.5;  // most pieces hold then, and a failure costs more than a proof
     constexpr double widest_gap = 1.0 / 200;  // of the window: what fails everywhere ends soon
     const double whole = window.high - window.low;
-    const double narrowest = std::max(finest, 1e-12 * window.high);  // of two doubles
+    const double narrowest = std::max(finest, 1e-12 * std::abs(window.high));  // of two doubles
     std::vector<nmbc::Window> found;
     double low = window.low;
     double width = whole;
     double gap = narrowest;
     do {
         told(low);
-        const nmbc::Window piece{low, std::min(low + width, window.high)};
+        const double rest = window.high - low;
+        width = std::min(width, rest);
+        const nmbc::Window piece{low, width < rest ? low + width : window.high};
         if (holds(piece)) {
             if (!found.empty() && found.back().high == piece.low) {
                 found.back().high = piece.high;

@@ -98,8 +98,8 @@ class BasicPlane {
     /// Steps, each of them: v to t + dt/2, then u to t + dt. Before the sides' dashpots, which act
     /// on what it leaves, `prescribe` may change velocities: it is called with this plane and t +
     /// dt, u at t and v at t + dt/2. After the step, `observe` sees this plane.
-    /// Throws NotCertified where the step is longer than the interior allows; sides may allow less
-    /// (longest_step() of plane_stability.hpp).
+    /// Throws NotCertified where the step is longer than the undamped interior allows; damping and
+    /// sides may allow less (longest_step() of plane_stability.hpp).
     template <class Prescribe, class Observe>
     void advance(std::size_t steps, Prescribe&& prescribe, Observe&& observe) {
         for (std::size_t step = 0; step < steps; ++step) {

@@ -93,11 +93,23 @@ double Search::next_shorter(double cfl) const {
 
 double Search::least_interior_error() {
     const double short_steps = given_cfl().value_or(smallest_of_many);
-    double least = interior_error_.at(short_steps, infinity);
+    double least = interior_error_of(short_steps, infinity);
     if (scope_.favoured_cfl > 0) {
-        least = std::min(least, interior_error_.at(scope_.favoured_cfl, infinity));
+        least = std::min(least, interior_error_of(scope_.favoured_cfl, infinity));
     }
     return least;
+}
+
+/// Infinite where a source is too short for such steps, but for those that the scene gives.
+double Search::interior_error_of(double cfl, double enough) {
+    try {
+        return interior_error_.at(cfl, enough);
+    } catch (const SceneError&) {
+        if (given_cfl()) {
+            throw;
+        }
+        return infinity;
+    }
 }
 
 double Search::interior_error_at(double cfl) {
@@ -106,14 +118,7 @@ double Search::interior_error_at(double cfl) {
     }
     const auto [known, is_new] = interior_errors_.try_emplace(cfl, 0.0);
     if (is_new) {
-        try {
-            known->second = interior_error_.at(cfl, tolerance_);
-        } catch (const SceneError&) {  // a source is too short for these steps
-            if (given_cfl()) {
-                throw;
-            }
-            known->second = infinity;
-        }
+        known->second = interior_error_of(cfl, tolerance_);
         interior_meets_ = interior_meets_ || known->second * error_margin <= tolerance_;
     }
     return known->second;

@@ -57,6 +57,7 @@ class Search {
     Outgoing probing_waves();
     double next_shorter(double cfl) const;
     double interior_error_at(double cfl);
+    double interior_error_of(double cfl, double enough);
     Candidate candidate(const std::string& name, const Boundary& boundary, double cfl) const;
     template <class ErrorAt>
     void add(const std::string& name, const Boundary& boundary, const nmbc::StableStep& steps,

@@ -7,6 +7,7 @@
 
 #include "tools/nmbcrun/output/csv.hpp"
 #include "tools/nmbcrun/output/energies_file.hpp"
+#include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/snapshots.hpp"
 
 namespace nmbcrun {
@@ -30,6 +31,7 @@ ChainFiles::ChainFiles(const Scene& scene, const std::filesystem::path& folder,
                 .others = {{"_probes.csv", "time,u"},
                            {"_field.csv", field_header},
                            {".h5", "\x89HDF\r\n\x1a\n"}},
+                .pictures = pictures_of_chains,
                 .inputs = inputs_of(scene)},
                about, std::move(marks)),
       probes_(scene.probes),

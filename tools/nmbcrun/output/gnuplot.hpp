@@ -17,11 +17,12 @@ namespace nmbcrun {
 void draw(const std::string& script, const std::vector<std::string>& arguments,
           const std::vector<std::filesystem::path>& made);
 
-/// How the names of a run's pictures go on, of chains and planes.
-inline constexpr std::array picture_endings{"_energy.svg",   "_energy.png",       "_spectrum.svg",
-                                            "_spectrum.png", "_spacetime.png",    "_cracks.png",
-                                            "_field.png",    "_field_energy.png", "_fields.png",
-                                            "_fields.gif",   "_fields_energy.png"};
+/// How the names of a run's pictures go on.
+inline constexpr std::array pictures_of_chains{"_energy.svg", "_energy.png", "_spectrum.svg",
+                                               "_spectrum.png", "_spacetime.png"};
+inline constexpr std::array pictures_of_planes{"_energy.svg", "_energy.png",       "_cracks.png",
+                                               "_field.png",  "_field_energy.png", "_fields.png",
+                                               "_fields.gif", "_fields_energy.png"};
 
 /// The pictures of what a run of the scene has left in the folder: its energies, the spectrum of
 /// its fields (output.field) and displacements over space and time (output.snapshots). Throws as

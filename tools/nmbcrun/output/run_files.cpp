@@ -9,7 +9,6 @@
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/energies_file.hpp"
-#include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/leftovers.hpp"
 
 namespace nmbcrun {
@@ -133,9 +132,11 @@ void RunFiles::publish(std::vector<nmbcgen::NewFile> files) const {
         }
     }
     nmbcgen::publish(files);
-    for (const char* const ending : picture_endings) {  // they show an earlier run
+    for (const char* const ending : set_.pictures) {  // they show an earlier run
         std::error_code ignored;
-        std::filesystem::remove(path(ending), ignored);
+        if (std::filesystem::is_regular_file(path(ending), ignored)) {
+            std::filesystem::remove(path(ending), ignored);
+        }
     }
 }
 

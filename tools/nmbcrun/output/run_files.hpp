@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,6 +55,7 @@ class RunFiles {
         std::string name;
         std::string_view energies_header;
         std::vector<Kind> others;                   ///< that not every run of the name has
+        std::span<const char* const> pictures{};    ///< how the names of its pictures go on
         std::vector<std::filesystem::path> inputs;  ///< files that the scene is read from
         std::vector<std::filesystem::path>
             further{};  ///< files and folders that a run replaces, too

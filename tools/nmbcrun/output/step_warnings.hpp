@@ -12,7 +12,7 @@ namespace nmbcrun {
 
 /// In words: where the steps are far below what the lattice allows, where it allows none but very
 /// short ones, and where so many are left that they take more than an hour with so many nodes.
-/// unit_of_time: dX/c. Throws SceneError where they take more than a year.
+/// unit_of_time: dX/c. Throws SceneError where they take more than 100 years.
 std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_time,
                                            std::size_t steps_left, std::size_t nodes);
 

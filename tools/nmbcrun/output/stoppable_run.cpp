@@ -58,7 +58,7 @@ void StoppableRun::warn(std::vector<std::string> warnings, std::size_t nodes,
     const auto space = std::filesystem::space(options_.folder, unknown);
     warnings.push_back(
         warning_of_files({every(every_), double(probes), every(snapshots_), bytes_of_snapshot},
-                         unknown ? HUGE_VAL : double(space.available)));
+                         unknown || space.capacity == 0 ? HUGE_VAL : double(space.available)));
     std::erase(warnings, "");
     for (const std::string& one :
          warnings_of_steps(plan_, unit_of_time_, plan_.steps - steps(), nodes)) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tools/nmbcrun/output/energies_file.hpp"
+#include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/scene/csv_columns.hpp"
 
 namespace nmbcrun {
@@ -41,6 +42,7 @@ PlaneFiles::PlaneFiles(const PlaneSimulation& simulation, const std::filesystem:
                 .name = simulation.scene().name,
                 .energies_header = plane_energies_header,
                 .others = {{"_probes.csv", "time,ux"}, {"_cracks.csv", "time,broken"}},
+                .pictures = pictures_of_planes,
                 .inputs = inputs_of(simulation.scene()),
                 .further = PlaneSnapshots::replaced(simulation.scene(), folder)},
                about, std::move(marks)),
