@@ -33,7 +33,8 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
             ->excludes(options.G)
             ->excludes(options.time_step);
     add_parsed(*prove, "--finest", request.proof.finest, parse_fraction,
-               "least width of the pieces of G that are tried (default 1e-4)")
+               "least width of the pieces of G that are tried (default 1e-4, or a thousandth of "
+               "the window)")
         ->excludes(options.G);
     auto* const format = add_format(*prove, request);
     auto* const all = prove->add_flag("--all", request.proof.all,

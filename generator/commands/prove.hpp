@@ -15,7 +15,7 @@ namespace nmbcgen {
 struct ProofTask {
     bool all = false;              ///< of the committed set
     double cfl = 0;                ///< up to which steps are to be stable, too
-    std::optional<double> finest;  ///< width of an interval of G
+    std::optional<double> finest;  ///< piece of G; none: 1e-4, or a thousandth of a window
 };
 
 /// A condition that no proof by enclosures is made for.

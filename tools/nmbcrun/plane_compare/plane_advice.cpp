@@ -22,7 +22,7 @@
 namespace nmbcrun {
 namespace {
 
-constexpr std::size_t steps_of_long_run = 20'000;  // steps
+constexpr std::size_t steps_of_long_run = 20'000;
 
 struct SideAdvice {
     std::optional<PlaneStrip> strip{};
