@@ -192,7 +192,8 @@ int run(const Request& request) {
                 print_with_progress(std::bind_front(proof_of_set, request.proof));
             } else if (!request.specification.stabilisation) {
                 print_with_progress(
-                    std::bind_front(proof_of_windows, request.specification, request.proof));
+                    std::bind_front(request.as_json ? proof_of_windows_json : proof_of_windows,
+                                    request.specification, request.proof));
             } else {
                 print_with_progress(std::bind_front(request.as_json ? proof_at_G_json : proof_at_G,
                                                     request.specification));

@@ -32,20 +32,25 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
                    "prove all steps up to this cfl, too (default: continuous time alone)")
             ->excludes(options.G)
             ->excludes(options.time_step);
+    prove
+        ->add_flag("--steps", request.proof.steps,
+                   "prove every certified step at the G it is certified for")
+        ->excludes(options.G)
+        ->excludes(options.time_step)
+        ->excludes(up_to);
     add_parsed(*prove, "--finest", request.proof.finest, parse_fraction,
                "least width of the pieces of G that are tried (default 1e-4, or a thousandth of "
                "the window)")
         ->excludes(options.G);
     auto* const format = add_format(*prove, request);
     auto* const all = prove->add_flag("--all", request.proof.all,
-                                      "how much is proved of the windows of the committed tables; "
-                                      "nine minutes of processor time");
+                                      "how much is proved for the committed tables; many minutes");
     for (CLI::Option* other : {options.family, options.order, options.horizon, options.radius,
                                options.weights, options.stride, options.damping, options.time_step,
                                options.cfl, options.G, up_to, format}) {
         all->excludes(other);
     }
-    prove->parse_complete_callback([options, all, format] {
+    prove->parse_complete_callback([options, all] {
         if (all->count() > 0) {
             return;
         }
@@ -54,9 +59,6 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
         }
         if (options.horizon->count() + options.radius->count() == 0) {
             throw CLI::RequiredError("--horizon (or --radius2)");
-        }
-        if (format->count() > 0 && options.G->count() == 0) {
-            throw CLI::RequiresError("--format", "--G");
         }
     });
     return prove;

@@ -14,7 +14,8 @@ namespace nmbcgen {
 
 struct ProofTask {
     bool all = false;              ///< of the committed set
-    double cfl = 0;                ///< up to which steps are to be stable, too
+    bool steps = false;            ///< every certified step, not windows in continuous time
+    double cfl = 0;                ///< else up to which steps are to be stable, too
     std::optional<double> finest;  ///< piece of G; none: 1e-4, or a thousandth of a window
 };
 
@@ -31,14 +32,17 @@ std::string proof_at_G(const Specification& what, const Progress& progress);
 /// The same as an object (docs/reference/json-other.md).
 std::string proof_at_G_json(const Specification& what, const Progress& progress);
 
-/// Where G is open, the parts of the certified windows in which the grade is proved, in continuous
-/// time and in all steps up to a cfl; of a condition that is matched in time steps, in its own one.
-/// Throws NotProvable.
+/// Where G is open, the parts in which the grade is proved: of the certified windows, in continuous
+/// time and in all steps up to a cfl; or of the ranges of G that steps are certified in, in all of
+/// these steps; of a condition that is matched in time steps, in its own one. Throws NotProvable.
 std::string proof_of_windows(const Specification& what, const ProofTask& task,
                              const Progress& progress);
 
-/// How much is proved of the windows in continuous time of every table of the committed set that
-/// has any, and of all.
+/// The same as an object (docs/reference/json-other.md).
+std::string proof_of_windows_json(const Specification& what, const ProofTask& task,
+                                  const Progress& progress);
+
+/// How much of these is proved for every table of the committed set that has any, and for all.
 std::string proof_of_set(const ProofTask& task, const Progress& progress);
 
 /// What all of these begin with.

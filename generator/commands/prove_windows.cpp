@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <functional>
-#include <tuple>
-#include <utility>
+#include <nlohmann/json.hpp>
+#include <numeric>
 #include <vector>
 
 #include "generator/commands/prove.hpp"
@@ -20,65 +19,145 @@
 namespace nmbcgen {
 namespace {
 
-constexpr double farthest = 8;  ///< from the low end of a window that has no high one
+using Json = nlohmann::ordered_json;
 
-/// Whether a grade is proved at all G of an interval.
-using Holds = std::function<bool(const nmbc::Window&)>;
+constexpr double farthest = 8;  ///< from the low end of a range that has no high one
 
-nmbc::Window looked_at(const StabilityWindow& window) {
-    const double low = window.low.inner;
-    return {low, window.high ? window.high->inner : low + farthest};
+/// G of one line of a certificate, and the steps that are to be proved there.
+struct Range {
+    Grade grade;
+    nmbc::Window window;  ///< what is looked at
+    bool has_end = true;
+    double from = 0;  ///< cfl; 0: continuous time
+    double cfl = 0;
+};
+
+constexpr const char* name_of(Grade grade) {
+    return grade == Grade::paired ? "paired" : "contractive";
 }
 
 double length(const nmbc::Window& window) {
     return window.high - window.low;
 }
 
-std::vector<nmbc::Window> proved_parts(const nmbc::Window& window, const Holds& holds,
-                                       const ProofTask& task, const Progress& progress) {
-    const double finest = task.finest.value_or(std::min(1e-4, length(window) / 1000));
-    const auto told = [&](double G) {
-        constexpr double in_all = 1000;
-        progress(std::size_t(in_all * (G - window.low) / std::max(length(window), finest)),
-                 std::size_t(in_all));
-    };
-    return parts_where(holds, window, finest, told);
+double length(const std::vector<nmbc::Window>& parts) {
+    return std::accumulate(parts.begin(), parts.end(), 0.0,
+                           [](double sum, const nmbc::Window& part) { return sum + length(part); });
 }
 
-std::string text_of(const StabilityWindow& window, const char* grade_name, const Holds& holds,
-                    const ProofTask& task, const Progress& progress) {
-    const nmbc::Window whole = looked_at(window);
-    double open = length(whole);
-    std::string text = fmt::format("{:<12} {:.6f} .. {}\n", grade_name, whole.low,
-                                   window.high ? fmt::format("{:.6f}", whole.high)
-                                               : fmt::format("(looked at up to {:g})", whole.high));
-    for (const nmbc::Window& part : proved_parts(whole, holds, task, progress)) {
-        open -= length(part);
+/// What is sampled of a table whose G is open, to be proved.
+class OpenRanges {
+  public:
+    /// Throws NotProvable.
+    OpenRanges(const Table& table, const ProofTask& task)
+        : prover_(prover_of(table)), own_step_(own_step(table.specification)), task_(task) {
+        if (task.steps || own_step_ > 0) {
+            const Certificate certificate = certify(table);
+            if (own_step_ > 0) {
+                add(Grade::paired, certificate.modal);
+                add(Grade::contractive, certificate.contractive);
+            } else {
+                add(Grade::paired, certificate.max_cfl);
+                add(Grade::contractive, certificate.max_cfl_contractive);
+            }
+        } else {
+            const ModalWindows windows = modal_windows(table);  // steps would take as long again
+            add(Grade::paired, windows.modal);
+            add(Grade::contractive, windows.contractive);
+        }
+    }
+
+    const std::vector<Range>& all() const { return all_; }
+
+    std::vector<nmbc::Window> proved_parts(const Range& range, const Progress& progress) const {
+        const nmbc::Window& window = range.window;
+        const auto holds = [&](const nmbc::Window& piece) {
+            return own_step_ > 0 ? prover_.holds_in_step(piece, own_step_, range.grade)
+                                 : prover_.holds(piece, range.cfl, range.grade, range.from);
+        };
+        const double finest = task_.finest.value_or(std::min(1e-4, length(window) / 1000));
+        const auto told = [&](double G) {
+            constexpr double in_all = 1000;
+            progress(std::size_t(in_all * (G - window.low) / std::max(length(window), finest)),
+                     std::size_t(in_all));
+        };
+        return parts_where(holds, window, finest, told);
+    }
+
+  private:
+    void add(Grade grade, const std::vector<StabilityWindow>& windows) {
+        for (const StabilityWindow& window : windows) {
+            const double low = window.low.inner;
+            all_.push_back({.grade = grade,
+                            .window = {low, window.high ? window.high->inner : low + farthest},
+                            .has_end = window.high.has_value(),
+                            .cfl = task_.cfl});
+        }
+    }
+
+    void add(Grade grade, const std::vector<StableStep>& steps) {
+        for (const auto& [window, cfl, from] : steps) {
+            const bool has_end = window.high != nmbc::unbounded;
+            all_.push_back({.grade = grade,
+                            .window = {window.low, has_end ? window.high : window.low + farthest},
+                            .has_end = has_end,
+                            .from = from,
+                            .cfl = cfl});
+        }
+    }
+
+    Prover prover_;
+    double own_step_;
+    ProofTask task_;
+    std::vector<Range> all_;
+};
+
+OpenRanges ranges_of(const Specification& what, const ProofTask& task) {
+    const Table table = with_open_G(what);
+    if (!has_stabilisation(table.model)) {
+        throw NotProvable("no G in this model: prove it at --G 0");
+    }
+    return {table, task};
+}
+
+/// In which steps; with ProofTask::steps they differ by range.
+std::string in_steps(const Specification& what, const ProofTask& task) {
+    return own_step(what) > 0 ? in_own_step(what)
+           : task.steps       ? "in every certified step"
+           : task.cfl > 0     ? fmt::format("in every step up to cfl {:g}", task.cfl)
+                              : "in continuous time";
+}
+
+std::string high_of(const Range& range) {
+    return range.has_end ? fmt::format("{:.6f}", range.window.high)
+                         : fmt::format("(looked at up to {:g})", range.window.high);
+}
+
+std::string window_text(const Range& range, const std::vector<nmbc::Window>& proved) {
+    std::string text = fmt::format("{:<12} {:.6f} .. {}\n", name_of(range.grade), range.window.low,
+                                   high_of(range));
+    for (const nmbc::Window& part : proved) {
         text += fmt::format("  proved     {:.6f} .. {:.6f}\n", std::ceil(part.low * 1e6) / 1e6,
                             std::floor(part.high * 1e6) / 1e6);  // not more than is proved
     }
-    return text + fmt::format("  undecided  {:.6f} in all\n", open);
+    return text +
+           fmt::format("  undecided  {:.6f} in all\n", length(range.window) - length(proved));
 }
 
-/// The grades that are sought, each with its name and its windows.
-std::vector<std::tuple<const char*, Grade, std::vector<StabilityWindow>>> windows_of(
-    const Table& table) {
-    std::vector<StabilityWindow> paired;
-    std::vector<StabilityWindow> contractive;
-    if (own_step(table.specification) > 0) {
-        Certificate certificate = certify(table);
-        paired = std::move(certificate.modal);
-        contractive = std::move(certificate.contractive);
-    } else {
-        ModalWindows windows = modal_windows(table);  // without steps, which take as long again
-        paired = std::move(windows.modal);
-        contractive = std::move(windows.contractive);
-    }
-    return {{"paired", Grade::paired, std::move(paired)},
-            {"contractive", Grade::contractive, std::move(contractive)}};
+double percent(double part, double all) {
+    return std::floor(100 * (part / all));
 }
 
-/// Lengths of windows.
+/// A line, as there are many of them.
+std::string steps_text(const Range& range, const std::vector<nmbc::Window>& proved) {
+    const std::string steps = range.from > 0 ? fmt::format("{:g} to {:g}", range.from, range.cfl)
+                                             : fmt::format("up to {:g}", range.cfl);
+    return fmt::format("{:<12} {:.6f} .. {:<12} cfl {:<14} {:>3.0f} % proved\n",
+                       name_of(range.grade), range.window.low, high_of(range), steps,
+                       percent(length(proved), length(range.window)));
+}
+
+/// Lengths of ranges.
 struct Share {
     double proved = 0;
     double all = 0;
@@ -91,29 +170,27 @@ struct Share {
 
 std::string text_of(const Share& share) {
     return share.all > 0 ? fmt::format("{:>9.3f} of {:>7.3f} {:>4.0f} %", share.proved, share.all,
-                                       std::floor(100 * (share.proved / share.all)))
+                                       percent(share.proved, share.all))
                          : fmt::format("{:>26}", "-");
 }
 
-/// Of each grade, in continuous time.
-std::vector<Share> shares_of(const Specification& what, const ProofTask& task) {
-    const Table table = derive(what);
-    const Prover prover(table);
-    std::vector<Share> shares;
-    for (const auto& [name, grade, windows] : windows_of(table)) {
-        Share share;
-        for (const StabilityWindow& window : windows) {
-            const nmbc::Window whole = looked_at(window);
-            share.all += length(whole);
-            const auto holds = [&, least = grade](const nmbc::Window& piece) {
-                return prover.holds(piece, 0, least);
-            };
-            for (const nmbc::Window& part :
-                 proved_parts(whole, holds, task, [](std::size_t, std::size_t) {})) {
-                share.proved += length(part);
-            }
-        }
-        shares.push_back(share);
+struct Shares {
+    Share paired;
+    Share contractive;
+
+    void operator+=(const Shares& other) {
+        paired += other.paired;
+        contractive += other.contractive;
+    }
+};
+
+Shares shares_of(const Specification& what, const ProofTask& task) {
+    const OpenRanges ranges = ranges_of(what, task);
+    Shares shares;
+    for (const Range& range : ranges.all()) {
+        const auto quiet = [](std::size_t, std::size_t) {};
+        (range.grade == Grade::paired ? shares.paired : shares.contractive) +=
+            {length(ranges.proved_parts(range, quiet)), length(range.window)};
     }
     return shares;
 }
@@ -122,53 +199,62 @@ std::vector<Share> shares_of(const Specification& what, const ProofTask& task) {
 
 std::string proof_of_windows(const Specification& what, const ProofTask& task,
                              const Progress& progress) {
-    const Table table = with_open_G(what);
-    const Prover prover = prover_of(table);
-    if (!has_stabilisation(table.model)) {
-        throw NotProvable("no G in this model: prove it at --G 0");
-    }
-    const double step = own_step(what);
-    std::string text = proof_heading(what, table);
-    text += step > 0       ? in_own_step(what)
-            : task.cfl > 0 ? fmt::format("in every step up to cfl {:g}", task.cfl)
-                           : "in continuous time";
-    text += "\n";
-    for (const auto& [name, grade, windows] : windows_of(table)) {
-        const auto holds = [&, least = grade](const nmbc::Window& piece) {
-            return step > 0 ? prover.holds_in_step(piece, step, least)
-                            : prover.holds(piece, task.cfl, least);
-        };
-        for (const StabilityWindow& window : windows) {
-            text += text_of(window, name, holds, task, progress);
-        }
+    const OpenRanges ranges = ranges_of(what, task);
+    std::string text = proof_heading(what, with_open_G(what));
+    text += in_steps(what, task) + "\n";
+    for (const Range& range : ranges.all()) {
+        const std::vector<nmbc::Window> proved = ranges.proved_parts(range, progress);
+        text += task.steps ? steps_text(range, proved) : window_text(range, proved);
     }
     return text;
+}
+
+std::string proof_of_windows_json(const Specification& what, const ProofTask& task,
+                                  const Progress& progress) {
+    const OpenRanges ranges = ranges_of(what, task);
+    const bool in_own_step = own_step(what) > 0;
+    Json found = Json::array();
+    for (const Range& range : ranges.all()) {
+        Json proved = Json::array();
+        for (const nmbc::Window& part : ranges.proved_parts(range, progress)) {
+            proved.push_back({part.low, part.high});
+        }
+        found.push_back({{"grade", name_of(range.grade)},
+                         {"G", {range.window.low, range.window.high}},
+                         {"has_end", range.has_end},
+                         {"from", in_own_step ? Json() : Json(range.from)},
+                         {"cfl", in_own_step ? Json() : Json(range.cfl)},
+                         {"proved", std::move(proved)}});
+    }
+    const Json object = {{"order", what.order},
+                         {"horizon", what.horizon},
+                         {"stride", what.stride},
+                         {"time_step", to_string(what.time_step)},
+                         {"ranges", std::move(found)}};
+    return object.dump(2) + "\n";
 }
 
 std::string proof_of_set(const ProofTask& task, const Progress& progress) {
     std::vector<Specification> set = committed_set();
     std::erase_if(set, [](const Specification& what) {
-        return what.stabilisation || what.time_step != 0 || !is_stabilised(what.family);
+        return what.stabilisation || !is_stabilised(what.family);
     });
-    std::vector<std::vector<Share>> shares(set.size());
+    std::vector<Shares> shares(set.size());
     std::atomic<std::size_t> done = 0;
     on_all_cores(set.size(), [&](std::size_t i) {
         shares[i] = shares_of(set[i], task);
         progress(++done, set.size());
     });
     std::string text =
-        fmt::format("{:<28}{:>26}{:>26}\n", "lengths of windows of G", "paired", "contractive");
-    const auto line = [](const std::string& name, const std::vector<Share>& of_grades) {
-        return fmt::format("{:<28}{}{}\n", name, text_of(of_grades[0]), text_of(of_grades[1]));
+        fmt::format("{:<34}{:>26}{:>26}\n", "lengths of ranges of G", "paired", "contractive");
+    const auto line = [](const std::string& name, const Shares& of) {
+        return fmt::format("{:<34}{}{}\n", name, text_of(of.paired), text_of(of.contractive));
     };
-    std::vector<Share> sum(2);
+    Shares sum;
     for (std::size_t i = 0; i < set.size(); ++i) {
-        if (shares[i][0].all == 0) {
-            continue;
-        }
-        text += line(table_name(set[i]), shares[i]);
-        for (std::size_t grade = 0; grade < sum.size(); ++grade) {
-            sum[grade] += shares[i][grade];
+        if (shares[i].paired.all > 0) {
+            text += line(table_name(set[i]), shares[i]);
+            sum += shares[i];
         }
     }
     return text + line("all", sum);

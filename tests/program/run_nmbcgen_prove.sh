@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # shellcheck disable=SC1091,SC2154  # assert.sh defines what is used here
-# nmbcgen prove: what its page shows, and mistakes. Usage: run_nmbcgen_prove.sh NMBCGEN
+# nmbcgen prove: what its page shows, and mistakes. Usage: run_nmbcgen_prove.sh NMBCGEN TABLES
 source "$(dirname "${BASH_SOURCE[0]}")/assert.sh"
+tables=$2
 
 try prove --order 2 --horizon 1 --G 1/2
 expect_exit 0
@@ -47,6 +48,38 @@ try prove --order 2 --horizon 1 --up-to 0.3
 expect_exit 0
 expect "a window" grep -Eq '^paired +0.250000 .. 1.000000$' "$scratch/stdout"
 expect "a part of it" grep -Eq '^  proved +0.25[0-9]* .. ' "$scratch/stdout"
+try prove --order 2 --horizon 1 --format json
+expect_exit 0
+expect "its parts" python3 - "$scratch/stdout" <<'PYTHON'
+import json, sys
+windows = json.load(open(sys.argv[1]))["ranges"]
+assert [each["grade"] for each in windows] == ["paired", "contractive"], windows
+for each in windows:
+    assert each["G"] == [0.25, 1] and each["has_end"] and each["from"] == each["cfl"] == 0, each
+    assert 0.25 < each["proved"][0][0] < 0.2503 and 0.999 < each["proved"][-1][1] <= 1, each
+PYTHON
+
+# Every certified step of the table.
+try prove --order 2 --horizon 1 --steps
+expect_exit 0
+expect_stdout_line "in every certified step"
+expect_stdout_line "paired       0.437500 .. 0.531250     cfl up to 0.69     100 % proved"
+expect "most of all" bash -c '! grep cfl "$1" | grep -qv " \(99\|100\) % proved$"' - "$scratch/stdout"
+try prove --order 2 --horizon 1 --steps --format json
+expect "the steps of the committed table" python3 - "$scratch/stdout" "$tables/tables.json" <<'PYTHON'
+import json, sys
+found = json.load(open(sys.argv[1]))["ranges"]
+table = next(
+    t for t in json.load(open(sys.argv[2]))["tables"]
+    if (t["lattice"], t["order"], t["stride"], t["time_step"]) == ("nopd1d_n1", 2, 1, "0"))
+for grade, key in ("paired", "max_cfl"), ("contractive", "max_cfl_contractive"):
+    of_grade = [each for each in found if each["grade"] == grade]
+    assert of_grade and len(of_grade) == len(table[key])
+    for each, step in zip(of_grade, table[key]):
+        assert each["cfl"] == step["cfl"] and each["G"] == [step["low"], step["high"]], (each, step)
+PYTHON
+try prove --order 2 --horizon 1 --damping 1/50 --steps
+expect "from a step on" grep -Eq '^paired .* cfl 0.06 to 0.13 +100 % proved$' "$scratch/stdout"
 try prove --family chain1d --horizon 1 --order 2
 expect_exit 0
 expect "without a G" grep -q '^paired       at every G: proved in every step' "$scratch/stdout"
@@ -91,7 +124,8 @@ for wrong in '--horizon 1' '--order 2' '--order 2 --horizon 1 --up-to 1' \
     '--order 2 --horizon 1 --up-to 0' '--order 2 --horizon 1 --finest x' \
     '--order 2 --horizon 1 --G 1 --up-to 0.5' '--all --order 2' '--all --G 1' '--all --up-to 0.5' '--all --format json' '' \
     '--order 2 --horizon 1 --time-step 1/2 --up-to 0.3' '--order 2 --horizon 1 --time-step -1' \
-    '--order 2 --horizon 1 --format json' '--order 2 --horizon 1 --cfl 0.3' '--order 2 --horizon 1 --G -1'; do
+    '--order 2 --horizon 1 --steps --up-to 0.3' '--order 2 --horizon 1 --steps --G 1' \
+    '--order 2 --horizon 1 --steps --time-step 1/2' '--order 2 --horizon 1 --cfl 0.3' '--order 2 --horizon 1 --G -1'; do
     # shellcheck disable=SC2086  # words
     try prove $wrong
     expect_exit 2
