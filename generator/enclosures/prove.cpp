@@ -142,22 +142,23 @@ nmbc::Window window_about(const Rational& G) {
 
 namespace {
 
-/// A proof is worth up to two hundredths of the cfl: whether one of them is proved, which the steps
+/// A proof is worth up to two hundredths of the cfl: whether so much is proved, which the steps
 /// have then.
 bool shortened_to_proof(const Prover& prover, const nmbc::Window& window,
                         std::vector<StableStep>& steps, Grade grade) {
-    const double sampled = steps.front().cfl;
-    const auto less = [&](int hundredths) { return std::round(100 * sampled - hundredths) / 100; };
-    const auto holds = [&](double cfl) {
-        return cfl > steps.front().from && prover.holds(window, cfl, grade, steps.front().from);
-    };
-    if (holds(sampled)) {
-        return true;
-    }
-    if (steps.size() > 1 || !holds(less(2))) {
+    if (steps.size() != 1) {
         return false;
     }
-    steps.front().cfl = holds(less(1)) ? less(1) : less(2);
+    StableStep& only = steps.front();
+    if (prover.holds(window, only.cfl, grade, only.from)) {  // soonest
+        return true;
+    }
+    constexpr double worth = 0.02 + 1e-9;  // a hundredth is no double
+    const double proved = prover.proved_steps(window, grade, only.from, [](double) {}).cfl;
+    if (proved <= only.from || proved < only.cfl - worth) {
+        return false;
+    }
+    only.cfl = std::min(only.cfl, proved);
     return true;
 }
 
@@ -176,8 +177,8 @@ void prove_certificate(const Table& table, Certificate& certificate) {
         const nmbc::Window window = window_about(what.stabilisation.value_or(0));
         const auto evidence = [&](std::vector<StableStep>& steps, Grade grade) {
             const bool proved =
-                !steps.empty() && (own_step > 0 ? prover.holds_in_step(window, own_step, grade)
-                                                : shortened_to_proof(prover, window, steps, grade));
+                own_step > 0 ? !steps.empty() && prover.holds_in_step(window, own_step, grade)
+                             : shortened_to_proof(prover, window, steps, grade);
             return proved ? Evidence::proved : Evidence::sampled;
         };
         certificate.paired = evidence(certificate.max_cfl, Grade::paired);
