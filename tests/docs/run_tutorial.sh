@@ -24,7 +24,7 @@ rest >"$scratch/rest"
 shape() { sed -E 's/-?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?/#/g; s/[ -]*#/ #/g; s/ +/ /g; s/ $//' "$1"; }
 
 for page in tutorial/first-run tutorial/own-loop how-to/half-bar how-to/own-tables how-to/own-code \
-    how-to/match-inside-a-band how-to/optimised-bonds; do
+    how-to/match-inside-a-band how-to/optimised-bonds how-to/choose-a-boundary; do
     # Indented lines are commands; installing and building is behind us.
     sed -n '/^```/,/^```$/!s/^    //p' "$source/docs/$page.md" | grep -v '^\./tools/quickstart' >commands
     code=0
