@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # The pages: every relative link, heading and picture there is, every page can be reached from
 # docs/README.md and begins with for whom it is, every picture is shown somewhere, and every file that
-# they name and every page that the sources name is there.
+# they name and every page that the sources name is there. Their commands write into results, if anywhere.
 # Usage: run_links.sh SOURCE_FOLDER
 set -euo pipefail
 exec python3 - "$1" <<'PYTHON'
@@ -42,6 +42,10 @@ for page in pages:
     for file in re.findall(r"`((?:\.ci|generator|runtime|tools|tests|docs)/[\w./-]+)`", text[page]):
         if not os.path.exists(file) and "NAME" not in file:
             faults.append(f"{page}: there is no {file}")
+    for command in re.findall(r"^    (?:(?:build/bin|tools/scripts)/|cat |sed |gnuplot ).*$", text[page], re.M):
+        for place in re.findall(r"(?: --out | --plot | [0-9]?>+ *|\.gp )([\w./-]+)", command):
+            if not re.match(r"(results|docs/images)\b|/dev/null", place) and not os.path.isfile(place):
+                faults.append(f"{page}: its command writes {place}")
 
 reached, ahead = set(), ["docs/README.md"]
 while ahead:

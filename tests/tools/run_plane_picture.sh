@@ -7,7 +7,7 @@ nmbcgen=$1
 source=$2
 
 try_document "$source/docs/how-to/plane-waves.md" "$source"
-expect_file tables/nopd2d_r4_nu1o4_P_n2_order1.hpp
+expect_file results/tables/nopd2d_r4_nu1o4_P_n2_order1.hpp
 expect_picture docs/images/plane_dispersion.svg "$source"
 expect_picture docs/images/dispersion_surface.svg "$source"
 
@@ -30,7 +30,7 @@ program=$(command -v gnuplot)
 try -c "$source/tools/plots/side_reflection.gp" sides.csv docs/images/side_reflection.svg
 expect_exit 0
 expect_picture docs/images/side_reflection.svg "$source"
-try -c tools/plots/plane_dispersion.gp plane.csv
+try -c tools/plots/plane_dispersion.gp results/plane.csv
 expect_exit 2
 expect_stderr "usage: gnuplot -c plane_dispersion.gp CSV OUT.svg"
 

@@ -28,6 +28,7 @@ for file in words zeros empty other; do
     refuses "$file.csv is no CSV of nmbcrun chart" chart.gp "$file.csv" picture
     refuses "$file.csv is no CSV of nmbcrun chart of a plane" plane_chart.gp "$file.csv" picture title
     refuses "$file.csv is no CSV of nmbcgen recommend --csv" side_reflection.gp "$file.csv" picture
+    refuses "disc.gp: $file.csv is no CSV of tools/scripts/disc-impact" disc.gp "$file.csv" picture title
     for script in dispersion.gp plane_dispersion.gp dispersion_surface.gp; do
         refuses "$script: $file.csv is no CSV of nmbcgen dispersion" "$script" "$file.csv" picture
     done

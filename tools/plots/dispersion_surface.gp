@@ -15,9 +15,9 @@ rays(wave) = "< awk -F, -v wave=" . wave . " '$1 == \"lattice\" && $2 == wave {"
              " if (rows++ && $5 != last) print \"\"; last = $5; print }' '" . csv . "'"
 
 set datafile separator comma
-set terminal svg size 900, 800 font "sans,15" background "white"
+set terminal svg size 900, 840 font "sans,15" background "white"
 set output ARG2
-set multiplot layout 2,2 columnsfirst margins 0.07, 0.93, 0.08, 0.95 spacing 0.13, 0.1
+set multiplot layout 2,2 columnsfirst margins 0.07, 0.93, 0.11, 0.955 spacing 0.13, 0.1
 set size ratio 1
 set xrange [0:pi]
 set yrange [0:pi]

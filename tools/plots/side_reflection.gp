@@ -2,7 +2,7 @@
 # What the sides of a plane lattice send back of a wave's energy against its angle, as a polar plot:
 #     gnuplot -c tools/plots/side_reflection.gp sides.csv sides.svg
 # The CSV is that of nmbcgen recommend --csv. Angles are from the normal, P waves above it and S waves
-# below; the distance from the centre is the reflected energy, 10^-6 and less to 1.
+# below; the distance from the centre is the reflected energy, 10^-6 and less to 1 and more.
 if (ARGC != 2) {
     printerr "usage: gnuplot -c side_reflection.gp CSV OUT.svg"
     exit status 2
@@ -32,7 +32,7 @@ array colours[6] = ["#000000", "#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69
 
 panels = words(xis)
 panel_x = 300.0
-panel_y = 560.0
+panel_y = 600.0
 key_x = 230.0
 total = panels * panel_x + key_x
 set terminal svg size total, panel_y font "sans,14" background "white"
@@ -48,8 +48,10 @@ unset ytics
 set parametric
 set trange [-90:90]
 set samples 181
-set tmargin at screen 0.92
-set bmargin at screen 0.02
+set tmargin at screen 0.93
+set bmargin at screen 0.09
+scale = sprintf("Distance from the centre: reflected over incident energy, logarithmic, from 10^{-%d} and less (centre) to 1 and more (rim). " . \
+    "Degrees: from the normal.", int(decades))
 do for [panel = 1:panels] {
     xi = word(xis, panel)
     set lmargin at screen ((panel - 1) * panel_x + 20) / total
@@ -57,15 +59,18 @@ do for [panel = 1:panels] {
     set title sprintf("xi = %s/dX", xi)
     unset label
     unset arrow
-    set label "P" at 0.1, 1.03 * decades font ",16"
-    set label "S" at 0.1, -1.03 * decades font ",16"
+    if (panel == 1) {
+        set label scale at screen 20.0 / total, 0.03 font ",13"
+    }
+    set label "P waves" at 0.1, 1.03 * decades font ",16"
+    set label "S waves" at 0.1, -1.03 * decades font ",16"
     do for [degrees in "0 30 60 -30 -60"] {
         set arrow from 0, 0 to decades * cos(int(degrees)), decades * sin(int(degrees)) nohead linecolor "#dddddd" back
         set label sprintf("%d°", abs(int(degrees))) at 1.02 * decades * cos(int(degrees)), 1.02 * decades * sin(int(degrees)) \
             font ",11" textcolor "#666666"
     }
     do for [ring = 2:6:2] {
-        set label sprintf("10^{%d}", ring - 6) at (ring - 0.1) * cos(45), (ring - 0.1) * sin(45) right font ",10" textcolor "#666666"
+        set label (ring < 6 ? sprintf("10^{%d}", ring - 6) : "1") at (ring - 0.1) * cos(45), (ring - 0.1) * sin(45) right font ",10" textcolor "#666666"
     }
     if (panel == panels) {
         set key at screen 1, 0.5 right center samplen 2 font ",12" noautotitle noenhanced
