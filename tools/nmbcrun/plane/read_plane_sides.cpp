@@ -18,6 +18,7 @@
 
 #include "generator/names/printable.hpp"
 #include "generator/passive/plane_side.hpp"
+#include "generator/table/table.hpp"
 #include "tools/nmbcrun/plane/matched_layers.hpp"
 #include "tools/nmbcrun/scene/read_choice.hpp"
 
@@ -109,7 +110,8 @@ PlaneSideChoice read_side(SceneReader& reader, const std::string& group,
         side.layer = std::size_t(*layer);
     }
     side.order = int(reader.whole_number(group + ".order", 1, 10).value_or(side.order));
-    side.stride = int(reader.whole_number(group + ".stride", 1, 1000).value_or(side.stride));
+    side.stride = int(
+        reader.whole_number(group + ".stride", 1, nmbcgen::highest_count).value_or(side.stride));
     if (reader.has(group + ".absorb")) {
         side.absorb = read_waves(reader, group + ".absorb");
     }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "generator/table/table.hpp"
 #include "tools/nmbcrun/scene/boundary.hpp"
 #include "tools/nmbcrun/scene/read_choice.hpp"
 #include "tools/nmbcrun/scene/read_exact.hpp"
@@ -40,8 +41,8 @@ void refuse_idle_keys(SceneReader& reader, const std::string& group, BoundaryKin
 
 Boundary read_boundary(SceneReader& reader, const std::string& group, const Boundary& others) {
     const auto kind = read_choice(reader, group + ".kind", boundary_kinds());
-    const auto order = reader.whole_number(group + ".order", 1, 1000);
-    const auto stride = reader.whole_number(group + ".stride", 1, 1000);
+    const auto order = reader.whole_number(group + ".order", 1, nmbcgen::highest_count);
+    const auto stride = reader.whole_number(group + ".stride", 1, nmbcgen::highest_count);
     const auto ghosts = read_choice<nmbc::GhostRule>(
         reader, group + ".ghosts",
         {{"midpoint", nmbc::GhostRule::midpoint}, {"explicit", nmbc::GhostRule::explicit_rule}});

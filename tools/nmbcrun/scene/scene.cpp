@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "generator/exact/rational.hpp"
+#include "generator/table/table.hpp"
 #include "tools/nmbcrun/scene/read_boundary.hpp"
 #include "tools/nmbcrun/scene/read_exact.hpp"
 #include "tools/nmbcrun/scene/read_influence.hpp"
@@ -42,7 +43,7 @@ double read_G(SceneReader& reader, const Scene& scene) {
 
 /// Required, unless the family has one horizon only.
 int read_horizon(SceneReader& reader, const std::string& family) {
-    const auto horizon = reader.whole_number("model.horizon", 1, 1000);
+    const auto horizon = reader.whole_number("model.horizon", 1, nmbcgen::highest_count);
     return int(family == "chain1d" ? horizon.value_or(1)
                                    : reader.required("model.horizon", horizon));
 }

@@ -59,9 +59,6 @@ std::string why_no_lattice(const Scene& scene) {
     if (scene.G != 0 && !nmbcgen::is_stabilised(scene.family)) {
         return why_no_G(scene.family, scene.G);
     }
-    if (unsigned(scene.horizon) > nmbcgen::highest_count) {
-        return "";  // not looked at, which takes long
-    }
     try {
         nmbcgen::make_model(scene.family, unsigned(scene.horizon),
                             nmbcgen::parse_rational(scene.tau), weights_of(scene));
@@ -82,9 +79,6 @@ std::string how_to_make(const Scene& scene, const Boundary& boundary) {
         .damping = nmbcgen::parse_rational(scene.tau),
         .time_step = nmbcgen::parse_rational(matching ? boundary.matched_step : "0"),
         .weights = weights_of(scene)};
-    if (std::max({what.horizon, what.order, what.stride}) > nmbcgen::highest_count) {
-        return "";
-    }
     if (what.order == 1 && what.time_step > 0) {
         return ". NMBC1 is the same in time steps of any length: leave out boundary.matched_step";
     }
