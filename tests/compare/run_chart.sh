@@ -100,6 +100,23 @@ for drawn in "${run[*]:0:2} --plot" "chart $scene --long-run 4000"; do
     expect_stderr "stopped while it was drawn; the numbers are written"
 done
 
+# What cannot be drawn is not worked for.
+mkdir -p alone/bin
+cp "$program" alone/bin/nmbcrun
+for drawn in "${run[*]:0:2} --plot" "${run[*]:0:2} --plot --tolerance 1e-2" "chart $scene" \
+    "chart $2/tools/scenes/plane_pulse.toml" "run $2/tools/scenes/plane_pulse.toml --plot"; do
+    # shellcheck disable=SC2086  # words
+    try $drawn --quiet --out "it's"
+    expect_exit 2
+    expect_stderr "pictures are drawn in no folder with an apostrophe in its name, as --out it's has"
+    expect "no folder" test ! -e "it's"
+    # shellcheck disable=SC2086  # words
+    program=alone/bin/nmbcrun try $drawn --quiet --out alone/results
+    expect_exit 5
+    expect_stderr "to draw with: nmbcrun has to stay in the bin beside its share/nmbc"
+    expect "no folder" test ! -e alone/results
+done
+
 # A pole at the exact G that is meant is left out, too.
 try chart "$scene" --set model.G=128/85 --set time.end=4 --long-run 4000 --quiet
 expect_exit 0

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nmbc/plane.hpp>
+#include <nmbc/plane_convex_kernel.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -42,6 +43,15 @@ TEST_CASE("what cannot be is refused") {
         return std::string("accepted");
     };
     CHECK(refusal([] { nopd2d(3, 0.25, 0); }).find("sum of two squares") != std::string::npos);
+    for (const unsigned large : {1'000'001U, 3'999'930'025U, 4'000'000'000U}) {  // of 63245^2, too
+        const std::string most = "at most 1000000, not " + std::to_string(large);
+        CHECK(refusal([&] { nopd2d(large, 0.25, 0); }).find(most) != std::string::npos);
+        CHECK(refusal([&] { bond2d(large, {1}); }).find(most) != std::string::npos);
+        CHECK(refusal([&] { spline_influence(large); }).find(most) != std::string::npos);
+        CHECK(refusal([&] { squared_lengths(large); }).find(most) != std::string::npos);
+        CHECK(refusal([&] { plane_bond_classes(large); }).find(most) != std::string::npos);
+    }
+    CHECK(refusal([] { bond_weights(63245U * 63245U, {1}); }).find("at most") != std::string::npos);
     CHECK(refusal([] { nopd2d(1, 1, 0); }).find("Poisson") != std::string::npos);
     CHECK(refusal([] { nopd2d(1, 0.5, 0, StressState::plane_strain); }).find("1/2") !=
           std::string::npos);

@@ -36,6 +36,15 @@ expect "no pictures of an earlier run" test "$(echo elsewhere/*.png)" = elsewher
 expect "four lines only" test "$(wc -l <"$scratch/stdout")" -eq 4
 expect_same results/bar1d.csv elsewhere/again.csv
 
+# A scene file's own name names the files as far as output.name could.
+for name in .hidden $'a\x01\nb' "it's<&>" a..b; do
+    cp "$scene" "$scratch/$name.toml"
+    try run "$scratch/$name.toml" "${short[@]}" --quiet --out named
+    expect_exit 0
+done
+expect "plain names" test "$(cd named && echo *)" = "_hidden.csv a._b.csv a__b.csv it_s___.csv"
+expect "no hidden file" test "$(files_in named)" -eq 4
+
 # The ledger: what is there was put in and has not left, through the ends or by damping; to 1e-13 of
 # the peak (2744 steps of 500 nodes, where the roundings of some 10 operations add up).
 try run "$scene" --quiet --set output.every=1

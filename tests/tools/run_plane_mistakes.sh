@@ -171,7 +171,7 @@ setting 2 "but the nodes are at 1 to 275 along y" "output.probes=[[1, 276]]"
 setting 2 "is not a key of a scene" foo.bar=1
 setting 2 "passive sides are designed for model.radius2 up to 25" model.radius2=26
 setting 2 "domain.nodes must be" domain.nodes=10
-setting 2 "output.name must be without" "output.name='a&b'"
+setting 2 "output.name must be a file name" "output.name='a&b'"
 
 # (81) is paired at G = 0.25 in steps up to 0.4 of the longest, which a scene takes. In longer ones it grows.
 strip=("$scene" --quiet --set model.G=0.25 --set 'domain.nodes=[8, 40]' --set 'initial.centre=[4, 20]'

@@ -65,7 +65,7 @@ expect "no control character" lacks $'[\x01-\x09\x0b-\x1f\x7f]' "$scratch/stderr
 refuses 5 "cannot read /dev/zero: it is not a regular file" "$scene" --set force.history=csv \
     --set force.centre=250 --set force.file=/dev/zero
 setting 2 "steps; at most 1e15" time.step=1e-300
-for bad in a/b .. ../a a..b '"a\nb"' '"\u001b[2J"' '""'; do
+for bad in a/b .. ../a a..b .a '"a\nb"' '"\u001b[2J"' '""' "\"it's\"" 'a<b'; do
     setting 2 "output.name must be a file name" "output.name=$bad"
 done
 setting 2 "output.field must be true or false, not 1" output.field=1

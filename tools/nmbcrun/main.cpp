@@ -61,7 +61,14 @@ const CLI::Validator not_empty(
     },
     "", "not_empty");
 
+void require_drawable(const Arguments& arguments) {
+    if (arguments.plot) {
+        nmbcrun::require_drawable("energy.gp", arguments.folder);  // the others are beside it
+    }
+}
+
 void run_as_asked(nmbcrun::Scene scene, const Arguments& arguments) {
+    require_drawable(arguments);
     if (arguments.tolerance > 0) {
         nmbcrun::note_interrupts();
         scene = nmbcrun::as_advised(scene, arguments.tolerance, arguments.quiet,
@@ -97,6 +104,7 @@ nmbcgen::ExitCode plane_command(const std::string& command, nmbcrun::PlaneScene 
         nmbcrun::advise_plane(scene, arguments.tolerance, arguments.quiet);
         return done;
     }
+    require_drawable(arguments);
     if (arguments.tolerance > 0) {
         nmbcrun::note_interrupts();
         scene = nmbcrun::as_advised(scene, arguments.tolerance, arguments.quiet);

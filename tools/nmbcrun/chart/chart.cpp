@@ -303,6 +303,7 @@ void chart(const Scene& scene, const ChartOptions& options) {
             "both ends are fixed or free: a chart compares artificial ends, or ways to close a "
             "surface, such as \"mirror\"");
     }
+    require_drawable("chart.gp", options.folder);
     const nmbc::Lattice lattice = lattice_of(scene);
     double limit = nmbc::interior_cfl(lattice);
     if (!is_closed(scene)) {  // closures that are compared are left out where steps are too long

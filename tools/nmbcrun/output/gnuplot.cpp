@@ -29,7 +29,9 @@ fs::path script_path(const std::string& script) {
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     fs::path path = program.parent_path().parent_path() / "share/nmbc/plots" / script;
     if (error || !fs::exists(path, error)) {
-        throw FileError(fmt::format("there is no {} to draw with", path.string()));
+        throw FileError(fmt::format(
+            "there is no {} to draw with: nmbcrun has to stay in the bin beside its share/nmbc",
+            path.string()));
     }
     return path;
 }
@@ -100,6 +102,15 @@ bool run_program(std::vector<std::string> words) {
 }
 
 }  // namespace
+
+void require_drawable(const std::string& script, const fs::path& folder) {
+    script_path(script);
+    if (folder.string().find('\'') != std::string::npos) {  // the scripts quote names so
+        throw SceneError(fmt::format(
+            "pictures are drawn in no folder with an apostrophe in its name, as --out {} has",
+            folder.string()));
+    }
+}
 
 void draw(const std::string& script, const std::vector<std::string>& arguments,
           const std::vector<fs::path>& made) {

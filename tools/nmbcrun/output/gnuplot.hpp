@@ -11,6 +11,10 @@
 
 namespace nmbcrun {
 
+/// To be called before the work that draw() is to draw with this script: throws FileError where
+/// there is no such script, SceneError where it could not read from the folder.
+void require_drawable(const std::string& script, const std::filesystem::path& folder);
+
 /// Runs `gnuplot -c SCRIPT ARGUMENT..`, SCRIPT from the folder share/nmbc/plots beside the
 /// program's bin, and prints the files it made; or the command, where gnuplot is not installed or
 /// fails. Throws FileError where there is no such script, Interrupted where the user stops it.

@@ -305,9 +305,6 @@ PlaneScene read_plane_scene(const std::string& text, const std::string& path,
                                 "output", "initial", "force", "drive", "load", "fracture"});
     PlaneScene scene;
     read_title(reader, path, scene);
-    if (scene.name.find_first_of("\"'&<>") != std::string::npos) {  // it stands in XML
-        reader.fail("output.name", "must be without \" ' & < >");
-    }
     read_model(reader, scene);
     read_material(reader, scene);
     const auto nodes = reader.required("domain.nodes", reader.pair("domain.nodes", positive));

@@ -25,6 +25,7 @@ void chart_plane(const PlaneScene& scene, const PlaneChartOptions& options) {
             "--long-run is for sides that may feed energy in: between physical sides, which never "
             "do, there is none");
     }
+    require_drawable("plane_chart.gp", options.folder);
     constexpr std::size_t by_default = 20'000;
     const std::size_t long_run = options.long_run.value_or(by_default);
     note_interrupts();

@@ -3,15 +3,33 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <string_view>
 
 #include "generator/names/printable.hpp"
 #include "tools/nmbcrun/scene/scene_reader.hpp"
 
 namespace nmbcrun {
+namespace {
+
+/// With `_` in place of what the name of output files must not have: it is quoted for gnuplot and
+/// in XML, printed, and neither hidden nor a way out of the folder.
+std::string plain_name(std::string name) {
+    char before = '.';  // so that there is none at the start
+    for (char& c : name) {
+        if (std::iscntrl(static_cast<unsigned char>(c)) != 0 ||
+            std::string_view("/\"'&<>").find(c) != std::string_view::npos ||
+            (c == '.' && before == '.')) {
+            c = '_';
+        }
+        before = c;
+    }
+    return name;
+}
+
+}  // namespace
 
 std::string warning_of_short_run(const AnyScene& scene) {
     const double way = scene.end / unit_of_time(scene);
@@ -24,19 +42,12 @@ std::string warning_of_short_run(const AnyScene& scene) {
 
 void read_title(SceneReader& reader, const std::string& path, AnyScene& scene) {
     const auto name = reader.text("output.name");
-    const auto is_quote = [](char c) { return c == '\'' || c == '"'; };  // gnuplot has its own
-    const auto forbidden = [&](char c) {
-        return c == '/' || is_quote(c) || std::iscntrl(static_cast<unsigned char>(c)) != 0;
-    };
-    if (name && (name->empty() || name->front() == '.' || name->find("..") != std::string::npos ||
-                 std::ranges::any_of(*name, forbidden))) {
+    if (name && (name->empty() || plain_name(*name) != *name)) {
         reader.fail("output.name",
-                    "must be a file name without a folder, a dot at its start, '..', quotes and "
-                    "control characters");
+                    "must be a file name without a folder, a dot at its start, '..', control "
+                    "characters and \" ' & < >");
     }
-    std::string of_file = std::filesystem::path(path).stem().string();
-    std::ranges::replace_if(of_file, is_quote, '_');
-    scene.name = name.value_or(of_file);
+    scene.name = name.value_or(plain_name(std::filesystem::path(path).stem().string()));
     scene.title = nmbcgen::printable(reader.text("title").value_or(scene.name));
 }
 

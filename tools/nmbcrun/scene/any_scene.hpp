@@ -50,8 +50,9 @@ std::string warning_of_short_run(const AnyScene& scene);
 
 // Each reads some keys of a scene, and throws SceneError.
 
-/// The title and the name of the output files: the scene file's own unless it says another, which
-/// must not lead out of the folder or garble what is printed.
+/// The title and the name of the output files: the scene file's own, with `_` for what a name must
+/// not have, unless it says another, which must not lead out of the folder or garble what is
+/// printed.
 void read_title(SceneReader& reader, const std::string& path, AnyScene& scene);
 
 /// The material, of whose sqrt(E/rho) a time step is a double.
