@@ -45,9 +45,9 @@ refuses 4 "NMBC1 is certified against a pml end at no time step at n = 2, G = 1;
     "$scene" --set boundary.left.kind=pml --set boundary.left.layer=10 --set model.G=1
 setting 2 "must not be 0" drive.amplitude=0
 setting 2 "drive.amplitude must be of size 1e-100 at least, not -1e-165: energies are of its square" drive.amplitude=-1e-165
-setting 2 "whole number from 1 to 10000000, not 0" domain.nodes=0
-setting 2 "from 1 to 10000000, written without a point and an exponent: 100000000" domain.nodes=1e8
-setting 2 "domain.nodes must be a whole number from 1 to 10000000, not 1000000000" domain.nodes=1e9
+setting 2 "whole number from 1 to 100000000, not 0" domain.nodes=0
+setting 2 "from 1 to 100000000, written without a point and an exponent: 100000000" domain.nodes=1e8
+setting 2 "domain.nodes must be a whole number from 1 to 100000000, not 1000000000" domain.nodes=1e9
 setting 2 "domain.spacing must be a positive number of size 1e+100 at most, not 1e+308" domain.spacing=1e308
 sed '/^density /d' "$scene" >"$scratch/of_no_density.toml"
 refuses 2 "material.density is missing: both are given, or neither, which makes them 1" "$scratch/of_no_density.toml"
@@ -55,8 +55,8 @@ for extreme in material.density=1e-320 material.youngs_modulus=1e-310; do
     setting 2 "makes the wave speed sqrt(youngs_modulus / density)" "$extreme"
 done
 setting 2 "is too long for time steps of" time.step=1e-320
-setting 2 "whole number from 1 to 10000000, not 100000001" domain.nodes=100000001
-refuses 2 "boundary.layer must be a whole number from 1 to 1000000, not 100000000" \
+setting 2 "whole number from 1 to 100000000, not 100000001" domain.nodes=100000001
+refuses 2 "boundary.layer must be a whole number from 1 to 10000000, not 100000000" \
     "$scene" --set boundary.kind=sponge --set boundary.layer=100000000
 # What a scene has in it does not command the terminal.
 setting 2 'must be "midpoint" or "explicit", not "\x1b[2J\u009b31m"' 'boundary.ghosts="\u001b[2J\u009b31m"'
@@ -70,7 +70,7 @@ for bad in a/b .. ../a a..b .a '"a\nb"' '"\u001b[2J"' '""' "\"it's\"" 'a<b'; do
 done
 setting 2 "output.field must be true or false, not 1" output.field=1
 for bad in 0 -1 1.5 true '"2"' nan; do
-    setting 2 "output.snapshots must be a whole number from 1 to 10000000" "output.snapshots=$bad"
+    setting 2 "output.snapshots must be a whole number from 1 to 100000000" "output.snapshots=$bad"
 done
 for bad in 0 -1 nan inf true '"2"' '[1]'; do
     setting 2 "output.checkpoint must be a positive number" "output.checkpoint=$bad"
