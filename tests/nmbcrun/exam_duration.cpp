@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/duration.hpp"
+#include "tools/nmbcrun/terminal/duration.hpp"
 #include "tools/nmbcrun/output/step_warnings.hpp"
 
 namespace {

@@ -16,7 +16,7 @@
 #include "tools/nmbcrun/advise/search.hpp"
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/duration.hpp"
+#include "tools/nmbcrun/terminal/duration.hpp"
 #include "tools/nmbcrun/output/warnings.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 

@@ -29,7 +29,7 @@
 #include "tools/nmbcrun/chart/tuning.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/csv.hpp"
-#include "tools/nmbcrun/output/duration.hpp"
+#include "tools/nmbcrun/terminal/duration.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
 #include "tools/nmbcrun/output/processor_clock.hpp"
 #include "tools/nmbcrun/output/work.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/duration.hpp"
+#include "tools/nmbcrun/terminal/duration.hpp"
 
 namespace nmbcrun {
 namespace {

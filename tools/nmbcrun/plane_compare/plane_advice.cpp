@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/duration.hpp"
-#include "tools/nmbcrun/output/interrupt.hpp"
+#include "tools/nmbcrun/terminal/duration.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
 #include "tools/nmbcrun/plane_compare/plane_strip.hpp"
 #include "tools/nmbcrun/plane_compare/side_candidates.hpp"
 #include "tools/nmbcrun/plane_compare/side_measurement.hpp"
