@@ -20,6 +20,7 @@
 #include "tools/nmbcrun/sides/half_line.hpp"
 #include "tools/nmbcrun/sides/passive_design.hpp"
 #include "tools/nmbcrun/sources/time_scale.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {
@@ -112,6 +113,7 @@ AutomaticStep certified_together(const Scene& scene, const AutomaticStep& longes
     AutomaticStep step = longest;
     std::string first_problem;
     for (; step.cfl > 0 && step.cfl >= least; step.cfl -= less) {
+        stop_if_interrupted();  // of a damped chain each step takes a good part of a second
         const std::string problem = pair.objection(2 * step.cfl / omega_max, step.cfl);
         if (problem.empty()) {
             return step;
