@@ -56,7 +56,7 @@ run certification 'terminal|scene|sides|sources|tables' 'generator/(table|exact|
 run simulation 'scene|sides|sources|tables|certification' 'unistd.h'
 run output 'terminal|scene|simulation' 'generator/(names/(checksum|printable)|support/posix_file).hpp|spawn.h|unistd.h|sys/wait.h'
 below='terminal|scene|sides|sources|tables|certification|simulation'
-run compare "$below" 'generator/(table|exact|closures|stability)/|boost/math/|unsupported/Eigen/FFT'
+run compare "$below" 'generator/(table|exact|closures|stability)/|boost/math/|Eigen/Sparse(Core|LU)|unsupported/Eigen/FFT'
 run chart "$below|compare|output" 'generator/(support/|names/printable.hpp)|boost/math/'
 run advise "$below|compare|chart|output" 'generator/(table|exact|stability)/|generator/support/progress_line.hpp|unsupported/Eigen/FFT|boost/math/'
 run plane 'terminal|scene|stepping|sides|sources|output' 'generator/(table|exact|closures|families|names|plane|passive)/|generator/support/(files|posix_file|progress_line).hpp|boost/math/'
