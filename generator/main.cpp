@@ -45,7 +45,7 @@ int write_one(const Request& request) {
         require_writable(request.folder / name);  // before what may take minutes
     }
     Table table = request.certified ? certified({request.specification}, request.cache).front()
-                                    : derive(request.specification);
+                                    : derived({request.specification}).front();
     if (request.require_stable) {
         table.in_plane = require_stable(table);
     }
@@ -185,7 +185,7 @@ int run(const Request& request) {
             }
             return done;
         case Action::reflect:
-            print(reflection_csv(derive(request.specification), request.samples));
+            print(reflection_csv(derived({request.specification}).front(), request.samples));
             return done;
         case Action::prove:
             if (request.proof.all) {

@@ -14,13 +14,20 @@
 
 namespace nmbcgen {
 
-std::vector<Table> certified(const std::vector<Specification>& specifications,
-                             const std::optional<std::filesystem::path>& cache_folder) {
+std::vector<Table> derived(const std::vector<Specification>& specifications) {
+    ProgressLine line("nmbcgen: deriving");  // minutes beyond order 20
     std::vector<Table> tables;
     tables.reserve(specifications.size());
     for (const Specification& specification : specifications) {
+        line(tables.size(), specifications.size());
         tables.push_back(derive(specification));
     }
+    return tables;
+}
+
+std::vector<Table> certified(const std::vector<Specification>& specifications,
+                             const std::optional<std::filesystem::path>& cache_folder) {
+    std::vector<Table> tables = derived(specifications);
     if (cache_folder) {
         for (Table& table : tables) {
             CertificateCache(*cache_folder).look_up(table);

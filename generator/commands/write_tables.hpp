@@ -12,6 +12,9 @@
 
 namespace nmbcgen {
 
+/// derive() of each, with a line of progress where it takes seconds.
+std::vector<Table> derived(const std::vector<Specification>& specifications);
+
 /// Derives, proves and certifies, the last with what the cache knows.
 std::vector<Table> certified(const std::vector<Specification>& specifications,
                              const std::optional<std::filesystem::path>& cache_folder);

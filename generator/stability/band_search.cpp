@@ -28,7 +28,9 @@ std::vector<double> sample_places(Sampling sampling) {
 }
 
 /// Golden-section search for a maximum near `peak`, between the samples beside it. It stops early
-/// where the maximum comes out no higher than `counts`.
+/// where the maximum comes out no higher than `counts`. Not Boost's brent_find_minima, which cannot
+/// stop so, and whose parabolas know no infinite values; committed certificates hang on the bits of
+/// what is found.
 Peak refined(const std::function<double(double)>& function, Peak peak, Peak left, Peak right,
              double counts) {
     const auto at = [&function](double omega) { return Peak{function(omega), omega}; };

@@ -95,7 +95,8 @@ double maximum_on_band(const Lattice& lattice, Function value) {
     }
     double low = (static_cast<double>(best) - 1) * step;
     double high = (static_cast<double>(best) + 1) * step;
-    // 48 steps shrink the bracket below the point where the value can tell its ends apart.
+    // 48 steps shrink the bracket below the point where the value can tell its ends apart. They are
+    // not Boost's brent_find_minima, since who includes this header needs no library.
     for (int i = 0; i < 48; ++i) {
         const double inset = (high - low) * (1 - 1 / std::numbers::phi);
         if (value(low + inset) > value(high - inset)) {

@@ -46,20 +46,21 @@ allow runtime/nmbc 'nmbc/[a-z_]+\.hpp'
 run() { # ROOM OTHER_ROOMS FURTHER
     allow "tools/nmbcrun/$1" "tools/nmbcrun/($1${2:+|$2})/|tools/nmbcrun/errors.hpp|nmbc/|$text${3:+|$3}"
 }
+run terminal '' 'unistd.h|sys/ioctl.h'
 run scene '' 'generator/(table|exact|lattice|names|families)/|nlohmann/|toml\+\+/|hdf5.h'
 run stepping '' ''
-run sides 'scene|stepping' 'generator/(families|passive)/|(unsupported/)?Eigen/'
+run sides 'terminal|scene|stepping' 'generator/(families|passive)/|(unsupported/)?Eigen/'
 run sources 'scene|sides'
 run tables scene 'generator/(table|exact|families|names)/'
-run certification 'scene|sides|sources|tables' 'generator/(table|exact|stability|enclosures)/'
+run certification 'terminal|scene|sides|sources|tables' 'generator/(table|exact|stability|enclosures)/'
 run simulation 'scene|sides|sources|tables|certification' 'unistd.h'
-run output 'scene|simulation' 'generator/(names/(checksum|printable)|support/posix_file).hpp|spawn.h|unistd.h|sys/(ioctl|wait).h'
-below='scene|sides|sources|tables|certification|simulation'
-run compare "$below" 'generator/(table|exact|closures|stability)/|boost/math/|unsupported/Eigen/FFT'
+run output 'terminal|scene|simulation' 'generator/(names/(checksum|printable)|support/posix_file).hpp|spawn.h|unistd.h|sys/wait.h'
+below='terminal|scene|sides|sources|tables|certification|simulation'
+run compare "$below" 'generator/(table|exact|closures|stability)/|boost/math/|Eigen/Sparse(Core|LU)|unsupported/Eigen/FFT'
 run chart "$below|compare|output" 'generator/(support/|names/printable.hpp)|boost/math/'
 run advise "$below|compare|chart|output" 'generator/(table|exact|stability)/|generator/support/progress_line.hpp|unsupported/Eigen/FFT|boost/math/'
-run plane 'scene|stepping|sides|sources|output' 'generator/(table|exact|closures|families|names|plane|passive)/|generator/support/(files|posix_file|progress_line).hpp|boost/math/'
-run plane_compare 'scene|stepping|output|chart|plane' 'generator/(support/|names/printable.hpp)'
+run plane 'terminal|scene|stepping|sides|sources|output' 'generator/(table|exact|closures|families|names|plane|passive)/|generator/support/(files|posix_file|progress_line).hpp|boost/math/'
+run plane_compare 'terminal|scene|stepping|output|chart|plane' 'generator/(support/|names/printable.hpp)'
 allow tools/nmbcrun "tools/nmbcrun/|generator/names/(checksum|printable).hpp|generator/support/(command_line_problem|exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|tools/nmbcrun/|CLI/|nmbc/|benchmark/|boost/math/|$text"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|unistd.h|$text"
@@ -68,6 +69,11 @@ allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|unistd.h|$text"
 if grep -rlE '(ginac|cln)/|GiNaC::|cln::' generator runtime tools generated --include='*.?pp' |
     grep -vE '^generator/(matching/|pipeline.cpp)'; then
     echo "GiNaC or CLN outside generator/matching"
+    failed=1
+fi
+# What others need is linked, not compiled again.
+if grep -rnE '\.\./[^ ]*\.cpp' generator runtime tools --include=CMakeLists.txt; then
+    echo "a source of another room is compiled there"
     failed=1
 fi
 exit "$failed"

@@ -37,7 +37,11 @@ Scene chain_of(int horizon, double G, std::size_t nodes, double cfl) {
 
 LongTimeStability stability(const Scene& scene, const nmbcrun::Boundary& boundary,
                             std::size_t steps) {
-    return long_time_stability(with_ends(scene, boundary), steps, [](double) {});
+    double done = 0;
+    const LongTimeStability found = long_time_stability(with_ends(scene, boundary), steps,
+                                                        [&done](double part) { done += part; });
+    CHECK(std::abs(done - 1) < 1e-9);  // whether or not it ended early
+    return found;
 }
 
 template <class Function>

@@ -72,6 +72,42 @@ TEST_CASE("measured and predicted agree where another wave begins to travel") {
     }
 }
 
+TEST_CASE("layers, thin and wide, send back what their modes say") {
+    struct Case {
+        int horizon;
+        double G;
+        Boundary layer;
+        double step;
+    };
+    const auto sponge = [](std::size_t nodes) {
+        return Boundary{.kind = BoundaryKind::sponge, .layer = nodes};
+    };
+    const auto pml = [](std::size_t nodes) {
+        return Boundary{.kind = BoundaryKind::pml, .layer = nodes};
+    };
+    for (const Case& one : {Case{1, 0.5, sponge(1), 0.4},
+                            {1, 0.5, pml(1), 0.9},
+                            {2, 1.0, sponge(20), 0.4},
+                            {2, 1.0, pml(20), 0.2},
+                            {3, 2.0, sponge(3), 0.1},
+                            {3, 2.0, pml(7), 0.3}}) {
+        const auto scene = scene_with(one.horizon, one.G);
+        const auto lattice = nmbc::make_lattice(table_of(scene, {}), one.G);
+        for (const double xi : {0.1, 0.3, 0.5}) {
+            CAPTURE(one.horizon);
+            CAPTURE(one.layer.layer);
+            CAPTURE(xi);
+            const nmbcrun::Packet packet(lattice, xi, one.step);
+            REQUIRE(packet.is_measurable());
+            const double measured =
+                packet.reflected_by(chain_end(scene, one.layer), one.layer.layer);
+            const double predicted =
+                predicted_reflection(scene, one.layer, packet, one.step).value();
+            CHECK(std::abs(measured - predicted) < std::max(1e-4 * predicted, 1e-14));
+        }
+    }
+}
+
 TEST_CASE("a passive end reflects what its design says, in steps of any length") {
     constexpr double most = 1e-7;
     struct Case {

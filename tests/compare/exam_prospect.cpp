@@ -103,7 +103,7 @@ TEST_CASE("what comes back is foretold, and what is amplified") {
     scene.left = {.kind = BoundaryKind::fixed};
     scene.right = {.kind = BoundaryKind::free};
     CHECK(prospect_of(Simulation(scene)).ends.empty());
-    scene.left = {.kind = BoundaryKind::sponge, .layer = 10};
+    scene.left = {.kind = BoundaryKind::sponge, .layer = 401};
     CHECK(prospect_of(Simulation(scene)).ends ==
           "nothing is predicted of an end that is sponge: nmbcrun verify measures it");
     scene.left = {.kind = BoundaryKind::exact};
@@ -129,6 +129,19 @@ TEST_CASE("what an extended end sends back is what gets to its far end and has t
     CHECK(prospect_at(20).sends_much_back);
     CHECK(prospect_at(90).ends == "nothing of the energy that reaches them comes back");
     CHECK(!prospect_at(90).sends_much_back);
+}
+
+TEST_CASE("a layer too thin to absorb is said to send back what comes") {
+    Scene scene = with_pulse(scene_of(2, 32.0 / 15, 200, 400), Shape::gaussian, 12);
+    for (const auto kind : {BoundaryKind::sponge, BoundaryKind::pml}) {
+        scene.left = scene.right = {.kind = kind, .layer = 1};
+        const auto thin = prospect_of(Simulation(scene));
+        CHECK(thin.sends_much_back);
+        CHECK(thin.ends.find("of the energy that reaches them comes back") != std::string::npos);
+        CHECK(thin.objection.empty());
+    }
+    scene.left = scene.right = {.kind = BoundaryKind::pml, .layer = 20};
+    CHECK(!prospect_of(Simulation(scene)).sends_much_back);
 }
 
 TEST_CASE("what a force sends out late does not get to an end in time") {

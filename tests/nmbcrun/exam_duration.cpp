@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/duration.hpp"
 #include "tools/nmbcrun/output/step_warnings.hpp"
+#include "tools/nmbcrun/terminal/duration.hpp"
 
 namespace {
 
@@ -31,6 +31,7 @@ TEST_CASE("durations are written as one says them") {
 }
 
 TEST_CASE("a run of many steps, or of very short ones, is told before it begins") {
+    using nmbcrun::require_an_end;
     using nmbcrun::warnings_of_steps;
     const auto plan = [](double time_step, std::size_t steps, double cfl) {
         return nmbcrun::StepPlan{.time_step = time_step, .steps = steps, .cfl = cfl};
@@ -41,8 +42,13 @@ TEST_CASE("a run of many steps, or of very short ones, is told before it begins"
         "1e+09 steps of 720 nodes take about 2.0 h at 1e+08 node-steps a second: until time.end "
         "waves go 4e+08 dX"};
     CHECK(warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000'000, 720) == many);
+    // A warning refuses nothing.
+    CHECK(
+        warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000'000, 720'000'000).size() ==
+        1);
+    CHECK_NOTHROW(require_an_end(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000'000, 720));
     CHECK_THROWS_WITH_AS(
-        warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000'000, 720'000'000),
+        require_an_end(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000'000, 720'000'000),
         "1e+09 steps of 720000000 nodes take about 2.3e+02 years at 1e+08 node-steps a second: "
         "until "
         "time.end waves go 4e+08 dX. At most 100 years are allowed",
@@ -61,6 +67,7 @@ TEST_CASE("a run of many steps, or of very short ones, is told before it begins"
 }
 
 TEST_CASE("files that are large, or do not fit, are told before a run begins") {
+    using nmbcrun::require_space;
     using nmbcrun::warning_of_files;
     constexpr double giga = 1e9;
     CHECK(warning_of_files({.rows = 1e6, .snapshots = 100, .bytes_of_snapshot = 1e6}, 80 * giga)
@@ -68,13 +75,16 @@ TEST_CASE("files that are large, or do not fit, are told before a run begins") {
     CHECK(warning_of_files({.rows = 1e6, .snapshots = 100, .bytes_of_snapshot = 1e6}, 0.3 * giga) ==
           "the run writes about 0.5 GB, 1e+06 rows of energies most of it, and 0.3 GB are free: a "
           "larger output.every writes less");
+    const nmbcrun::Output large{.rows = 1e4, .snapshots = 1e5, .bytes_of_snapshot = 3.2e7};
+    CHECK(!warning_of_files(large, 80 * giga).empty());
+    CHECK_NOTHROW(require_space(large, 4000 * giga));
     CHECK_THROWS_WITH_AS(
-        warning_of_files({.rows = 1e4, .snapshots = 1e5, .bytes_of_snapshot = 3.2e7}, 80 * giga),
+        require_space(large, 80 * giga),
         "the run writes about 3.2e+03 GB, 1e+05 snapshots most of it, and 80 GB are free: a "
         "larger output.snapshots writes less",
         nmbcrun::FileError);
     // Sizes of rows are estimates.
-    CHECK_THROWS_AS(warning_of_files({.rows = 1e6}, 0.09 * giga), nmbcrun::FileError);
+    CHECK_THROWS_AS(require_space({.rows = 1e6}, 0.09 * giga), nmbcrun::FileError);
 }
 
 }  // namespace

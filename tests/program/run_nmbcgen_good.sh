@@ -202,6 +202,12 @@ for option in --family --order --horizon --weights --stride --damping --time-ste
 done
 expect_nothing_written
 
+# Some seconds of algebra: a line on a terminal, gone at the end.
+tried="--order 16 on a terminal"
+script -qec "'$program' --order 16 --horizon 2 --uncertified --out slow" /dev/null >"$scratch/stdout"
+expect "how long by now" grep -qaE 'nmbcgen: deriving, 0 of 1, [0-9]+ s' "$scratch/stdout"
+rm -r slow
+
 # The largest of the committed set, and the whole set: printed as written, one line a file.
 try --order 4 --horizon 3 --stdout
 expect_exit 0

@@ -44,6 +44,7 @@ for name in .hidden $'a\x01\nb' "it's<&>" a..b; do
 done
 expect "plain names" test "$(cd named && echo *)" = "_hidden.csv a._b.csv a__b.csv it_s___.csv"
 expect "no hidden file" test "$(files_in named)" -eq 4
+rm -r named
 
 # The ledger: what is there was put in and has not left, through the ends or by damping; to 1e-13 of
 # the peak (2744 steps of 500 nodes, where the roundings of some 10 operations add up).

@@ -130,6 +130,12 @@ refuses 2 "nmbcrun has no table for family nopd1d, horizon 3, influence 1, 3/4, 
 scene: nmbcgen --family nopd1d --order 1 --horizon 3 --weights 1,3/4,1/2 --G 1 --format json --out FOLDER, and \
 model.tables = [\"nopd1d_n3_w_1o1_3o4_1o2_order1_G1o1.json\"]. It knows the committed set and those of model.tables, in which there is nothing of this \
 influence" "${third[@]}"
+# It has the G that the scene states, which no double is, and that of another setting.
+for given in '"1/3":1/3:1o3' '0.25:1/4:1o4'; do
+    IFS=: read -r G exact name <<<"$given"
+    refuses 2 "nmbcgen --family nopd1d --order 5 --horizon 2 --G $exact --format json --out FOLDER, and model.tables = $(:
+        )[\"nopd1d_n2_order5_G$name.json\"]" --set model.influence=constant --set model.G="$G" --set boundary.order=5
+done
 # Without a certificate of its own: no step is chosen, and one that is given is certified here.
 third+=(--set 'model.tables=["nopd1d_n3_w_1o1_3o4_1o2_order1_G1o1.json"]')
 refuses 4 "its table, in scenes/nopd1d_n3_w_1o1_3o4_1o2_order1_G1o1.json, was written with --uncertified; NMBC1 with \

@@ -15,13 +15,13 @@
 #include "tools/nmbcrun/advise/advise.hpp"
 #include "tools/nmbcrun/chart/chart.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
-#include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/plane/plane_run.hpp"
 #include "tools/nmbcrun/plane_compare/plane_advice.hpp"
 #include "tools/nmbcrun/plane_compare/plane_chart.hpp"
 #include "tools/nmbcrun/run.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 #include "tools/nmbcrun/scene/scene_reader.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
 #include "tools/nmbcrun/verify.hpp"
 
 namespace {

@@ -15,12 +15,12 @@
 #include "tools/nmbcrun/compare/source_spectrum.hpp"
 #include "tools/nmbcrun/compare/spectrum.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/interrupt.hpp"
-#include "tools/nmbcrun/output/progress.hpp"
 #include "tools/nmbcrun/output/step_warnings.hpp"
 #include "tools/nmbcrun/output/warnings.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
+#include "tools/nmbcrun/terminal/progress.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -129,17 +129,18 @@ bool verify(const Scene& scene, double tolerance, bool quiet) {
     }
     Simulation simulation(scene);
     Simulation reference(endless(mirrored, simulation.plan().time_step));
+    const Plan& plan = simulation.plan();
+    const std::size_t nodes = simulation.chain().nodes() + reference.chain().nodes();
+    require_an_end(plan, unit_of_time(scene), plan.steps, nodes);
     print_warnings(simulation.warnings());
-    print_warnings(warnings_of_steps(simulation.plan(), unit_of_time(scene),
-                                     simulation.plan().steps,
-                                     simulation.chain().nodes() + reference.chain().nodes()));
+    print_warnings(warnings_of_steps(plan, unit_of_time(scene), plan.steps, nodes));
     if (!quiet) {
         fmt::print("scene      {}\n", scene.title);
         fmt::print("ends       {}; {}\n", heading_of(scene.left), heading_of(scene.right));
         fmt::print("reference  {}; {}\n", heading_of(reference.scene().left),
                    heading_of(reference.scene().right));
-        fmt::print("time       {} steps of {:.6g} (cfl = {:.3g})\n\n", simulation.plan().steps,
-                   simulation.plan().time_step, simulation.plan().cfl);
+        fmt::print("time       {} steps of {:.6g} (cfl = {:.3g})\n\n", plan.steps, plan.time_step,
+                   plan.cfl);
         std::fflush(stdout);  // through a pipe, too, it is read before the runs
     }
     note_interrupts();

@@ -11,7 +11,7 @@
 #include "generator/support/exit_code.hpp"
 #include "generator/support/files.hpp"
 #include "generator/support/number_between.hpp"
-#include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/terminal/progress.hpp"
 #include "tools/stability_atlas/atlas.hpp"
 #include "tools/stability_atlas/choices.hpp"
 #include "tools/stability_atlas/csv.hpp"

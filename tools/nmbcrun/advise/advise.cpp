@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -16,9 +15,10 @@
 #include "tools/nmbcrun/advise/search.hpp"
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/duration.hpp"
 #include "tools/nmbcrun/output/warnings.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
+#include "tools/nmbcrun/terminal/duration.hpp"
+#include "tools/nmbcrun/terminal/stopwatch.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -222,21 +222,14 @@ const char* what_counts(const Scene& scene) {
                                    : "of the ends and of the time step together";
 }
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// About: from the first of its steps.
 double seconds_of_run(Simulation& simulation) {
     constexpr double enough = 0.02;
-    const auto start = Clock::now();
+    const Stopwatch watch;
     do {
         simulation.step();
-    } while (!simulation.is_done() && seconds_since(start) < enough);
-    return seconds_since(start) * double(simulation.plan().steps) /
-           double(simulation.chain().steps());
+    } while (!simulation.is_done() && watch.seconds() < enough);
+    return watch.seconds() * double(simulation.plan().steps) / double(simulation.chain().steps());
 }
 
 std::vector<std::string> uncounted_closures(const Scene& scene) {
@@ -301,7 +294,7 @@ Scene as_advised(const Scene& scene, double tolerance, bool quiet, const Pause& 
 }
 
 void advise(const Scene& scene, double tolerance, bool quiet, const Pause& pause) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     const Advice advice = announced_advice(scene, tolerance, quiet, pause);
     const Candidate& best = advice.ranked.front();
     if (!quiet) {
@@ -313,7 +306,7 @@ void advise(const Scene& scene, double tolerance, bool quiet, const Pause& pause
     Simulation simulation(advised(scene, best));
     print_warnings(simulation.warnings());
     const double run = seconds_of_run(simulation);
-    const double took = seconds_since(start);
+    const double took = watch.seconds();
     constexpr double patience = 2;  // [s]
     constexpr double many_runs = 10;
     if (!quiet && (took > patience || took > many_runs * run)) {

@@ -21,6 +21,7 @@
 #include "tools/nmbcrun/sides/passive_design.hpp"
 #include "tools/nmbcrun/sources/time_scale.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -112,6 +113,7 @@ AutomaticStep certified_together(const Scene& scene, const AutomaticStep& longes
     AutomaticStep step = longest;
     std::string first_problem;
     for (; step.cfl > 0 && step.cfl >= least; step.cfl -= less) {
+        stop_if_interrupted();  // of a damped chain each step takes a good part of a second
         const std::string problem = pair.objection(2 * step.cfl / omega_max, step.cfl);
         if (problem.empty()) {
             return step;
@@ -194,14 +196,21 @@ std::string objection_to_steps(const Scene& scene, const nmbc::Lattice& lattice,
     const double allowed = certified > 0 ? certified : stable;
     const std::string longest = nmbcgen::rounded_down(2 * allowed / omega_max, 6);
     const std::string largest = nmbcgen::rounded_down(allowed, 3);
-    return fmt::format(
-        "steps of {:.6g} (cfl = {:.3g}) are too long: {} up to {} (cfl = {}){}{}", time_step, cfl,
-        allowed < stable ? "these ends are certified in steps" : "between these ends steps",
-        longest, largest, allowed < stable ? "" : " are stable",
-        certified == 0 ? ", and none is certified"
-        : scene.step   ? fmt::format(". Give time.step = {} or less", longest)
-        : scene.cfl    ? fmt::format(". Give time.cfl = {} or less", largest)
-                       : "");
+    const bool is_limit = allowed == stable;
+    // Else shorter ones need not be certified, and some longer ones may be.
+    const std::string choice =
+        is_limit ? fmt::format("between these ends steps up to {} (cfl = {}) are stable", longest,
+                               largest)
+                 : fmt::format(
+                       "these ends are certified in steps of {} (cfl = {}), for example, "
+                       "and none above cfl = {} is stable",
+                       longest, largest, nmbcgen::rounded_down(stable, 3));
+    const char* or_less = is_limit ? " or less" : "";
+    return fmt::format("steps of {:.6g} (cfl = {:.3g}) are too long: {}{}", time_step, cfl, choice,
+                       certified == 0 ? ", and none is certified"
+                       : scene.step   ? fmt::format(". Give time.step = {}{}", longest, or_less)
+                       : scene.cfl    ? fmt::format(". Give time.cfl = {}{}", largest, or_less)
+                                      : "");
 }
 
 AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, double omega_max,

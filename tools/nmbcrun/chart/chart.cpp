@@ -13,7 +13,6 @@
 #include <nmbc/surface.hpp>
 #include <set>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -24,17 +23,17 @@
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/chart/long_run.hpp"
 #include "tools/nmbcrun/chart/node_steps.hpp"
+#include "tools/nmbcrun/chart/pace.hpp"
 #include "tools/nmbcrun/chart/points.hpp"
 #include "tools/nmbcrun/chart/trial.hpp"
 #include "tools/nmbcrun/chart/tuning.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/csv.hpp"
-#include "tools/nmbcrun/output/duration.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
-#include "tools/nmbcrun/output/processor_clock.hpp"
 #include "tools/nmbcrun/output/work.hpp"
 #include "tools/nmbcrun/scene/step_plan.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
+#include "tools/nmbcrun/terminal/duration.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -43,10 +42,6 @@ namespace {
 constexpr std::array cfls{0.1, 0.2, 0.4, 0.8};
 constexpr double shown_cfl = 0.4;
 constexpr double fine_cfl = 0.0125;  // an eighth of the smallest: an error 1/64 of its
-
-double cores() {
-    return double(std::max(1U, std::thread::hardware_concurrency()));
-}
 
 class Measurement {
   public:
@@ -59,10 +54,11 @@ class Measurement {
                 points_.push_back({.what = what, .cfl = cfl});
             }
         }
+        pace_ = pace_of(in_steps(shown_));
     }
 
     double shown() const { return shown_; }
-    double seconds() const { return total_work() * seconds_per_node_step(); }
+    double seconds() const { return total_work(); }
 
     std::vector<Point> run(bool quiet) {
         Work work(total_work(), quiet);
@@ -105,31 +101,33 @@ class Measurement {
         return point.cfl == shown_ || point.what.boundary.kind == BoundaryKind::exact;
     }
 
+    // Seconds, as the pace of the bare interior tells; what all cores share takes a part of them.
+    double seconds_of(const Scene& scene) const { return node_steps(scene) * pace_.step_by_step; }
     double tuning_work(const Point& point) const {
         const bool is_layer = point.what.boundary.kind != BoundaryKind::extended;
-        return node_steps(ended(point)) * (is_layer ? double(tuning_runs) * 0.7 : 10) / cores();
+        return seconds_of(ended(point)) * (is_layer ? double(tuning_runs) : 10) / cores();
     }
-    double trial_work(const Point& point) const { return 2 * node_steps(ended(point)) / cores(); }
+    double trial_work(const Point& point) const { return seconds_of(ended(point)) / cores(); }
     double long_work(const Point& point) const {
         return adds_no_energy(point.what.boundary.kind)
                    ? 0
-                   : double(scene_.nodes) * double(long_run_) / cores();
+                   : double(scene_.nodes) * double(long_run_) * pace_.long_run / cores();
     }
     /// Bursts of the boundary beside twice as many of the bare interior, until it has taken long
-    /// enough.
+    /// enough, and some while it is made.
     double timing_work(const Point& point) const {
         const double bare = double(scene_.nodes) *
                             double(steps_until(scene_.end, in_steps(point.cfl).step.value()));
         const double burst = std::max(timing_burst, 10.0 * double(scene_.nodes));
-        const double own = node_steps(ended(point)) *
-                           (point.what.boundary.kind == BoundaryKind::exact ? 1 : burst / bare);
-        constexpr double enough = 2.5e8;
-        return std::min(double(cost_rounds), 1 + enough / own) * (2 * burst + own);
+        const bool is_exact = point.what.boundary.kind == BoundaryKind::exact;
+        const double own = seconds_of(ended(point)) * (is_exact ? 1 : burst / bare);
+        const double of_burst = burst * pace_.step_by_step;
+        return std::min(double(cost_rounds), 1 + enough_timed / own) * (2 * of_burst + own) +
+               std::min(enough_timed, double(making_rounds) * of_burst);
     }
-    double reference_work(double cfl) const { return node_steps(reference(cfl, false)) / cores(); }
+    double reference_work(double cfl) const { return seconds_of(reference(cfl, false)) / cores(); }
 
     double total_work() const;
-    double seconds_per_node_step() const;
     void run_references(Work& work);
     void tune_layers(Work& work);
     void run_trials(Work& work);
@@ -140,6 +138,7 @@ class Measurement {
     std::size_t long_run_;
     std::vector<double> steps_;
     double shown_ = 0;
+    Pace pace_{};
     std::map<bool, Samples> fine_;  // by is_on_node()
     std::map<std::pair<double, bool>, Samples> same_steps_;
     std::vector<Point> points_;
@@ -161,15 +160,6 @@ double Measurement::total_work() const {
         }
     }
     return total;
-}
-
-double Measurement::seconds_per_node_step() const {
-    nmbc::Chain bare = chain_between(in_steps(shown_), nmbc::IdleEnd{}, nmbc::IdleEnd{});
-    const std::size_t steps = 1 + 2'000'000 / scene_.nodes;
-    bare.advance(steps);  // to warm up
-    const double start = seconds_of_this_thread();
-    bare.advance(steps);
-    return (seconds_of_this_thread() - start) / (double(steps) * double(scene_.nodes));
 }
 
 void Measurement::run_references(Work& work) {
@@ -221,17 +211,26 @@ void Measurement::tune_layers(Work& work) {
 void Measurement::run_trials(Work& work) {
     nmbcgen::on_all_cores(points_.size(), [&](std::size_t i) {
         Point& point = points_[i];
-        if (!point.refused.empty()) {
-            return;
+        double left = trial_work(point) + long_work(point);
+        const auto counted = [&](double part_of_it) -> Advance {
+            return [&, part_of_it](double part) {
+                left -= part * part_of_it;
+                work.add(part * part_of_it);
+            };
+        };
+        if (point.refused.empty()) {
+            point.refused = refusal_of([&] {
+                point.trial =
+                    run_trial(ended(point), same_steps_.at({point.cfl, is_on_node(point)}),
+                              fine_.at(is_on_node(point)), counted(trial_work(point)));
+                if (!adds_no_energy(point.what.boundary.kind)) {
+                    point.long_run =
+                        long_time_stability(ended(point), long_run_, counted(long_work(point)));
+                }
+            });
         }
-        point.refused = refusal_of([&] {
-            point.trial = run_trial(ended(point), same_steps_.at({point.cfl, is_on_node(point)}),
-                                    fine_.at(is_on_node(point)), work.of(trial_work(point)));
-            if (!adds_no_energy(point.what.boundary.kind)) {
-                point.long_run =
-                    long_time_stability(ended(point), long_run_, work.of(long_work(point)));
-            }
-        });
+        const bool is_over = !point.refused.empty() && is_timed(point);
+        work.add(left + (is_over ? timing_work(point) : 0));
     });
 }
 

@@ -47,12 +47,9 @@ nmbc::Chain chain_of(const Scene& scene) {
     return chain_between(scene, chain_end(scene, scene.left), chain_end(scene, scene.right));
 }
 
-constexpr double enough = 0.5;  // [s]: what takes long needs fewer rounds
-
 /// A chain of the scene, and what its ends take to be made.
 std::pair<nmbc::Chain, double> made(const Scene& scene, nmbc::Chain& bare, std::size_t burst,
                                     const std::function<void()>& pause) {
-    constexpr std::size_t rounds = 51;
     std::vector<double> ratios;
     double spent = 0;
     while (true) {
@@ -64,7 +61,7 @@ std::pair<nmbc::Chain, double> made(const Scene& scene, nmbc::Chain& bare, std::
         ratios.push_back((end - middle - (middle - start)) / seconds_per_step(bare, burst, pause));
         pause();
         spent += end - middle;
-        if (ratios.size() == rounds || spent > enough) {
+        if (ratios.size() == making_rounds || spent > enough_timed) {
             return {std::move(with), median(ratios)};
         }
     }
@@ -97,7 +94,7 @@ std::vector<RelativeCost> relative_costs(const std::vector<Scene>& scenes,
     std::vector<double> spent(chains.size());
     for (std::size_t round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < chains.size(); ++i) {
-            if (spent[i] > enough) {
+            if (spent[i] > enough_timed) {
                 continue;
             }
             pause();

@@ -11,6 +11,8 @@
 namespace nmbcrun {
 
 inline constexpr std::size_t cost_rounds = 101;
+inline constexpr std::size_t making_rounds = 51;
+inline constexpr double enough_timed = 0.5;  ///< [s]: what takes long needs fewer rounds
 
 /// What a run takes, in steps of the bare interior.
 struct RelativeCost {

@@ -27,6 +27,8 @@ void start_randomly(nmbc::Chain& chain) {
     chain.start(u, std::vector<double>(u.size()));
 }
 
+}  // namespace
+
 double largest_displacement(const nmbc::Chain& chain) {
     double largest = 0;
     for (const double u : chain.displacement()) {
@@ -35,8 +37,6 @@ double largest_displacement(const nmbc::Chain& chain) {
     }
     return largest;
 }
-
-}  // namespace
 
 std::string_view name_of(LongRun outcome) {
     switch (outcome) {
@@ -86,15 +86,16 @@ LongTimeStability long_time_stability(const Scene& scene, std::size_t steps,
     nmbc::Chain chain =
         chain_between(scene, chain_end(scene, scene.left), chain_end(scene, scene.right));
     start_randomly(chain);
-    constexpr std::size_t look_every = 20;
     constexpr double beyond = 1e100;  // of the start: no power of time comes so far, nor back
     std::vector<double> largest{largest_displacement(chain)};
+    const auto skip_rest = [&] { advance(1 - double(chain.steps()) / double(steps)); };
     while (chain.steps() < steps) {
-        const std::size_t some = std::min(look_every, steps - chain.steps());
+        const std::size_t some = std::min(steps_between_looks, steps - chain.steps());
         chain.advance(some);
         advance(double(some) / double(steps));
         largest.push_back(largest_displacement(chain));
         if (!(largest.back() < beyond)) {
+            skip_rest();
             const std::size_t later = largest.size() / 2;
             const double looks = double(later) / double(largest.size() - 1);
             return {LongRun::unstable,
@@ -102,6 +103,7 @@ LongTimeStability long_time_stability(const Scene& scene, std::size_t steps,
                         (looks * chain.time())};
         }
         if (largest.back() < 1 / beyond) {
+            skip_rest();
             return {};
         }
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <nmbc/chain.hpp>
 #include <string_view>
 #include <vector>
 
@@ -30,8 +31,14 @@ struct LongTimeStability {
 /// What the largest displacements show, at equal distances of time from 0 to `time`.
 LongTimeStability stability_shown_by(const std::vector<double>& largest, double time);
 
+/// Steps between two of them.
+inline constexpr std::size_t steps_between_looks = 20;
+
+/// |u| of any node; infinite where one is not finite.
+double largest_displacement(const nmbc::Chain& chain);
+
 /// Runs the scene's chain, with its ends and in its step, for so many steps from random data. The
-/// run ends early where it has grown, or faded, beyond all doubt.
+/// run ends early where it has grown, or faded, beyond all doubt: the rest counts as done then.
 LongTimeStability long_time_stability(const Scene& scene, std::size_t steps,
                                       const Advance& advance);
 

@@ -8,6 +8,8 @@
 #include <nmbc/energy.hpp>
 #include <numbers>
 
+#include "tools/nmbcrun/terminal/interrupt.hpp"
+
 namespace nmbcrun {
 namespace {
 
@@ -128,6 +130,7 @@ double Packet::reflected_by(const nmbc::ChainEnd& end, std::size_t layer) const 
     const double before = nmbc::energies(chain).staggered;
     for (std::size_t step = steps(layer); step > 0; --step) {
         chain.step();
+        stop_if_interrupted();
     }
     return nmbc::energies(chain).staggered / before;
 }

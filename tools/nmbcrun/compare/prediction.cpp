@@ -5,6 +5,7 @@
 
 #include "generator/stability/band_reflection.hpp"
 #include "tools/nmbcrun/certification/half_space.hpp"
+#include "tools/nmbcrun/compare/layer_reflection.hpp"
 #include "tools/nmbcrun/sides/passive_design.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
@@ -36,6 +37,16 @@ std::optional<std::function<double(double xi)>> reflected_energy_of(const Scene&
                 return std::nullopt;  // the analysis is of midpoint ghosts
             }
             break;
+        case BoundaryKind::sponge:
+        case BoundaryKind::pml:
+            if (boundary.layer > widest_told_layer) {
+                return std::nullopt;
+            }
+            return energy_sent_back_by_layer(
+                lattice_of(scene),
+                stepped(half_space_of(table_of(scene, {.kind = BoundaryKind::fixed}), scene.G),
+                        time_step),
+                boundary);
         default:
             return std::nullopt;
     }

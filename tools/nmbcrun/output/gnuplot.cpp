@@ -16,7 +16,7 @@
 
 #include "generator/names/printable.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/interrupt.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
 
 namespace nmbcrun {
 namespace {

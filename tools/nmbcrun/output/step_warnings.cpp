@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/duration.hpp"
+#include "tools/nmbcrun/terminal/duration.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -17,6 +16,41 @@ constexpr double pace = 1e8;  // node-steps per second, of a fast core
 
 double seconds_of(std::size_t steps, std::size_t nodes) {
     return double(steps) * double(nodes) / pace;
+}
+
+std::string steps_in_words(const StepPlan& plan, double unit_of_time, std::size_t steps_left,
+                           std::size_t nodes) {
+    return fmt::format(
+        "{:.3g} steps of {} nodes take about {} at {:g} node-steps a second: until time.end "
+        "waves go {:.2g} dX",
+        double(steps_left), nodes, duration(seconds_of(steps_left, nodes)), pace,
+        double(plan.steps) * plan.time_step / unit_of_time);
+}
+
+/// In bytes, about.
+struct Sizes {
+    double of_rows = 0;
+    double of_fields = 0;
+};
+
+Sizes sizes_of(const Output& output) {
+    constexpr double bytes_of_row = 200;
+    constexpr double bytes_of_probe = 20;
+    return {// a growing file and, at the end, its copy
+            2 * output.rows * (bytes_of_row + output.probes * bytes_of_probe),
+            output.snapshots * output.bytes_of_snapshot};
+}
+
+std::string files_in_words(const Output& output, double free) {
+    constexpr double giga = 1e9;
+    const auto [of_rows, of_fields] = sizes_of(output);
+    const bool rows_are_most = of_rows > of_fields;
+    return fmt::format(
+        "the run writes about {:.2g} GB, {:.3g} {}{}: a larger {} writes less",
+        (of_rows + of_fields) / giga, rows_are_most ? output.rows : output.snapshots,
+        rows_are_most ? "rows of energies most of it" : "snapshots most of it",
+        std::isfinite(free) ? fmt::format(", and {:.2g} GB are free", free / giga) : "",
+        rows_are_most ? "output.every" : "output.snapshots");
 }
 
 }  // namespace
@@ -50,46 +84,33 @@ std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_
             longest, double(plan.steps)));
     }
     constexpr double hour = 3600;
-    constexpr double year = 365.25 * 24 * hour;
-    const double seconds = seconds_of(steps_left, nodes);
-    if (seconds > hour) {
-        std::string length = fmt::format(
-            "{:.3g} steps of {} nodes take about {} at {:g} node-steps a second: until time.end "
-            "waves go {:.2g} dX",
-            double(steps_left), nodes, duration(seconds), pace,
-            double(plan.steps) * plan.time_step / unit_of_time);
-        // Such runs take some months where all goes fastest.
-        if (seconds > 100 * year) {
-            throw SceneError(length + ". At most 100 years are allowed");
-        }
-        warnings.push_back(std::move(length));
+    if (seconds_of(steps_left, nodes) > hour) {
+        warnings.push_back(steps_in_words(plan, unit_of_time, steps_left, nodes));
     }
     return warnings;
 }
 
+void require_an_end(const StepPlan& plan, double unit_of_time, std::size_t steps_left,
+                    std::size_t nodes) {
+    constexpr double year = 365.25 * 24 * 3600;
+    if (seconds_of(steps_left, nodes) > 100 * year) {  // some months where all goes fastest
+        throw SceneError(steps_in_words(plan, unit_of_time, steps_left, nodes) +
+                         ". At most 100 years are allowed");
+    }
+}
+
 std::string warning_of_files(const Output& output, double free) {
-    constexpr double bytes_of_row = 200;
-    constexpr double bytes_of_probe = 20;
     constexpr double many = 2e9;
-    constexpr double giga = 1e9;
+    const auto [of_rows, of_fields] = sizes_of(output);
+    return of_rows + of_fields <= std::min(many, free) ? "" : files_in_words(output, free);
+}
+
+void require_space(const Output& output, double free) {
     constexpr double surplus = 4;  // rows may be half as long, and the copy is short-lived
-    // a growing file and, at the end, its copy
-    const double of_rows = 2 * output.rows * (bytes_of_row + output.probes * bytes_of_probe);
-    const double of_fields = output.snapshots * output.bytes_of_snapshot;
-    if (of_rows + of_fields <= std::min(many, free)) {
-        return "";
-    }
-    const bool rows_are_most = of_rows > of_fields;
-    std::string sizes =
-        fmt::format("the run writes about {:.2g} GB, {:.3g} {}{}: a larger {} writes less",
-                    (of_rows + of_fields) / giga, rows_are_most ? output.rows : output.snapshots,
-                    rows_are_most ? "rows of energies most of it" : "snapshots most of it",
-                    std::isfinite(free) ? fmt::format(", and {:.2g} GB are free", free / giga) : "",
-                    rows_are_most ? "output.every" : "output.snapshots");
+    const auto [of_rows, of_fields] = sizes_of(output);
     if (of_rows / surplus + of_fields > free) {
-        throw FileError(sizes);
+        throw FileError(files_in_words(output, free));
     }
-    return sizes;
 }
 
 }  // namespace nmbcrun

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Runs whose steps are many or very short, or whose files are large.
+/// Runs whose steps are many or very short, or whose files are large, and those that cannot be.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,13 @@ namespace nmbcrun {
 
 /// In words: where the steps are far below what the lattice allows, where it allows none but very
 /// short ones, and where so many are left that they take more than an hour with so many nodes.
-/// unit_of_time: dX/c. Throws SceneError where they take more than 100 years.
+/// unit_of_time: dX/c.
 std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_time,
                                            std::size_t steps_left, std::size_t nodes);
+
+/// Throws SceneError where they take more than 100 years.
+void require_an_end(const StepPlan& plan, double unit_of_time, std::size_t steps_left,
+                    std::size_t nodes);
 
 /// ", about 8 min at 1e+08 node-steps a second"; empty of less than a million steps that take less
 /// than a minute.
@@ -29,7 +33,10 @@ struct Output {
 };
 
 /// In words: where that is more than 2 GB, or than is free [bytes] (infinite: not known); empty
-/// where it is not. Throws FileError where it cannot be written.
+/// where it is not.
 std::string warning_of_files(const Output& output, double free);
+
+/// Throws FileError where that cannot be written.
+void require_space(const Output& output, double free);
 
 }  // namespace nmbcrun

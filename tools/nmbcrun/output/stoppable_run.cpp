@@ -10,10 +10,9 @@
 #include <system_error>
 #include <utility>
 
-#include "tools/nmbcrun/output/interrupt.hpp"
-#include "tools/nmbcrun/output/progress.hpp"
-#include "tools/nmbcrun/output/step_warnings.hpp"
 #include "tools/nmbcrun/output/warnings.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
+#include "tools/nmbcrun/terminal/progress.hpp"
 
 namespace nmbcrun {
 
@@ -48,17 +47,29 @@ std::optional<Checkpoint> StoppableRun::claim(std::map<std::string, std::string>
     return from;
 }
 
-void StoppableRun::warn(std::vector<std::string> warnings, std::size_t nodes,
-                        double bytes_of_snapshot, std::size_t probes) const {
+Output StoppableRun::output_of(double bytes_of_snapshot, std::size_t probes) const {
     const auto left = double(plan_.steps - steps());
     const auto every = [&](std::size_t interval) {
         return interval == 0 ? 0.0 : left / double(interval);
     };
+    return {every(every_), double(probes), every(snapshots_), bytes_of_snapshot};
+}
+
+double StoppableRun::free_bytes() const {
     std::error_code unknown;  // then as much as one likes is free
     const auto space = std::filesystem::space(options_.folder, unknown);
-    warnings.push_back(
-        warning_of_files({every(every_), double(probes), every(snapshots_), bytes_of_snapshot},
-                         unknown || space.capacity == 0 ? HUGE_VAL : double(space.available)));
+    return unknown || space.capacity == 0 ? HUGE_VAL : double(space.available);
+}
+
+void StoppableRun::require_possible(std::size_t nodes, double bytes_of_snapshot,
+                                    std::size_t probes) const {
+    require_an_end(plan_, unit_of_time_, plan_.steps - steps(), nodes);
+    require_space(output_of(bytes_of_snapshot, probes), free_bytes());
+}
+
+void StoppableRun::warn(std::vector<std::string> warnings, std::size_t nodes,
+                        double bytes_of_snapshot, std::size_t probes) const {
+    warnings.push_back(warning_of_files(output_of(bytes_of_snapshot, probes), free_bytes()));
     std::erase(warnings, "");
     for (const std::string& one :
          warnings_of_steps(plan_, unit_of_time_, plan_.steps - steps(), nodes)) {

@@ -14,6 +14,7 @@
 #include "tools/nmbcrun/output/run_files.hpp"
 #include "tools/nmbcrun/output/run_lock.hpp"
 #include "tools/nmbcrun/output/run_options.hpp"
+#include "tools/nmbcrun/output/step_warnings.hpp"
 #include "tools/nmbcrun/scene/any_scene.hpp"
 #include "tools/nmbcrun/scene/step_plan.hpp"
 
@@ -38,6 +39,10 @@ class StoppableRun {
     /// (the energies up to there are), FileError (it says whether there is a checkpoint to go on
     /// from), and as the body does.
     void to_the_end();
+
+    /// Throws SceneError of so many nodes that its steps take a hundred years, FileError where
+    /// there is no room for its files: with such snapshots, and so many numbers of probes.
+    void require_possible(std::size_t nodes, double bytes_of_snapshot, std::size_t probes) const;
 
     /// Prints these on stderr, a line each, and what its user may not expect of any run of so many
     /// nodes with such snapshots, and so many numbers of probes.
@@ -98,6 +103,10 @@ class StoppableRun {
         Highlights highlights;
         std::vector<Journal::Mark> journals;
     };
+
+    /// Still to be written.
+    Output output_of(double bytes_of_snapshot, std::size_t probes) const;
+    double free_bytes() const;
 
     bool is_done() const { return steps() >= plan_.steps; }
     std::size_t next_stop() const;

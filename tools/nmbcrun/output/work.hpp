@@ -6,10 +6,11 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
+#include <thread>
 
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/interrupt.hpp"
-#include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
+#include "tools/nmbcrun/terminal/progress.hpp"
 
 namespace nmbcrun {
 
@@ -17,13 +18,18 @@ namespace nmbcrun {
 /// before. It may throw.
 using Advance = std::function<void(double)>;
 
+/// That share what is done on all of them.
+inline double cores() {
+    return double(std::max(1U, std::thread::hardware_concurrency()));
+}
+
 /// All that is to be done, known at the start; lets the user stop in between.
 class Work {
   public:
-    /// total: node_steps of one core.
+    /// total: in a unit of time that is the caller's.
     Work(double total, bool quiet) : total_(total), progress_(parts, quiet) {}
 
-    /// Counts so many node_steps.
+    /// Counts so many of it.
     Advance of(double work) {
         return [this, work](double part) { add(work * part); };
     }
@@ -31,9 +37,7 @@ class Work {
         const std::lock_guard lock(adding_);
         done_ += work;
         progress_.update(std::size_t(double(parts) * std::min(1.0, done_ / total_)));
-        if (interrupted()) {
-            throw Interrupted("stopped; nothing was written");
-        }
+        stop_if_interrupted();
     }
 
   private:

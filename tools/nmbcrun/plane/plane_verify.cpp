@@ -9,8 +9,6 @@
 #include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/interrupt.hpp"
-#include "tools/nmbcrun/output/progress.hpp"
 #include "tools/nmbcrun/output/step_warnings.hpp"
 #include "tools/nmbcrun/output/warnings.hpp"
 #include "tools/nmbcrun/plane/finer_run.hpp"
@@ -19,6 +17,8 @@
 #include "tools/nmbcrun/plane/plane_sides.hpp"
 #include "tools/nmbcrun/plane/plane_simulation.hpp"
 #include "tools/nmbcrun/plane/same_body.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
+#include "tools/nmbcrun/terminal/progress.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -75,10 +75,11 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool finer, bool qu
     const auto nodes_of = [](const PlaneSimulation& one) {
         return one.plane().grid().nx * one.plane().grid().ny;
     };
+    const PlanePlan& plan = simulation.plan();
+    const std::size_t all = nodes_of(simulation) + reference.steps * nodes_of(reference.simulation);
+    require_an_end(plan, unit_of_time(scene), plan.steps, all);
     print_warnings(warnings_of(simulation));
-    print_warnings(
-        warnings_of_steps(simulation.plan(), unit_of_time(scene), simulation.plan().steps,
-                          nodes_of(simulation) + reference.steps * nodes_of(reference.simulation)));
+    print_warnings(warnings_of_steps(plan, unit_of_time(scene), plan.steps, all));
     if (!quiet) {
         fmt::print("{}time      {} steps of {}\nreference{}\n{}\n", heading_of(simulation),
                    simulation.plan().steps, heading_of(simulation.plan()),

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/interrupt.hpp"
-#include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/output/processor_clock.hpp"
+#include "tools/nmbcrun/output/work.hpp"
 #include "tools/nmbcrun/plane/finer_run.hpp"
 #include "tools/nmbcrun/plane/plane_sides.hpp"
 #include "tools/nmbcrun/plane/same_body.hpp"
@@ -68,6 +68,7 @@ struct ClosureTrial {
     SameBody body;
     std::optional<PlaneSimulation> simulation{};
     std::optional<CommonNodes> nodes{};
+    double timing = 0;  ///< [s]
 };
 
 class ClosureMeasurement {
@@ -85,6 +86,7 @@ class ClosureMeasurement {
         find_steps();
         run_beside_reference();
         measure_costs();
+        work_.reset();
         for (const SidePoint& point : points_) {
             if (!point.refused.empty()) {
                 fmt::print(stderr, "nmbcrun: left out: {}: {}\n", point.what.name, point.refused);
@@ -106,6 +108,7 @@ class ClosureMeasurement {
 
     void require_points() const;
     void find_steps();
+    double timing_work();
     void run_beside_reference();
     void measure_costs();
 
@@ -116,6 +119,7 @@ class ClosureMeasurement {
     PlaneSimulation original_;
     std::vector<ClosureTrial> trials_{};  // of the points
     double step_ = 0;
+    std::optional<Work> work_{};
 };
 
 /// Throws SceneError where none is left.
@@ -145,6 +149,16 @@ void ClosureMeasurement::find_steps() {
     require_points();
 }
 
+/// What it takes to tell what they cost [s].
+double ClosureMeasurement::timing_work() {
+    double total = 0;
+    on_points([&](const SidePoint&, ClosureTrial& trial) {
+        trial.timing = 2 * double(cost_pairs) * timed_burst(*trial.simulation).seconds;
+        total += trial.timing;
+    });
+    return total;
+}
+
 void ClosureMeasurement::run_beside_reference() {
     ReferenceRun reference = finer_run(std::move(finer_), step_);
     on_points([&](SidePoint& point, ClosureTrial& trial) {
@@ -159,10 +173,9 @@ void ClosureMeasurement::run_beside_reference() {
     });
     require_points();
     const auto steps = steps_until(original_.scene().end, step_);
-    Progress progress(steps, quiet_);
     double peak = reference.simulation.energies().total();
     double largest = 0;  // |u_ref| at nodes that any of them shares with it: one unit for all
-    for (std::size_t step = 1; step <= steps; ++step) {
+    const auto advance = [&] {
         reference.advance();
         peak = std::max(peak, reference.simulation.energies().total());
         on_points([&](SidePoint& point, ClosureTrial& trial) {
@@ -174,10 +187,22 @@ void ClosureMeasurement::run_beside_reference() {
                                                          : std::numeric_limits<double>::infinity();
             }
         });
-        progress.update(step);
-        if (interrupted()) {
-            throw Interrupted("stopped; nothing was written");
-        }
+    };
+    // The time of the first steps tells that of all.
+    constexpr double enough = 0.02;  // [s]
+    const double start = seconds_of_this_process();
+    std::size_t step = 0;
+    double taken = 0;
+    while (step < steps && taken < enough) {
+        advance();
+        ++step;
+        taken = seconds_of_this_process() - start;
+    }
+    const double a_step = taken / double(step);
+    work_.emplace(double(steps - step) * a_step + timing_work(), quiet_);
+    for (; step < steps; ++step) {
+        advance();
+        work_->add(a_step);
     }
     if (!(largest > 0)) {
         throw nothing_to_compare_with();
@@ -198,7 +223,7 @@ void ClosureMeasurement::measure_costs() {
     const double bare_step = fixed.plan().time_step / fixed.plan().of_stable;
     on_points([&](SidePoint& point, const ClosureTrial& trial) {
         PlaneSimulation simulation(at_rest(trial.body.scene), trial.body.sides);
-        point.step_cost = relative_cost(simulation, fixed);
+        point.step_cost = relative_cost(simulation, fixed, work_->of(trial.timing));
         point.run_cost = point.step_cost * bare_step / point.longest_step;
     });
 }

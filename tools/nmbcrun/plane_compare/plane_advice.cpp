@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -13,11 +12,12 @@
 #include <vector>
 
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/duration.hpp"
-#include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/plane_compare/plane_strip.hpp"
 #include "tools/nmbcrun/plane_compare/side_candidates.hpp"
 #include "tools/nmbcrun/plane_compare/side_measurement.hpp"
+#include "tools/nmbcrun/terminal/duration.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
+#include "tools/nmbcrun/terminal/stopwatch.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -142,8 +142,7 @@ PlaneScene as_advised(const PlaneScene& scene, double tolerance, bool quiet) {
 
 void advise_plane(const PlaneScene& scene, double tolerance, bool quiet) {
     note_interrupts();
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
+    const Stopwatch watch;
     const SideAdvice advice = advice_for(scene, tolerance, quiet);
     if (advice.strip && !quiet) {
         print_strip(*advice.strip, scene);
@@ -154,8 +153,7 @@ void advise_plane(const PlaneScene& scene, double tolerance, bool quiet) {
             fmt::print(
                 "took       {}: each side runs the scene beside a reference, layers with many "
                 "losses, and what\n           may grow {} steps more\n",
-                duration(std::chrono::duration<double>(Clock::now() - start).count()),
-                steps_of_long_run);
+                duration(watch.seconds()), steps_of_long_run);
         }
         fmt::print("advice     {}, error {:.1e}\n", heading_of(advice.best().what.side),
                    advice.best().error);

@@ -11,9 +11,9 @@
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/output/csv.hpp"
 #include "tools/nmbcrun/output/gnuplot.hpp"
-#include "tools/nmbcrun/output/interrupt.hpp"
 #include "tools/nmbcrun/plane_compare/closed_measurement.hpp"
 #include "tools/nmbcrun/plane_compare/side_measurement.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
 
 namespace nmbcrun {
 

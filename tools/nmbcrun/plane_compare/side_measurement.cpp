@@ -14,6 +14,7 @@
 #include "generator/support/on_all_cores.hpp"
 #include "tools/nmbcrun/chart/tuning.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/processor_clock.hpp"
 #include "tools/nmbcrun/output/work.hpp"
 #include "tools/nmbcrun/plane/plane_plan.hpp"
 #include "tools/nmbcrun/plane/plane_sides.hpp"
@@ -42,8 +43,11 @@ class SideMeasurement {
 
     std::vector<SidePoint> run() {
         find_steps();
-        Work work(total_work(), quiet_);
-        run_reference(work);
+        std::optional<PlaneSimulation> endless(std::in_place,
+                                               in_steps({.kind = SideKind::extended}), quiet_);
+        Work work(foreseen(*endless), quiet_);
+        run_reference(*endless, work);
+        endless.reset();  // the largest of all
         on_points([&](std::size_t i) { tune(i, work); });
         on_points([&](std::size_t i) { run(i, work); });
         for (const SidePoint& point : points_) {
@@ -78,13 +82,18 @@ class SideMeasurement {
         });
     }
 
+    /// What the work on a point takes [s], while all cores share it; its timing has one.
+    struct Foreseen {
+        double tuning = 0;
+        double trial = 0;
+        double long_run = 0;
+        double timing = 0;
+    };
+
     void find_steps();
-    double nodes_with(const PlaneSideChoice& side) const;
-    double tuning_work(const SidePoint& point) const;
-    double trial_work(const SidePoint& point) const;
-    double long_work(const SidePoint& point) const;
-    double total_work() const;
-    void run_reference(Work& work);
+    Foreseen foreseen(std::size_t i, double bare_burst) const;
+    double foreseen(PlaneSimulation& endless);
+    void run_reference(PlaneSimulation& endless, Work& work);
     void tune(std::size_t i, Work& work);
     void run(std::size_t i, Work& work);
     void measure_costs(Work& work);
@@ -94,6 +103,8 @@ class SideMeasurement {
     bool quiet_;
     std::vector<SidePoint> points_{};
     std::vector<std::optional<nmbc::PlaneSides>> sides_{};  // of the points
+    std::vector<Foreseen> foreseen_{};                      // likewise
+    double of_reference_ = 0;                               // [s]
     double bare_step_ = 0;                                  // longest between fixed sides
     double step_ = 0;
     double steps_ = 0;
@@ -122,33 +133,43 @@ void SideMeasurement::find_steps() {
     steps_ = scene_.end / step_;
 }
 
-double SideMeasurement::nodes_with(const PlaneSideChoice& side) const {
-    constexpr double of_layer = 1.2;  // costs more than plain nodes
-    const double more = 2 * of_layer * double(side.layer);
-    return (double(scene_.nodes[0]) + more) * (double(scene_.nodes[1]) + more);
+/// By the time of a few steps.
+SideMeasurement::Foreseen SideMeasurement::foreseen(std::size_t i, double bare_burst) const {
+    const PlaneSideChoice& side = points_[i].what.side;
+    const double start = seconds_of_this_process();
+    PlaneSimulation simulation(in_steps(side), quiet_);
+    const double making = seconds_of_this_process() - start;
+    const Burst burst = timed_burst(simulation);
+    const double trial = (steps_ * burst.a_step + making) / cores();
+    Foreseen parts{.tuning = has_layer(side.kind) ? double(tuning_runs) * trial : 0,
+                   .trial = trial,
+                   .timing = double(cost_pairs) * (burst.seconds + bare_burst)};
+    if (may_grow(side.kind)) {
+        PlaneSimulation box = small_box(scene_, side);
+        parts.long_run = double(long_run_) * timed_burst(box).a_step / cores();
+    }
+    return parts;
 }
-double SideMeasurement::tuning_work(const SidePoint& point) const {
-    return has_layer(point.what.side.kind) ? double(tuning_runs) * trial_work(point) : 0;
-}
-double SideMeasurement::trial_work(const SidePoint& point) const {
-    return steps_ * nodes_with(point.what.side);
-}
-double SideMeasurement::long_work(const SidePoint& point) const {
-    constexpr double box = 20;
-    const double wide = box + 2 * double(point.what.side.layer);
-    return may_grow(point.what.side.kind) ? double(long_run_) * wide * wide : 0;
-}
-double SideMeasurement::total_work() const {
-    double total = 0;
-    for (const SidePoint& point : points_) {
-        total += tuning_work(point) + trial_work(point) + long_work(point);
+
+/// Of all there is to be done.
+double SideMeasurement::foreseen(PlaneSimulation& endless) {
+    of_reference_ = steps_ * timed_burst(endless).a_step;
+    PlaneSimulation bare(in_steps({.kind = SideKind::fixed}), quiet_);
+    const double bare_burst = timed_burst(bare).seconds;
+    double total = of_reference_;
+    foreseen_.resize(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        if (points_[i].refused.empty()) {
+            points_[i].refused = refusal_of([&] { foreseen_[i] = foreseen(i, bare_burst); });
+            const auto& [tuning, trial, long_run, timing] = foreseen_[i];
+            total += tuning + trial + long_run + timing;
+        }
     }
     return total;
 }
 
-void SideMeasurement::run_reference(Work& work) {
-    PlaneSimulation endless(in_steps({.kind = SideKind::extended}), quiet_);
-    reference_ = samples_of(endless, work.of(0));
+void SideMeasurement::run_reference(PlaneSimulation& endless, Work& work) {
+    reference_ = samples_of(endless, work.of(of_reference_));
     if (!(reference_.largest > 0)) {
         throw nothing_to_compare_with();
     }
@@ -159,14 +180,22 @@ void SideMeasurement::tune(std::size_t i, Work& work) {
     if (!has_layer(side.kind)) {
         return;
     }
-    const Advance advance = work.of(trial_work(points_[i]));
+    const Advance advance = work.of(foreseen_[i].tuning);
+    double left = 1;
     const auto error_with = [&](const Losses& losses) {
         side.profile = losses.profile;
         side.target = losses.target;
         PlaneSimulation simulation(in_steps(side), quiet_);
-        return run_trial(simulation, reference_, advance).error;
+        return run_trial(simulation, reference_,
+                         [&](double part) {
+                             const double done = std::min(left, part / double(tuning_runs));
+                             left -= done;
+                             advance(done);
+                         })
+            .error;
     };
     const Losses best = least_erring_losses(profiles, tuning_runs, error_with);
+    advance(left);
     side.profile = best.profile;
     side.target = best.target;
     sides_[i] = sides_of(in_steps(side), quiet_).all;
@@ -175,11 +204,12 @@ void SideMeasurement::tune(std::size_t i, Work& work) {
 void SideMeasurement::run(std::size_t i, Work& work) {
     SidePoint& point = points_[i];
     PlaneSimulation simulation = simulation_of(i);
-    const SideTrial trial = run_trial(simulation, reference_, work.of(trial_work(point)));
+    const SideTrial trial = run_trial(simulation, reference_, work.of(foreseen_[i].trial));
     point.error = trial.error;
     point.energy_left = trial.energy_left;
-    point.grows = may_grow(point.what.side.kind) &&
-                  grows(scene_, point.what.side, long_run_, work.of(long_work(point)));
+    point.grows =
+        may_grow(point.what.side.kind) &&
+        grows(small_box(scene_, point.what.side), long_run_, work.of(foreseen_[i].long_run));
 }
 
 /// One after the other: what runs beside it changes what is measured.
@@ -189,9 +219,8 @@ void SideMeasurement::measure_costs(Work& work) {
         SidePoint& point = points_[i];
         if (point.refused.empty()) {
             PlaneSimulation simulation = simulation_of(i);
-            point.step_cost = relative_cost(simulation, bare);
+            point.step_cost = relative_cost(simulation, bare, work.of(foreseen_[i].timing));
             point.run_cost = point.step_cost * bare_step_ / point.longest_step;
-            work.add(0);
         }
     }
 }

@@ -75,8 +75,7 @@ SideTrial run_trial(PlaneSimulation& simulation, const PlaneSamples& reference,
             .energy_left = simulation.energies().total() / reference.peak};
 }
 
-bool grows(const PlaneScene& scene, const PlaneSideChoice& side, std::size_t steps,
-           const Advance& advance) {
+PlaneSimulation small_box(const PlaneScene& scene, const PlaneSideChoice& side) {
     PlaneScene box = with_sides(scene, side);
     box.sides = {side, side, side, side};
     const std::size_t nodes = 16 + 2 * nmbc::horizon_of(scene.radius_squared);
@@ -91,7 +90,10 @@ bool grows(const PlaneScene& scene, const PlaneSideChoice& side, std::size_t ste
                                .width = scene.spacing / 2};
     box.step.reset();
     box.cfl.reset();
-    PlaneSimulation simulation(box, true);
+    return PlaneSimulation(box, true);
+}
+
+bool grows(PlaneSimulation simulation, std::size_t steps, const Advance& advance) {
     constexpr std::size_t looks = 400;
     const double first = simulation.plane().energies().staggered;
     std::array<double, 4> most{};  // of each quarter
@@ -109,27 +111,28 @@ bool grows(const PlaneScene& scene, const PlaneSideChoice& side, std::size_t ste
     return most[3] > most[1] && most[3] > roundings * first;
 }
 
-double relative_cost(PlaneSimulation& simulation, PlaneSimulation& other) {
-    const auto seconds_a_step = [](PlaneSimulation& one) {
-        const auto nodes = double(one.plane().grid().nx) * double(one.plane().grid().ny);
-        constexpr double node_steps = 4e5;  // some 20 ms
-        const std::size_t steps = 2 + std::size_t(node_steps / nodes);
-        const auto state = one.state();
-        const std::size_t begun = one.plane().steps();
-        const double start = seconds_of_this_process();
-        one.advance(steps);
-        const double taken = seconds_of_this_process() - start;
-        one.resume(begun, state);
-        return taken / double(steps);
-    };
+Burst timed_burst(PlaneSimulation& simulation) {
+    const auto nodes = double(simulation.plane().grid().nx) * double(simulation.plane().grid().ny);
+    constexpr double node_steps = 4e5;  // some 20 ms
+    const std::size_t steps = 2 + std::size_t(node_steps / nodes);
+    const auto state = simulation.state();
+    const std::size_t begun = simulation.plane().steps();
+    const double start = seconds_of_this_process();
+    simulation.advance(steps);
+    const double taken = seconds_of_this_process() - start;
+    simulation.resume(begun, state);
+    return {taken, taken / double(steps)};
+}
+
+double relative_cost(PlaneSimulation& simulation, PlaneSimulation& other, const Advance& advance) {
     std::vector<double> ratios;
-    constexpr std::size_t pairs = 21;
-    for (std::size_t pair = 0; pair < pairs; ++pair) {
-        const double own = seconds_a_step(simulation);
-        ratios.push_back(own / seconds_a_step(other));
+    for (std::size_t pair = 0; pair < cost_pairs; ++pair) {
+        const double own = timed_burst(simulation).a_step;
+        ratios.push_back(own / timed_burst(other).a_step);
+        advance(1.0 / double(cost_pairs));
     }
-    std::ranges::nth_element(ratios, ratios.begin() + pairs / 2);
-    return ratios[pairs / 2];
+    std::ranges::nth_element(ratios, ratios.begin() + cost_pairs / 2);
+    return ratios[cost_pairs / 2];
 }
 
 }  // namespace nmbcrun

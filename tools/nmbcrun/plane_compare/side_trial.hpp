@@ -30,13 +30,21 @@ struct SideTrial {
 SideTrial run_trial(PlaneSimulation& simulation, const PlaneSamples& reference,
                     const Advance& advance);
 
-/// Whether the energy grows over so many steps, from a pulse of one node of this lattice in a small
-/// box between such sides.
-bool grows(const PlaneScene& scene, const PlaneSideChoice& side, std::size_t steps,
-           const Advance& advance);
+/// A pulse of one node of the scene's lattice in a small box between such sides.
+PlaneSimulation small_box(const PlaneScene& scene, const PlaneSideChoice& side);
 
-/// Time of a step of the simulation over that of the other: the median of pairs, all from the
-/// state that the two are in.
-double relative_cost(PlaneSimulation& simulation, PlaneSimulation& other);
+/// Whether the energy grows over so many steps.
+bool grows(PlaneSimulation simulation, std::size_t steps, const Advance& advance);
+
+/// Processor time [s] of some steps from the state that a simulation is in, and stays in.
+struct Burst {
+    double seconds = 0;
+    double a_step = 0;
+};
+Burst timed_burst(PlaneSimulation& simulation);
+
+/// Time of a step of the simulation over that of the other: the median of so many pairs of bursts.
+double relative_cost(PlaneSimulation& simulation, PlaneSimulation& other, const Advance& advance);
+inline constexpr std::size_t cost_pairs = 21;
 
 }  // namespace nmbcrun

@@ -23,9 +23,10 @@ namespace {
 
 /// The nearest double to an exact number in a string, or a number. It has no default: 0 is standard
 /// NOPD, which the paper's conditions absorb badly, and any other value is another lattice.
-double read_G(SceneReader& reader, const Scene& scene) {
+double read_G(SceneReader& reader, Scene& scene) {
     if (reader.is_text("model.G")) {
-        return nmbc::detail::nearest_to_fraction(*read_exact(reader, "model.G"));
+        scene.exact_G = *read_exact(reader, "model.G");
+        return nmbc::detail::nearest_to_fraction(scene.exact_G);
     }
     const auto G = reader.number("model.G", not_negative);
     const bool has_G = scene.family.starts_with("nopd");

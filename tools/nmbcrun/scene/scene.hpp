@@ -112,6 +112,7 @@ struct Scene : AnyScene {
     std::string family = "nopd1d";
     int horizon = 1;
     double G = 0;
+    std::string exact_G{};      ///< "p/q" in lowest terms, where it is given so; of that G alone
     bool auto_horizon = false;  ///< left to be chosen, and what horizon or G says does not count;
     bool auto_G = false;        ///< what needs the lattice refuses the scene then (tables.hpp)
     std::string tau = "0";      ///< damping [c/dX], "p/q" in lowest terms

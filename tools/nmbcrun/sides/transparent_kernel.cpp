@@ -8,6 +8,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "tools/nmbcrun/sides/spectral_factor.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -74,6 +75,7 @@ std::vector<std::vector<double>> transparent_kernel(const nmbc::Lattice& lattice
                                                  std::vector<LongComplex>(circle.count / 2 + 1));
     SpectralFactor factor;
     for (std::size_t j = circle.count / 2 + 1; j-- > 0;) {
+        stop_if_interrupted();
         const LongComplex half_log_z(circle.log_radius / 2,
                                      std::numbers::pi_v<Real> * Real(j) / Real(circle.count));
         const auto& f = factor.find(laurent_polynomial(lattice, courant, half_log_z));

@@ -11,6 +11,7 @@
 #include "tools/nmbcrun/certification/stand_ins.hpp"
 #include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/sides/passive_design.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/simulation/memory.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
@@ -71,7 +72,22 @@ Plan plan_of(const Scene& scene, const nmbc::Lattice& lattice) {
     return plan;
 }
 
+/// Where there is no design no table helps, so that none is asked for.
+void require_designs(const Scene& scene) {
+    const bool is_passive =
+        scene.left.kind == BoundaryKind::passive || scene.right.kind == BoundaryKind::passive;
+    if (const std::string why_not = is_passive ? why_not_designed(scene) : ""; !why_not.empty()) {
+        throw SceneError("passive ends are " + why_not);
+    }
+}
+
+nmbc::Lattice lattice_with_designs(const Scene& scene) {
+    require_designs(scene);
+    return nmbc::make_lattice(table_of(scene, scene.left), scene.G);
+}
+
 nmbc::ChainEnd end_without_pole(const Scene& scene, const Boundary& boundary) {
+    require_designs(scene);
     require_no_pole(scene, boundary);
     return chain_end(scene, boundary);
 }
@@ -79,8 +95,8 @@ nmbc::ChainEnd end_without_pole(const Scene& scene, const Boundary& boundary) {
 }  // namespace
 
 Simulation::Simulation(const Scene& scene)
-    : Simulation(scene, nmbc::make_lattice(table_of(scene, scene.left), scene.G),
-                 end_without_pole(scene, scene.left), end_without_pole(scene, scene.right)) {}
+    : Simulation(scene, lattice_with_designs(scene), end_without_pole(scene, scene.left),
+                 end_without_pole(scene, scene.right)) {}
 
 // The ends come first: what does not exist has no certificate.
 Simulation::Simulation(const Scene& scene, nmbc::Lattice lattice, const nmbc::ChainEnd& left,

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nmbc/coefficients.hpp>
 #include <stdexcept>
 
 #include "generator/exact/rational.hpp"
@@ -14,12 +15,16 @@
 namespace nmbcrun {
 namespace {
 
-/// As short as it reads back as this double.
-nmbcgen::Rational exact_G(double G) {
+/// As the scene states it, unless it has another by now; or as short as it reads back as this
+/// double.
+nmbcgen::Rational exact_G(const Scene& scene) {
+    if (!scene.exact_G.empty() && nmbc::detail::nearest_to_fraction(scene.exact_G) == scene.G) {
+        return nmbcgen::parse_rational(scene.exact_G);
+    }
     try {
-        return nmbcgen::parse_rational(fmt::format("{}", G));
+        return nmbcgen::parse_rational(fmt::format("{}", scene.G));
     } catch (const std::invalid_argument&) {  // 1e-07
-        return nmbcgen::Rational(G);
+        return nmbcgen::Rational(scene.G);
     }
 }
 
@@ -75,7 +80,7 @@ std::string how_to_make(const Scene& scene, const Boundary& boundary) {
         .horizon = unsigned(scene.horizon),
         .order = matching ? unsigned(boundary.order) : 1,
         .stride = matching ? unsigned(boundary.stride) : 1,
-        .stabilisation = exact_G(scene.G),
+        .stabilisation = exact_G(scene),
         .damping = nmbcgen::parse_rational(scene.tau),
         .time_step = nmbcgen::parse_rational(matching ? boundary.matched_step : "0"),
         .weights = weights_of(scene)};

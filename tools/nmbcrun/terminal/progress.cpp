@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/output/progress.hpp"
+#include "tools/nmbcrun/terminal/progress.hpp"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "tools/nmbcrun/output/duration.hpp"
+#include "tools/nmbcrun/terminal/duration.hpp"
 
 namespace nmbcrun {
 namespace {

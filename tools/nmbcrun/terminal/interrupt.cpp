@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/output/interrupt.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
 
 #include <unistd.h>
 
 #include <csignal>
 #include <ctime>
 #include <string_view>
+
+#include "tools/nmbcrun/errors.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -58,6 +60,12 @@ void note_interrupts() {
 
 bool interrupted() {
     return noted != 0;
+}
+
+void stop_if_interrupted() {
+    if (interrupted()) {
+        throw Interrupted("stopped; nothing was written");
+    }
 }
 
 }  // namespace nmbcrun

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/output/duration.hpp"
+#include "tools/nmbcrun/terminal/duration.hpp"
 
 #include <fmt/format.h>
 
