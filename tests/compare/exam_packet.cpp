@@ -74,10 +74,10 @@ TEST_CASE("measured and predicted agree where another wave begins to travel") {
 
 TEST_CASE("layers, thin and wide, send back what their modes say") {
     struct Case {
-        int horizon;
-        double G;
-        Boundary layer;
-        double step;
+        int horizon = 0;
+        double G = 0;
+        Boundary layer{};
+        double step = 0;
     };
     const auto sponge = [](std::size_t nodes) {
         return Boundary{.kind = BoundaryKind::sponge, .layer = nodes};

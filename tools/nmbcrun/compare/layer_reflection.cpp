@@ -41,11 +41,13 @@ class LayerOfWaves {
     double loss_at(std::ptrdiff_t node) const {
         return node >= 0 ? 0 : losses_[std::size_t(std::min(-node - 1, layer_))];
     }
-    /// Calls with pairs of nodes of which the first is in the layer or reaches into it, and with
-    /// the second's part in the force on it, by frequency: half_angle is theta/2. inner: the first
-    /// node that does not.
+    /// Both call with pairs of nodes, all of which the first is in the layer or reaches into it
+    /// among them, and with the second's part in the force on it. inner: the first node that does
+    /// not. half_angle: theta/2.
     template <class Visit>
-    void for_each_force(double half_angle, std::ptrdiff_t inner, Visit visit) const;
+    void for_each_force(std::ptrdiff_t inner, Visit visit) const;
+    template <class Visit>
+    void for_each_stretched_force(std::ptrdiff_t inner, double half_angle, Visit visit) const;
 
     nmbc::Lattice lattice_;
     nmbcgen::HalfSpace half_space_;
@@ -55,30 +57,27 @@ class LayerOfWaves {
 };
 
 template <class Visit>
-void LayerOfWaves::for_each_force(double half_angle, std::ptrdiff_t inner, Visit visit) const {
-    const auto has_equation = [&](std::ptrdiff_t node) { return node >= -layer_ && node < inner; };
-    if (!is_matched_) {
-        for (std::ptrdiff_t node = -layer_; node < inner; ++node) {
-            for (std::ptrdiff_t m = -reach(); m <= reach(); ++m) {
-                if (node + m >= -layer_) {
-                    visit(node, node + m, Complex(lattice_.symbol[std::size_t(std::abs(m))]));
-                }
-            }
+void LayerOfWaves::for_each_force(std::ptrdiff_t inner, Visit visit) const {
+    for (std::ptrdiff_t node = -layer_; node < inner; ++node) {
+        for (std::ptrdiff_t m = -reach(); m <= reach(); ++m) {
+            visit(node, node + m, Complex(lattice_.symbol[std::size_t(std::abs(m))]));
         }
-        return;
     }
+}
+
+template <class Visit>
+void LayerOfWaves::for_each_stretched_force(std::ptrdiff_t inner, double half_angle,
+                                            Visit visit) const {
     const Complex slow(0, -1 / std::tan(half_angle));  // (z + 1)/(z - 1)
     for (const nmbc::Lattice::Square& square : lattice_.energy) {
-        const auto half_width = std::ptrdiff_t(square.stencil.size() / 2);
-        for (std::ptrdiff_t centre = -layer_ - half_width; centre < inner + half_width; ++centre) {
-            const Complex weight = square.weight / (1.0 + loss_at(centre) * slow);
-            for (std::ptrdiff_t i = -half_width; i <= half_width; ++i) {
-                for (std::ptrdiff_t k = -half_width; k <= half_width; ++k) {
-                    if (has_equation(centre + i) && centre + k >= -layer_) {
-                        visit(centre + i, centre + k,
-                              weight * square.stencil[std::size_t(i + half_width)] *
-                                  square.stencil[std::size_t(k + half_width)]);
-                    }
+        const std::vector<double>& stencil = square.stencil;
+        const auto size = std::ptrdiff_t(stencil.size());
+        for (std::ptrdiff_t first = -layer_ - size; first < inner; ++first) {
+            const Complex weight = square.weight / (1.0 + loss_at(first + size / 2) * slow);
+            for (std::ptrdiff_t i = 0; i < size; ++i) {
+                for (std::ptrdiff_t k = 0; k < size; ++k) {
+                    visit(first + i, first + k,
+                          weight * stencil[std::size_t(i)] * stencil[std::size_t(k)]);
                 }
             }
         }
@@ -104,6 +103,9 @@ double LayerOfWaves::energy_sent_back(double xi) const {
     Eigen::VectorXcd sources = Eigen::VectorXcd::Zero(unknowns);
     // The unknowns are u of the layer's nodes and the amplitudes of the outgoing waves.
     const auto add = [&](std::ptrdiff_t node, std::ptrdiff_t other, Complex factor) {
+        if (node < -layer_ || node >= waves || other < -layer_) {
+            return;  // ghosts, which are fixed, and nodes whose equations the waves solve
+        }
         const Eigen::Index row = node + layer_;
         if (other < 0) {
             entries.emplace_back(row, other + layer_, factor);
@@ -119,7 +121,11 @@ double LayerOfWaves::energy_sent_back(double xi) const {
         const Complex friction(0, 2 * loss_at(node) * std::sin(2 * half_angle) / (step * step));
         add(node, node, friction - omega * omega);
     }
-    for_each_force(half_angle, waves, add);
+    if (is_matched_) {
+        for_each_stretched_force(waves, half_angle, add);
+    } else {
+        for_each_force(waves, add);
+    }
     Matrix matrix(unknowns, unknowns);
     matrix.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SparseLU<Matrix> solver(matrix);
