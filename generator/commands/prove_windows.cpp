@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <vector>
@@ -67,24 +68,32 @@ class OpenRanges {
         }
     }
 
-    const std::vector<Range>& all() const { return all_; }
+    /// Calls visit(range, parts that are proved) for one after the other.
+    template <class Visit>
+    void prove_all(const Progress& progress, Visit visit) const {
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            const nmbc::Window& window = all_[i].window;
+            const auto told = [&](double G) {
+                constexpr double in_one = 1000;
+                const double done = length(window) > 0 ? (G - window.low) / length(window) : 0;
+                progress(std::size_t(in_one * (double(i) + done)),
+                         std::size_t(in_one) * all_.size());
+            };
+            visit(all_[i], proved_parts(all_[i], told));
+        }
+    }
 
-    std::vector<nmbc::Window> proved_parts(const Range& range, const Progress& progress) const {
-        const nmbc::Window& window = range.window;
+  private:
+    std::vector<nmbc::Window> proved_parts(const Range& range,
+                                           const std::function<void(double)>& told) const {
         const auto holds = [&](const nmbc::Window& piece) {
             return own_step_ > 0 ? prover_.holds_in_step(piece, own_step_, range.grade)
                                  : prover_.holds(piece, range.cfl, range.grade, range.from);
         };
-        const double finest = task_.finest.value_or(std::min(1e-4, length(window) / 1000));
-        const auto told = [&](double G) {
-            constexpr double in_all = 1000;
-            progress(std::size_t(in_all * (G - window.low) / std::max(length(window), finest)),
-                     std::size_t(in_all));
-        };
-        return parts_where(holds, window, finest, told);
+        const double finest = task_.finest.value_or(std::min(1e-4, length(range.window) / 1000));
+        return parts_where(holds, range.window, finest, told);
     }
 
-  private:
     void add(Grade grade, const std::vector<StabilityWindow>& windows) {
         for (const StabilityWindow& window : windows) {
             const double low = window.low.inner;
@@ -112,8 +121,7 @@ class OpenRanges {
     std::vector<Range> all_;
 };
 
-OpenRanges ranges_of(const Specification& what, const ProofTask& task) {
-    const Table table = with_open_G(what);
+OpenRanges ranges_of(const Table& table, const ProofTask& task) {
     if (!has_stabilisation(table.model)) {
         throw NotProvable("no G in this model: prove it at --G 0");
     }
@@ -140,6 +148,9 @@ std::string window_text(const Range& range, const std::vector<nmbc::Window>& pro
         text += fmt::format("  proved     {:.6f} .. {:.6f}\n", std::ceil(part.low * 1e6) / 1e6,
                             std::floor(part.high * 1e6) / 1e6);  // not more than is proved
     }
+    if (length(range.window) == 0) {
+        return text + (proved.empty() ? "  undecided\n" : "");
+    }
     return text +
            fmt::format("  undecided  {:.6f} in all\n", length(range.window) - length(proved));
 }
@@ -152,9 +163,10 @@ double percent(double part, double all) {
 std::string steps_text(const Range& range, const std::vector<nmbc::Window>& proved) {
     const std::string steps = range.from > 0 ? fmt::format("{:g} to {:g}", range.from, range.cfl)
                                              : fmt::format("up to {:g}", range.cfl);
+    const double all = length(range.window);
+    const double share = all > 0 ? percent(length(proved), all) : proved.empty() ? 0 : 100;
     return fmt::format("{:<12} {:.6f} .. {:<12} cfl {:<14} {:>3.0f} % proved\n",
-                       name_of(range.grade), range.window.low, high_of(range), steps,
-                       percent(length(proved), length(range.window)));
+                       name_of(range.grade), range.window.low, high_of(range), steps, share);
 }
 
 /// Lengths of ranges.
@@ -184,14 +196,18 @@ struct Shares {
     }
 };
 
+std::string line_of(const std::string& name, const Shares& of) {
+    return fmt::format("{:<38}{}{}\n", name, text_of(of.paired), text_of(of.contractive));
+}
+
 Shares shares_of(const Specification& what, const ProofTask& task) {
-    const OpenRanges ranges = ranges_of(what, task);
     Shares shares;
-    for (const Range& range : ranges.all()) {
-        const auto quiet = [](std::size_t, std::size_t) {};
-        (range.grade == Grade::paired ? shares.paired : shares.contractive) +=
-            {length(ranges.proved_parts(range, quiet)), length(range.window)};
-    }
+    const auto quiet = [](std::size_t, std::size_t) {};
+    ranges_of(with_open_G(what), task)
+        .prove_all(quiet, [&](const Range& range, const std::vector<nmbc::Window>& proved) {
+            (range.grade == Grade::paired ? shares.paired : shares.contractive) +=
+                {length(proved), length(range.window)};
+        });
     return shares;
 }
 
@@ -199,24 +215,22 @@ Shares shares_of(const Specification& what, const ProofTask& task) {
 
 std::string proof_of_windows(const Specification& what, const ProofTask& task,
                              const Progress& progress) {
-    const OpenRanges ranges = ranges_of(what, task);
-    std::string text = proof_heading(what, with_open_G(what));
-    text += in_steps(what, task) + "\n";
-    for (const Range& range : ranges.all()) {
-        const std::vector<nmbc::Window> proved = ranges.proved_parts(range, progress);
+    const Table table = with_open_G(what);
+    const OpenRanges ranges = ranges_of(table, task);
+    std::string text = proof_heading(what, table) + in_steps(what, task) + "\n";
+    ranges.prove_all(progress, [&](const Range& range, const std::vector<nmbc::Window>& proved) {
         text += task.steps ? steps_text(range, proved) : window_text(range, proved);
-    }
+    });
     return text;
 }
 
 std::string proof_of_windows_json(const Specification& what, const ProofTask& task,
                                   const Progress& progress) {
-    const OpenRanges ranges = ranges_of(what, task);
     const bool in_own_step = own_step(what) > 0;
     Json found = Json::array();
-    for (const Range& range : ranges.all()) {
+    const auto add = [&](const Range& range, const std::vector<nmbc::Window>& parts) {
         Json proved = Json::array();
-        for (const nmbc::Window& part : ranges.proved_parts(range, progress)) {
+        for (const nmbc::Window& part : parts) {
             proved.push_back({part.low, part.high});
         }
         found.push_back({{"grade", name_of(range.grade)},
@@ -225,7 +239,8 @@ std::string proof_of_windows_json(const Specification& what, const ProofTask& ta
                          {"from", in_own_step ? Json() : Json(range.from)},
                          {"cfl", in_own_step ? Json() : Json(range.cfl)},
                          {"proved", std::move(proved)}});
-    }
+    };
+    ranges_of(with_open_G(what), task).prove_all(progress, add);
     const Json object = {{"order", what.order},
                          {"horizon", what.horizon},
                          {"stride", what.stride},
@@ -236,8 +251,9 @@ std::string proof_of_windows_json(const Specification& what, const ProofTask& ta
 
 std::string proof_of_set(const ProofTask& task, const Progress& progress) {
     std::vector<Specification> set = committed_set();
-    std::erase_if(set, [](const Specification& what) {
-        return what.stabilisation || !is_stabilised(what.family);
+    std::erase_if(set, [&](const Specification& what) {
+        return what.stabilisation || !is_stabilised(what.family) ||
+               (task.steps && own_step(what) > 0);
     });
     std::vector<Shares> shares(set.size());
     std::atomic<std::size_t> done = 0;
@@ -246,18 +262,21 @@ std::string proof_of_set(const ProofTask& task, const Progress& progress) {
         progress(++done, set.size());
     });
     std::string text =
-        fmt::format("{:<34}{:>26}{:>26}\n", "lengths of ranges of G", "paired", "contractive");
-    const auto line = [](const std::string& name, const Shares& of) {
-        return fmt::format("{:<34}{}{}\n", name, text_of(of.paired), text_of(of.contractive));
-    };
-    Shares sum;
+        fmt::format("{:<38}{:>26}{:>26}\n", "lengths of ranges of G", "paired", "contractive");
+    Shares of_all;
+    Shares in_own_steps;
     for (std::size_t i = 0; i < set.size(); ++i) {
         if (shares[i].paired.all > 0) {
-            text += line(table_name(set[i]), shares[i]);
-            sum += shares[i];
+            text += line_of(table_name(set[i]), shares[i]);
+            (own_step(set[i]) > 0 ? in_own_steps : of_all) += shares[i];
         }
     }
-    return text + line("all", sum);
+    if (in_own_steps.paired.all > 0) {
+        text += line_of("all, each in its own step", in_own_steps);
+    }
+    return text + line_of(std::string("all ") +
+                              (task.steps ? "in every certified step" : "in continuous time"),
+                          of_all);
 }
 
 }  // namespace nmbcgen

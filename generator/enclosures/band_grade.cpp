@@ -2,6 +2,7 @@
 #include "generator/enclosures/band_grade.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "generator/enclosures/real_zeros.hpp"
 #include "generator/enclosures/wave_grade.hpp"
@@ -9,12 +10,31 @@
 namespace nmbcgen {
 namespace {
 
+/// (f(x) - f(at))/(x - at)
+EnclosedPolynomial without_zero(const EnclosedPolynomial& f, const Interval& at) {
+    EnclosedPolynomial quotient(f.size() - 1);
+    Interval carry = 0;
+    for (std::size_t power = quotient.size(); power > 0; --power) {
+        carry = carry * at + f[power];
+        quotient[power - 1] = carry;
+    }
+    return quotient;
+}
+
+Expansion without_zero(const Expansion& f, const Interval& at) {
+    return {.value = without_zero(f.value, at),
+            .slope = without_zero(f.slope, at),
+            .rest = without_zero(f.rest, at),
+            .offset = f.offset};
+}
+
 class Sweep {
   public:
     Sweep(const EnclosedCondition& condition, Grade least, int most_boxes)
         : c_(condition),
+          slope_(derivative(condition.band)),
           least_(least),
-          finest_(std::max(1e-10, spread_of(condition.band) / 4)),
+          finest_(std::max(1e-10, spread_of(unexpanded(condition.band.enclosed())) / 32)),
           boxes_left_(most_boxes) {}
 
     bool holds(const Interval& square, const Interval& tau, double top) {
@@ -22,14 +42,20 @@ class Sweep {
             return false;
         }
         --boxes_left_;
-        EnclosedPolynomial waves = c_.band;
-        waves[0] -= square;
+        Expansion waves = c_.band;
+        waves.value[0] -= square;
         const auto clusters = real_zeros(waves);
         if (clusters && holds_in_one(square, tau, *clusters)) {
             return true;
         }
         const double in_time = width(tau) * square.upper();
         const double in_band = width(square) / top;
+        constexpr double near_the_finest = 256;  // two waves that meet blur these boxes, too
+        const auto meeting = clusters ? meeting_in(*clusters) : std::nullopt;
+        if (meeting && in_band < near_the_finest * finest_ &&
+            holds_where_two_meet(square, tau, *clusters, *meeting)) {
+            return true;
+        }
         // Next to an extremum of the band the waves are known to the root of in_band only.
         constexpr double as_good = 30;
         const bool waves_blur = !clusters || in_time <= as_good * widest(*clusters);
@@ -51,6 +77,51 @@ class Sweep {
                       const std::vector<ZeroCluster>& clusters) const {
         const Interval slowed = 1.0 - tau * square;
         return slowed.lower() > 0 && holds_for_all(clusters, 0, {}, c_.scale * rise(square, tau));
+    }
+
+    /// Which cluster has two waves that may meet.
+    static std::optional<std::size_t> meeting_in(const std::vector<ZeroCluster>& clusters) {
+        const auto found = std::ranges::find_if(
+            clusters, [](const ZeroCluster& cluster) { return cluster.counts.back() == 2; });
+        return found == clusters.end() ? std::nullopt
+                                       : std::optional(std::size_t(found - clusters.begin()));
+    }
+
+    /// Next to an extremum of the band an interval d of G blurs two waves by the root of d, at a
+    /// frequency. At the x of one of them it blurs the other one by d. Either there is none of
+    /// them, or there is one at an x in their cluster.
+    bool holds_where_two_meet(const Interval& square, const Interval& tau,
+                              std::vector<ZeroCluster> clusters, std::size_t meeting) {
+        constexpr int most_halvings = 8;
+        const ZeroCluster two = clusters[meeting];
+        clusters.erase(clusters.begin() + std::ptrdiff_t(meeting));
+        return (two.counts.front() > 0 || holds_in_one(square, tau, clusters)) &&
+               holds_with_one_at(two.where, square, tau, most_halvings);
+    }
+
+    /// At all frequencies of the box that have a wave in x.
+    bool holds_with_one_at(const Interval& x, const Interval& square, const Interval& tau,
+                           int halvings_left) {
+        if (boxes_left_ == 0) {
+            return false;
+        }
+        --boxes_left_;
+        const Interval middle = median(x);
+        const Interval own = intersect(square, c_.band.at(middle) + slope_.at(x) * (x - middle));
+        if (empty(own)) {
+            return true;
+        }
+        const auto others = real_zeros(without_zero(c_.band, x));
+        const Interval slowed = 1.0 - tau * own;
+        if (others && slowed.lower() > 0 &&
+            holds_for_all(*others, 0, {{x, 1}}, c_.scale * rise(own, tau))) {
+            return true;
+        }
+        return halvings_left > 0 &&
+               holds_with_one_at(Interval(x.lower(), middle.lower()), square, tau,
+                                 halvings_left - 1) &&
+               holds_with_one_at(Interval(middle.lower(), x.upper()), square, tau,
+                                 halvings_left - 1);
     }
 
     static double widest(const std::vector<ZeroCluster>& clusters) {
@@ -85,31 +156,32 @@ class Sweep {
     }
 
     const EnclosedCondition& c_;
+    Expansion slope_;
     Grade least_;
-    double finest_;  ///< of the band; in smaller boxes roundings decide
+    double finest_;  ///< of the band; in smaller boxes roundings, or the interval of G, decide
     int boxes_left_;
 };
 
 }  // namespace
 
-Interval highest_square(const EnclosedPolynomial& band) {
+Interval highest_square(const Expansion& band) {
     constexpr int parts = 256;
     Interval highest = 0;
     for (int i = 0; i < parts; ++i) {
         const Interval x(-1 + 2.0 * i / parts, -1 + 2.0 * (i + 1) / parts);
         const Interval middle = median(x);
-        highest = Interval(std::max(highest.lower(), value_at(band, middle).lower()),
-                           std::max(highest.upper(), value_at(band, x).upper()));
+        highest = Interval(std::max(highest.lower(), band.at(middle).lower()),
+                           std::max(highest.upper(), band.at(x).upper()));
     }
     return highest;
 }
 
-double spread_of(const EnclosedPolynomial& band) {
+double spread_of(const Expansion& band) {
     constexpr int parts = 16;
     double spread = 0;
     double top = 0;
     for (int i = 0; i < parts; ++i) {
-        const Interval value = value_at(band, Interval(-1 + 2.0 * i / parts));
+        const Interval value = band.at(Interval(-1 + 2.0 * i / parts));
         spread = std::max(spread, width(value));
         top = std::max(top, value.upper());
     }

@@ -14,9 +14,9 @@ bool waves_have_grade(const EnclosedCondition& condition, const Interval& tau, G
                       int most_boxes);
 
 /// The largest value of the band.
-Interval highest_square(const EnclosedPolynomial& band);
+Interval highest_square(const Expansion& band);
 
 /// How far the band is unknown, in parts of its largest value: finer subdivision does not help.
-double spread_of(const EnclosedPolynomial& band);
+double spread_of(const Expansion& band);
 
 }  // namespace nmbcgen

@@ -27,12 +27,22 @@ InX without_long_waves(InX polynomial) {
     return polynomial;
 }
 
-/// coefficient/scale, which is affine in 1/G or in G, since the coefficient is in G.
-Interval ratio(const Polynomial& coefficient, const Polynomial& scale, const Interval& G) {
-    const auto part = [&](std::size_t power) {
-        return enclose(power < coefficient.size() ? coefficient[power] : Rational(0));
-    };
-    return scale.size() > 1 ? part(1) + part(0) / G : part(0) + part(1) * G;
+/// band/scale, which is affine in 1/G or in G, since the band is in G.
+Expansion ratio(const InX& band, const Polynomial& scale, const Interval& G) {
+    const bool is_per_G = scale.size() > 1;
+    const Interval variable = is_per_G ? 1.0 / G : G;
+    const Interval middle = median(variable);
+    Expansion expansion{.value = {}, .slope = {}, .rest = {}, .offset = variable - middle};
+    for (const Polynomial& coefficient : band) {
+        const auto part = [&](std::size_t power) {
+            return enclose(power < coefficient.size() ? coefficient[power] : Rational(0));
+        };
+        const Interval slope = part(is_per_G ? 0 : 1);
+        expansion.value.push_back(part(is_per_G ? 1 : 0) + slope * middle);
+        expansion.slope.push_back(slope);
+        expansion.rest.emplace_back(0);
+    }
+    return expansion;
 }
 
 }  // namespace
@@ -103,12 +113,8 @@ EnclosedCondition enclose(const ExactCondition& condition, double low, double hi
             enclosed(exact.E), enclosed(exact.O)};
     };
     const Interval scale = expand({condition.scale}, low, high).enclosed().front();
-    EnclosedPolynomial band;
-    for (const Polynomial& coefficient : condition.band) {
-        band.push_back(ratio(coefficient, condition.scale, Interval(low, high)));
-    }
     return {.scale = scale,
-            .band = band,
+            .band = ratio(condition.band, condition.scale, Interval(low, high)),
             .product = enclosed(condition.product),
             .square_of_C = enclosed(condition.square_of_C),
             .square_of_B = enclosed(condition.square_of_B),

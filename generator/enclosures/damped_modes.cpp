@@ -223,8 +223,8 @@ class Enclosed {
     std::vector<Chart> charts_{};
 };
 
-EnclosedPolynomial band_of(const DampedCondition& condition, const nmbc::Window& window) {
-    return expand(condition.band, window.low, window.high).enclosed();
+Expansion band_of(const DampedCondition& condition, const nmbc::Window& window) {
+    return expand(condition.band, window.low, window.high);
 }
 
 /// h (tau sigma + h omega^2) < 1 for all waves and all h up to this one.
@@ -243,7 +243,7 @@ bool interior_is_stable(const DampedCondition& condition, const EnclosedPolynomi
                                    return std::isfinite(part.lower()) &&
                                           std::isfinite(part.upper());
                                }) &&
-           highest_square(load).upper() < 1;
+           highest_square(unexpanded(load)).upper() < 1;
 }
 
 }  // namespace
@@ -272,8 +272,8 @@ DampedCondition damped_condition(const Table& table) {
 
 bool no_mode_grows(const DampedCondition& condition, const nmbc::Window& window,
                    const Interval& half_step) {
-    const EnclosedPolynomial band = band_of(condition, window);
-    if (!(window.low > 0) || !interior_is_stable(condition, band, half_step.upper())) {
+    const Expansion band = band_of(condition, window);
+    if (!(window.low > 0) || !interior_is_stable(condition, band.enclosed(), half_step.upper())) {
         return false;
     }
     const Enclosed enclosed(condition, window);

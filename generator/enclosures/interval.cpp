@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "generator/enclosures/interval.hpp"
 
+#include <utility>
+
 #include "generator/exact/rational.hpp"
 #include "generator/exact/rational_function.hpp"
 
@@ -50,8 +52,24 @@ EnclosedPolynomial Expansion::enclosed() const {
     return sum;
 }
 
+Interval Expansion::at(const Interval& x) const {
+    return value_at(value, x) + offset * value_at(slope, x) + value_at(rest, x);
+}
+
 ComplexInterval Expansion::at(const ComplexInterval& z) const {
     return value_at(value, z) + offset * value_at(slope, z) + value_at(rest, z);
+}
+
+Expansion unexpanded(EnclosedPolynomial polynomial) {
+    const EnclosedPolynomial zeros(polynomial.size(), Interval(0));
+    return {.value = std::move(polynomial), .slope = zeros, .rest = zeros, .offset = 0};
+}
+
+Expansion derivative(const Expansion& expansion) {
+    return {.value = derivative(expansion.value),
+            .slope = derivative(expansion.slope),
+            .rest = derivative(expansion.rest),
+            .offset = expansion.offset};
 }
 
 Expansion expand(const std::vector<Polynomial>& coefficients, double low, double high) {

@@ -100,8 +100,15 @@ struct Expansion {
     Interval offset;
 
     EnclosedPolynomial enclosed() const;
+    Interval at(const Interval& x) const;
     ComplexInterval at(const ComplexInterval& z) const;
 };
+
+/// Of a polynomial of which no more is known than its coefficients.
+Expansion unexpanded(EnclosedPolynomial polynomial);
+
+/// In the polynomials' own variable.
+Expansion derivative(const Expansion& expansion);
 
 /// Between low and high, which are exact.
 Expansion expand(const std::vector<Polynomial>& coefficients, double low, double high);

@@ -142,10 +142,10 @@ nmbc::Window window_about(const Rational& G) {
 
 namespace {
 
-/// A proof is worth up to two hundredths of the cfl: whether so much is proved, which the steps
-/// have then.
-bool shortened_to_proof(const Prover& prover, const nmbc::Window& window,
-                        std::vector<StableStep>& steps, Grade grade) {
+/// Proves the steps, or shortens them by up to 0.02, which a proof is worth, to what is proved.
+/// False where it can do neither.
+bool shorten_to_proof(const Prover& prover, const nmbc::Window& window,
+                      std::vector<StableStep>& steps, Grade grade) {
     if (steps.size() != 1) {
         return false;
     }
@@ -178,7 +178,7 @@ void prove_certificate(const Table& table, Certificate& certificate) {
         const auto evidence = [&](std::vector<StableStep>& steps, Grade grade) {
             const bool proved =
                 own_step > 0 ? !steps.empty() && prover.holds_in_step(window, own_step, grade)
-                             : shortened_to_proof(prover, window, steps, grade);
+                             : shorten_to_proof(prover, window, steps, grade);
             return proved ? Evidence::proved : Evidence::sampled;
         };
         certificate.paired = evidence(certificate.max_cfl, Grade::paired);

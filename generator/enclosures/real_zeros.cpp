@@ -18,7 +18,7 @@ struct Candidate {
 
 class Isolation {
   public:
-    explicit Isolation(const EnclosedPolynomial& polynomial)
+    explicit Isolation(const Expansion& polynomial)
         : f_(polynomial), slope_(derivative(f_)), curvature_(derivative(slope_)) {}
 
     std::optional<std::vector<ZeroCluster>> clusters() {
@@ -40,16 +40,16 @@ class Isolation {
     /// By value and slope in the middle, too.
     Interval values(const Interval& x, const Interval& slope) const {
         const Interval middle = median(x);
-        return intersect(value_at(f_, x), value_at(f_, middle) + slope * (x - middle));
+        return intersect(f_.at(x), f_.at(middle) + slope * (x - middle));
     }
 
-    int sign_at(double x) const { return x == 1 ? -1 : sign(value_at(f_, Interval(x))); }
+    int sign_at(double x) const { return x == 1 ? -1 : sign(f_.at(Interval(x))); }
 
-    bool rises_or_falls(double x) const { return sign(value_at(slope_, Interval(x))) != 0; }
+    bool rises_or_falls(double x) const { return sign(slope_.at(Interval(x))) != 0; }
 
     void search(const Interval& x, int depth) {
         constexpr int deepest = 24;
-        const Interval slope = value_at(slope_, x);
+        const Interval slope = slope_.at(x);
         if (sign(values(x, slope)) != 0) {
             return;
         }
@@ -78,8 +78,8 @@ class Isolation {
 
     /// Nothing where it cannot tell three zeros from one.
     std::optional<std::vector<int>> counts_in(const Candidate& candidate) const {
-        const bool one_at_most = sign(value_at(slope_, candidate.where)) != 0;
-        if (!one_at_most && sign(value_at(curvature_, candidate.where)) == 0) {
+        const bool one_at_most = sign(slope_.at(candidate.where)) != 0;
+        if (!one_at_most && sign(curvature_.at(candidate.where)) == 0) {
             return std::nullopt;
         }
         std::vector<int> counts;
@@ -98,8 +98,8 @@ class Isolation {
         for (int step = 0; step < most && !empty(x); ++step) {
             const double before = width(x);
             const Interval middle = median(x);
-            const Interval slope = value_at(slope_, x);
-            const Interval value = value_at(f_, middle);
+            const Interval slope = slope_.at(x);
+            const Interval value = f_.at(middle);
             x = intersect(x, middle - value / slope);
             constexpr double worth_it = 0.7;
             if (!empty(x) && width(x) > worth_it * before) {
@@ -114,15 +114,15 @@ class Isolation {
         return x;
     }
 
-    const EnclosedPolynomial& f_;
-    EnclosedPolynomial slope_;
-    EnclosedPolynomial curvature_;
+    const Expansion& f_;
+    Expansion slope_;
+    Expansion curvature_;
     std::vector<Candidate> candidates_{};
 };
 
 }  // namespace
 
-std::optional<std::vector<ZeroCluster>> real_zeros(const EnclosedPolynomial& polynomial) {
+std::optional<std::vector<ZeroCluster>> real_zeros(const Expansion& polynomial) {
     return Isolation(polynomial).clusters();
 }
 

@@ -17,6 +17,6 @@ struct ZeroCluster {
 /// Disjoint, ascending; every zero in [-1, 1] of every polynomial in the enclosure is in one of
 /// them. A polynomial that is <= 0 at 1 is assumed, as omega^2 - Z is for Z >= 0. Nothing where
 /// three or more zeros come too close to each other.
-std::optional<std::vector<ZeroCluster>> real_zeros(const EnclosedPolynomial& polynomial);
+std::optional<std::vector<ZeroCluster>> real_zeros(const Expansion& polynomial);
 
 }  // namespace nmbcgen

@@ -15,8 +15,8 @@ class Triangular {
     /// Of a number times the identity.
     Triangular(std::size_t size, const Interval& diagonal);
 
-    /// f(Z) of these points, of which any two are apart or in one and the same interval, next to
-    /// each other then.
+    /// f(Z) of these points, closely enclosed where any two are apart or in one and the same
+    /// interval, next to each other then.
     static Triangular of(const EnclosedPolynomial& f, const std::vector<Interval>& points);
 
     /// Z itself.

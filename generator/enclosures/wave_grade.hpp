@@ -22,13 +22,13 @@
 
 namespace nmbcgen {
 
-/// Some of the waves of one frequency, next to each other.
+/// Some of the waves of one frequency, not told apart.
 struct WaveGroup {
     Interval where;  ///< of their cosines
     std::size_t count;
 };
 
-/// groups: all waves that travel, by ascending cosine; seen_squared: Omega^2. False where it is
+/// groups: all waves that travel, in any order; seen_squared: Omega^2. False where it is
 /// undecided, too.
 bool is_contractive(const EnclosedCondition& condition, const std::vector<WaveGroup>& groups,
                     const Interval& seen_squared);

@@ -49,7 +49,7 @@ TEST_CASE("a polynomial of G over an interval") {
 
 TEST_CASE("zeros between -1 and 1 are found and counted") {
     // -x^2 + 1/4
-    const auto two = nmbcgen::real_zeros({0.25, 0, -1});
+    const auto two = nmbcgen::real_zeros(nmbcgen::unexpanded({0.25, 0, -1}));
     REQUIRE(two.has_value());
     REQUIRE(two->size() == 2);
     CHECK(holds(two->front().where, Rational(-1, 2)));
@@ -57,15 +57,15 @@ TEST_CASE("zeros between -1 and 1 are found and counted") {
     CHECK(two->front().counts == std::vector{1});
     CHECK(width(two->back().where) < 1e-14);
     // -x^2 + [-e, e]: none or two at 0
-    const auto pair = nmbcgen::real_zeros({Interval(-1e-6, 1e-6), 0, -1});
+    const auto pair = nmbcgen::real_zeros(nmbcgen::unexpanded({Interval(-1e-6, 1e-6), 0, -1}));
     REQUIRE(pair.has_value());
     REQUIRE(pair->size() == 1);
     CHECK(pair->front().counts == std::vector{0, 2});
     CHECK(pair->front().where.lower() <= -1e-3);
     CHECK(pair->front().where.upper() >= 1e-3);
     // -x^3 + [-e, e]: one or three
-    CHECK(!nmbcgen::real_zeros({Interval(-1e-6, 1e-6), 0, 0, -1}).has_value());
-    CHECK(nmbcgen::real_zeros({-1})->empty());
+    CHECK(!nmbcgen::real_zeros(nmbcgen::unexpanded({Interval(-1e-6, 1e-6), 0, 0, -1})).has_value());
+    CHECK(nmbcgen::real_zeros(nmbcgen::unexpanded({-1}))->empty());
 }
 
 TEST_CASE("divided differences, of points that meet, too") {

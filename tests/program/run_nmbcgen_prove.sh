@@ -76,8 +76,14 @@ for grade, key in ("paired", "max_cfl"), ("contractive", "max_cfl_contractive"):
     of_grade = [each for each in found if each["grade"] == grade]
     assert of_grade and len(of_grade) == len(table[key])
     for each, step in zip(of_grade, table[key]):
+        length = sum(high - low for low, high in each["proved"])
+        assert length > 0.99 * (each["G"][1] - each["G"][0]), each
         assert each["cfl"] == step["cfl"] and each["G"] == [step["low"], step["high"]], (each, step)
 PYTHON
+try prove --order 1 --horizon 3 --stride 2 --steps
+expect "G = 0 by itself" grep -Eq '^paired +0.000000 .. 0.000000 +cfl up to 0.65 +0 % proved$' "$scratch/stdout"
+try prove --order 2 --horizon 1 --time-step 1/2 --format json
+expect "no cfl in its own step" grep -qx '      "cfl": null,' "$scratch/stdout"
 try prove --order 2 --horizon 1 --damping 1/50 --steps
 expect "from a step on" grep -Eq '^paired .* cfl 0.06 to 0.13 +100 % proved$' "$scratch/stdout"
 try prove --family chain1d --horizon 1 --order 2
