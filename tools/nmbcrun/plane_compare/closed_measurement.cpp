@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/processor_clock.hpp"
+#include "tools/nmbcrun/output/first_steps.hpp"
 #include "tools/nmbcrun/output/work.hpp"
 #include "tools/nmbcrun/plane/finer_run.hpp"
 #include "tools/nmbcrun/plane/plane_sides.hpp"
@@ -194,20 +194,10 @@ void ClosureMeasurement::run_beside_reference() {
             }
         });
     };
-    // The time of the first steps tells that of all.
-    constexpr double enough = 0.02;  // [s]
-    const double start = seconds_of_this_process();
-    std::size_t step = 0;
-    double taken = 0;
-    while (step < steps && taken < enough) {
-        advance();
-        ++step;
-        taken = seconds_of_this_process() - start;
-    }
-    const double a_step = taken / double(step);
+    const auto [first, a_step] = take_first_steps(steps, advance);
     foresee_timing();
-    work_.emplace(double(steps - step) * a_step + total_timing(), quiet_);
-    for (; step < steps; ++step) {
+    work_.emplace(double(steps - first) * a_step + total_timing(), quiet_);
+    for (std::size_t step = first; step < steps; ++step) {
         advance();
         work_->add(a_step);
     }
