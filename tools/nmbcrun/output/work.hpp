@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
@@ -18,11 +17,6 @@ namespace nmbcrun {
 /// Called now and then while something lasts, with the part of it that is done since it was called
 /// before. It may throw.
 using Advance = std::function<void(double)>;
-
-/// That share what is done on all of them.
-inline double cores() {
-    return double(std::max(1U, std::thread::hardware_concurrency()));
-}
 
 /// All that is to be done, known at the start; lets the user stop in between.
 class Work {

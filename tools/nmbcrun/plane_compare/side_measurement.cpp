@@ -160,13 +160,13 @@ SideMeasurement::Foreseen SideMeasurement::foreseen(std::size_t i, double bare_b
     PlaneSimulation simulation = simulation_of(i);
     const double making = seconds_of_this_process() - start;
     const Burst burst = timed_burst(simulation);
-    const double trial = (steps_ * burst.a_step + making) / cores();
+    const double trial = (steps_ * burst.a_step + making) / double(nmbcgen::cores());
     Foreseen parts{.tuning = has_layer(side.kind) ? double(tuning_runs) * trial : 0,
                    .trial = trial,
                    .timing = double(cost_pairs) * (burst.seconds + bare_burst)};
     if (may_grow(side.kind)) {
         PlaneSimulation box = small_box(scene_, side);
-        parts.long_run = double(long_run_) * timed_burst(box).a_step / cores();
+        parts.long_run = double(long_run_) * timed_burst(box).a_step / double(nmbcgen::cores());
     }
     return parts;
 }
