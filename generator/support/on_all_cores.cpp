@@ -14,6 +14,10 @@ thread_local bool works_for_others = false;  // this thread is one of several at
 
 }  // namespace
 
+std::size_t cores() {
+    return std::max(1U, std::thread::hardware_concurrency());
+}
+
 void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
     std::atomic<std::size_t> taken = 0;
     const auto take = [&] {
@@ -26,8 +30,7 @@ void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& wor
             throw;
         }
     };
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t threads = std::min(cores, count);
+    const std::size_t threads = std::min(cores(), count);
     if (works_for_others || threads == 1) {
         take();
         return;

@@ -29,8 +29,7 @@ inline std::size_t horizon_of(unsigned radius_squared) {
 /// The neighbours of a node: all offsets with 0 < x^2 + y^2 <= radius_squared. Throws
 /// std::invalid_argument of more than 1000000, a thousand dX and three million neighbours.
 inline std::vector<PlaneOffset> plane_family(unsigned radius_squared) {
-    constexpr unsigned largest =
-        1'000'000;  // squares of int have room for a thousand times as much
+    constexpr unsigned largest = 1'000'000;  // x^2 + y^2 stays far below INT_MAX
     if (radius_squared > largest) {
         throw std::invalid_argument("the radius squared of a plane family must be at most " +
                                     std::to_string(largest) + ", not " +

@@ -2,9 +2,11 @@
 /// Packets measure what the modal analysis predicts, with ends as a scene has them.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nmbc/ends.hpp>
 #include <nmbc/tables/tables.hpp>
+#include <numbers>
 
 #include "tools/nmbcrun/compare/packet.hpp"
 #include "tools/nmbcrun/compare/prediction.hpp"
@@ -104,6 +106,29 @@ TEST_CASE("layers, thin and wide, send back what their modes say") {
             const double predicted =
                 predicted_reflection(scene, one.layer, packet, one.step).value();
             CHECK(std::abs(measured - predicted) < std::max(1e-4 * predicted, 1e-14));
+        }
+    }
+}
+
+/// Roundings never make it amplify, not where waves stand still nor where two of them merge: at G =
+/// 0 omega is 0 at pi, too, at 5/2 waves near it turn back.
+TEST_CASE("a layer sends back no more than comes, and all of what stands still") {
+    for (const double G : {0.0, 2.5}) {
+        const auto scene = scene_with(2, G);
+        for (const auto kind : {BoundaryKind::sponge, BoundaryKind::pml}) {
+            const Boundary faint{.kind = kind, .layer = 7, .target = 1 - 1e-15};
+            const auto energy = *reflected_energy_of(scene, faint, 0.3);
+            CHECK(energy(0) == 1);
+            CHECK(energy(std::numbers::pi) == 1);
+            double most = 0;
+            double least = 1;
+            for (int i = 1; i < 1000; ++i) {
+                const double part = energy(std::numbers::pi * i / 1000);
+                most = std::max(most, part);
+                least = std::min(least, part);
+            }
+            CHECK(most <= 1);
+            CHECK(least > 1 - 1e-6);
         }
     }
 }

@@ -105,7 +105,7 @@ TEST_CASE("what comes back is foretold, and what is amplified") {
     CHECK(prospect_of(Simulation(scene)).ends.empty());
     scene.left = {.kind = BoundaryKind::sponge, .layer = 401};
     CHECK(prospect_of(Simulation(scene)).ends ==
-          "nothing is predicted of an end that is sponge: nmbcrun verify measures it");
+          "nothing is predicted of a sponge of more than 400 nodes: nmbcrun verify measures it");
     scene.left = {.kind = BoundaryKind::exact};
     scene.end = 300;
     CHECK(prospect_of(Simulation(scene)).ends ==

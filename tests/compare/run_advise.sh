@@ -160,13 +160,14 @@ for seconds in 0 1; do
     expect_exit 130
     expect_stderr "nmbcrun: stopped; nothing was "
 done
-# .. also while an exact end of so long a run is made, which takes 4 s from a damped lattice ..
+# .. also while an exact end of so long a run is made, which takes some 20 s from a damped lattice: long after
+# the signal on a machine five times as fast, too, and the answer has several seconds on a slow one ..
 cat >"$scratch/damped.toml" <<'SCENE'
 model = { horizon = 4, G = 3, damping = "1/50" }
 domain = { nodes = 100 }
 initial = { shape = "gaussian", centre = 50, width = 5, amplitude = 1 }
 boundary = { kind = "exact" }
-time = { end = 4000, cfl = 0.02 }
+time = { end = 12000, cfl = 0.02 }
 SCENE
 tried="advise, and SIGINT after a second"
 began=$(date +%s%N)
@@ -174,7 +175,7 @@ code=0
 timeout --foreground -s INT 1 "$program" advise "$scratch/damped.toml" --tolerance 1e-3 \
     >"$scratch/stdout" 2>"$scratch/stderr" || code=$?
 expect "the signal's exit code" test $code -eq 124
-expect "an answer within a second or so" test $(($(date +%s%N) - began)) -lt 2500000000
+expect "an answer long before it is made" test $(($(date +%s%N) - began)) -lt 6000000000
 expect_stderr "nmbcrun: stopped; nothing was "
 # .. and one that comes when the advice is there stops the run before it writes: nobody reads the
 # advice until then.

@@ -27,5 +27,24 @@ TEST_CASE("the target that is found is the one that is printed, to three digits"
     }
 }
 
+TEST_CASE("the search for the narrowest silent layer counts as one") {
+    Scene scene;
+    scene.horizon = 1;
+    scene.G = 0.5;
+    scene.nodes = 60;
+    scene.end = 90;
+    scene.initial =
+        Initial{.pulse = {.shape = Shape::gaussian, .amplitude = 1, .width = 4, .wave_number = 0},
+                .centre = 30,
+                .file = {}};
+    scene = in_steps_of(scene, 0.4);
+    double done = 0;
+    const Boundary found = narrowest_silent(scene, samples_without_ends(scene),
+                                            [&done](double part) { done += part; });
+    CHECK(found.layer > 0);
+    CHECK(done > 0.5);
+    CHECK(done < 1 + 1e-9);
+}
+
 }  // namespace
 }  // namespace nmbcrun::test

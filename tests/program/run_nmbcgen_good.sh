@@ -202,10 +202,13 @@ for option in --family --order --horizon --weights --stride --damping --time-ste
 done
 expect_nothing_written
 
-# Some seconds of algebra: a line on a terminal, gone at the end.
+# Some seconds of algebra: a line on a terminal from two seconds on, where it takes that long.
 tried="--order 16 on a terminal"
+began=$(date +%s%N)
 script -qec "'$program' --order 16 --horizon 2 --uncertified --out slow" /dev/null >"$scratch/stdout"
-expect "how long by now" grep -qaE 'nmbcgen: deriving, 0 of 1, [0-9]+ s' "$scratch/stdout"
+if [ $(($(date +%s%N) - began)) -gt 3000000000 ]; then
+    expect "how long by now" grep -qaE 'nmbcgen: deriving, 0 of 1, [0-9]+ s' "$scratch/stdout"
+fi
 rm -r slow
 
 # The largest of the committed set, and the whole set: printed as written, one line a file.

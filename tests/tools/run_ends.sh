@@ -22,12 +22,20 @@ unstable "a fixed end on the left and NMBC1 on the right are not stable together
 # .. or at this time step: NMBC2 at n = 1, G = 1/2 is stable up to cfl = 0.70.
 unstable "cfl = 0.8" --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=0.8
 unstable "cfl = 1" --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=1
+# What is said to be the limit is none of the steps that are stable: rounded up, 0.9535 is below 0.954.
+beside_sbp=(--set boundary.left.kind=sbp --set boundary.right.stride=2)
+unstable "and none above cfl = 0.954 is stable. Give time.cfl = 0.92" \
+    --set model.G=1.85 "${beside_sbp[@]}" --set time.cfl=0.99
+# Where all steps up to the limit are certified, it is the limit that is named.
+unstable "between these ends steps up to 0.236703 (cfl = 0.79) are stable. Give time.cfl = 0.79 or less" \
+    --set model.G=1 "${beside_sbp[@]}" --set time.cfl=0.8
 # What is named in the place of steps beyond the lattice's own is certified, too.
 unstable "steps of 0.264567 (cfl = 2) are too long: these ends are certified in steps of 0.0912755 (cfl = 0.69), for example, $(:
     )and none above cfl = 1 is stable. Give time.cfl = 0.69" \
     --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=2
 stable --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 \
     --set "time.cfl=$(sed -n 's/.* Give time.cfl = \(.*\)$/\1/p' "$scratch/stderr")"
+stable --set model.G=1 "${beside_sbp[@]}" --set time.cfl=0.7906
 rm -r results
 unstable "are stable, and none is certified" --set boundary.order=2 --set model.G=1 --set time.cfl=2
 # A chain too short for the certificate of its ends.

@@ -81,12 +81,13 @@ for quiet in "" --quiet; do
     expect_stdout_line "advice     --set boundary.kind=passive"
 done
 
-# The bar counts what the measuring of costs takes, too, a quarter of the time here: it does not wait at its end.
+# The bar counts what the measuring of costs takes, too, a quarter of the time here: it does not wait at its end. About
+# 120 bars in 12 s; two may be late by chance where a fast machine shows a tenth of them.
 measured=(advise "$band" --tolerance 0.1 --set "'domain.nodes=[10, 60]'" --set "'drive.centre=[5, 30]'" --set time.end=10)
 tried="${measured[*]} on a terminal"
 script -qec "stty cols 80; TERM=xterm '$program' ${measured[*]}" /dev/null | tr '\r' '\n' | grep -a ' left' >"$scratch/stdout"
 expect "few bars beyond 95 %" awk 'match($0, /[0-9]+ %/) { bars++; late += substr($0, RSTART, RLENGTH) + 0 > 95 }
-    END { exit !(bars > 10 && late < bars / 7) }' "$scratch/stdout"
+    END { exit !(bars > 10 && late < bars / 7 + 2) }' "$scratch/stdout"
 
 # A design of some seconds, of which a quiet run shows nothing.
 quiet=(run "$2/tools/scenes/plane_box.toml" --quiet --set model.radius2=9 --set time.end=1)

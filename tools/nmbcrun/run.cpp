@@ -220,12 +220,12 @@ void Run::print() {
 
 void run(const Scene& scene, const RunOptions& options) {
     Run run(scene, options);
-    const std::size_t nodes = run.simulation().chain().nodes();
     // u and v, in a growing file and, at the end, its copy
     const double bytes_of_snapshot = 4.0 * sizeof(double) * double(scene.nodes);
-    const std::size_t probes = 2 * scene.probes.size();
-    run.require_possible(nodes, bytes_of_snapshot, probes);
-    run.warn(run.warnings(), nodes, bytes_of_snapshot, probes);
+    const RunSize size{run.simulation().chain().nodes(), bytes_of_snapshot,
+                       2 * scene.probes.size()};
+    run.require_possible(size);
+    run.warn(run.warnings(), size);
     if (!options.quiet) {
         const Plan& plan = run.simulation().plan();
         const nmbc::Chain& chain = run.simulation().chain();

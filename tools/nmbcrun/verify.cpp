@@ -131,7 +131,7 @@ bool verify(const Scene& scene, double tolerance, bool quiet) {
     Simulation reference(endless(mirrored, simulation.plan().time_step));
     const Plan& plan = simulation.plan();
     const std::size_t nodes = simulation.chain().nodes() + reference.chain().nodes();
-    require_an_end(plan, unit_of_time(scene), plan.steps, nodes);
+    require_bearable_length(plan, unit_of_time(scene), plan.steps, nodes);
     print_warnings(simulation.warnings());
     print_warnings(warnings_of_steps(plan, unit_of_time(scene), plan.steps, nodes));
     if (!quiet) {

@@ -15,6 +15,7 @@
 #include "tools/nmbcrun/advise/search.hpp"
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/first_steps.hpp"
 #include "tools/nmbcrun/output/warnings.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 #include "tools/nmbcrun/terminal/duration.hpp"
@@ -224,12 +225,8 @@ const char* what_counts(const Scene& scene) {
 
 /// About: from the first of its steps.
 double seconds_of_run(Simulation& simulation) {
-    constexpr double enough = 0.02;
-    const Stopwatch watch;
-    do {
-        simulation.step();
-    } while (!simulation.is_done() && watch.seconds() < enough);
-    return watch.seconds() * double(simulation.plan().steps) / double(simulation.chain().steps());
+    const std::size_t steps = simulation.plan().steps;
+    return double(steps) * take_first_steps(steps, [&] { simulation.step(); }).a_step;
 }
 
 std::vector<std::string> uncounted_closures(const Scene& scene) {

@@ -196,7 +196,7 @@ std::string objection_to_steps(const Scene& scene, const nmbc::Lattice& lattice,
     const double allowed = certified > 0 ? certified : stable;
     const std::string longest = nmbcgen::rounded_down(2 * allowed / omega_max, 6);
     const std::string largest = nmbcgen::rounded_down(allowed, 3);
-    const bool is_limit = allowed == stable;
+    const bool is_limit = allowed >= stable * (1 - 2 * roundings);  // with or without them
     // Else shorter ones need not be certified, and some longer ones may be.
     const std::string choice =
         is_limit ? fmt::format("between these ends steps up to {} (cfl = {}) are stable", longest,
@@ -204,7 +204,7 @@ std::string objection_to_steps(const Scene& scene, const nmbc::Lattice& lattice,
                  : fmt::format(
                        "these ends are certified in steps of {} (cfl = {}), for example, "
                        "and none above cfl = {} is stable",
-                       longest, largest, nmbcgen::rounded_down(stable, 3));
+                       longest, largest, nmbcgen::rounded_up(stable, 3));
     const char* or_less = is_limit ? " or less" : "";
     return fmt::format("steps of {:.6g} (cfl = {:.3g}) are too long: {}{}", time_step, cfl, choice,
                        certified == 0 ? ", and none is certified"

@@ -11,6 +11,7 @@
 #include <nmbc/ends.hpp>
 #include <nmbc/lattice.hpp>
 #include <nmbc/surface.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -20,9 +21,9 @@
 #include "generator/support/on_all_cores.hpp"
 #include "tools/nmbcrun/certification/time_step.hpp"
 #include "tools/nmbcrun/chart/boundaries.hpp"
+#include "tools/nmbcrun/chart/chart_work.hpp"
 #include "tools/nmbcrun/chart/cost.hpp"
 #include "tools/nmbcrun/chart/long_run.hpp"
-#include "tools/nmbcrun/chart/node_steps.hpp"
 #include "tools/nmbcrun/chart/pace.hpp"
 #include "tools/nmbcrun/chart/points.hpp"
 #include "tools/nmbcrun/chart/trial.hpp"
@@ -54,7 +55,7 @@ class Measurement {
                 points_.push_back({.what = what, .cfl = cfl});
             }
         }
-        pace_ = pace_of(in_steps(shown_));
+        takes_.emplace(scene_, pace_of(in_steps(shown_)), long_run_);
     }
 
     double shown() const { return shown_; }
@@ -73,9 +74,7 @@ class Measurement {
 
   private:
     Scene in_steps(double cfl) const { return in_steps_of(scene_, cfl); }
-    Scene ended(const Point& point) const {
-        return with_ends(in_steps(point.cfl), point.what.boundary);
-    }
+    Scene ended(const Point& point) const { return ended_by(scene_, point); }
     /// Without artificial ends: of closures, between mirrors about the same surfaces.
     Scene reference(double cfl, bool is_on_node) const {
         const BoundaryKind kind = !is_closed(scene_) ? BoundaryKind::extended
@@ -101,32 +100,6 @@ class Measurement {
         return point.cfl == shown_ || point.what.boundary.kind == BoundaryKind::exact;
     }
 
-    // Seconds, as the pace of the bare interior tells; what all cores share takes a part of them.
-    double seconds_of(const Scene& scene) const { return node_steps(scene) * pace_.step_by_step; }
-    double tuning_work(const Point& point) const {
-        const bool is_layer = point.what.boundary.kind != BoundaryKind::extended;
-        return seconds_of(ended(point)) * (is_layer ? double(tuning_runs) : 10) / cores();
-    }
-    double trial_work(const Point& point) const { return seconds_of(ended(point)) / cores(); }
-    double long_work(const Point& point) const {
-        return adds_no_energy(point.what.boundary.kind)
-                   ? 0
-                   : double(scene_.nodes) * double(long_run_) * pace_.long_run / cores();
-    }
-    /// Bursts of the boundary beside twice as many of the bare interior, until it has taken long
-    /// enough, and some while it is made.
-    double timing_work(const Point& point) const {
-        const double bare = double(scene_.nodes) *
-                            double(steps_until(scene_.end, in_steps(point.cfl).step.value()));
-        const double burst = std::max(timing_burst, 10.0 * double(scene_.nodes));
-        const bool is_exact = point.what.boundary.kind == BoundaryKind::exact;
-        const double own = seconds_of(ended(point)) * (is_exact ? 1 : burst / bare);
-        const double of_burst = burst * pace_.step_by_step;
-        return std::min(double(cost_rounds), 1 + enough_timed / own) * (2 * of_burst + own) +
-               std::min(enough_timed, double(making_rounds) * of_burst);
-    }
-    double reference_work(double cfl) const { return seconds_of(reference(cfl, false)) / cores(); }
-
     double total_work() const;
     void run_references(Work& work);
     void tune_layers(Work& work);
@@ -138,25 +111,25 @@ class Measurement {
     std::size_t long_run_;
     std::vector<double> steps_;
     double shown_ = 0;
-    Pace pace_{};
+    std::optional<ChartWork> takes_{};
     std::map<bool, Samples> fine_;  // by is_on_node()
     std::map<std::pair<double, bool>, Samples> same_steps_;
     std::vector<Point> points_;
 };
 
 double Measurement::total_work() const {
-    double total = reference_work(fine_cfl);
+    double total = takes_->run(reference(fine_cfl, false));
     for (const double cfl : steps_) {
-        total += reference_work(cfl);
+        total += takes_->run(reference(cfl, false));
     }
     total *= double(surfaces().size());
     for (const Point& point : points_) {
-        total += trial_work(point) + long_work(point);
+        total += takes_->trial(point) + takes_->long_run(point);
         if (point.cfl == shown_) {
-            total += is_tuned(point.what.boundary) ? tuning_work(point) : 0;
+            total += is_tuned(point.what.boundary) ? takes_->tuning(point) : 0;
         }
         if (is_timed(point)) {
-            total += timing_work(point);
+            total += takes_->timing(point);
         }
     }
     return total;
@@ -174,8 +147,8 @@ void Measurement::run_references(Work& work) {
     }
     nmbcgen::on_all_cores(runs.size(), [&](std::size_t i) {
         const auto& [cfl, on_node] = runs[i];
-        (cfl == fine_cfl ? fine_.at(on_node) : same_steps_.at(runs[i])) =
-            samples_without_ends(reference(cfl, on_node), work.of(reference_work(cfl)));
+        (cfl == fine_cfl ? fine_.at(on_node) : same_steps_.at(runs[i])) = samples_without_ends(
+            reference(cfl, on_node), work.of(takes_->run(reference(cfl, false))));
     });
 }
 
@@ -190,13 +163,15 @@ void Measurement::tune_layers(Work& work) {
     nmbcgen::on_all_cores(layers.size(), [&](std::size_t i) {
         Point& point = *layers[i];
         Boundary& boundary = point.what.boundary;
-        const Advance advance = work.of(tuning_work(point));
+        Portion portion(work, takes_->tuning(point));
+        const Advance advance = portion.of(takes_->tuning(point));
         point.refused = refusal_of([&] {
             boundary =
                 boundary.kind == BoundaryKind::extended
                     ? narrowest_silent(in_steps(shown_), same_steps_.at({shown_, false}), advance)
                     : tuned(in_steps(shown_), boundary, same_steps_.at({shown_, false}), advance);
         });
+        portion.finish();
     });
     for (const Point* layer : layers) {
         for (Point& point : points_) {
@@ -211,26 +186,22 @@ void Measurement::tune_layers(Work& work) {
 void Measurement::run_trials(Work& work) {
     nmbcgen::on_all_cores(points_.size(), [&](std::size_t i) {
         Point& point = points_[i];
-        double left = trial_work(point) + long_work(point);
-        const auto counted = [&](double part_of_it) -> Advance {
-            return [&, part_of_it](double part) {
-                left -= part * part_of_it;
-                work.add(part * part_of_it);
-            };
-        };
+        Portion portion(work, takes_->trial(point) + takes_->long_run(point));
         if (point.refused.empty()) {
             point.refused = refusal_of([&] {
                 point.trial =
                     run_trial(ended(point), same_steps_.at({point.cfl, is_on_node(point)}),
-                              fine_.at(is_on_node(point)), counted(trial_work(point)));
+                              fine_.at(is_on_node(point)), portion.of(takes_->trial(point)));
                 if (!adds_no_energy(point.what.boundary.kind)) {
-                    point.long_run =
-                        long_time_stability(ended(point), long_run_, counted(long_work(point)));
+                    point.long_run = long_time_stability(ended(point), long_run_,
+                                                         portion.of(takes_->long_run(point)));
                 }
             });
         }
-        const bool is_over = !point.refused.empty() && is_timed(point);
-        work.add(left + (is_over ? timing_work(point) : 0));
+        portion.finish();
+        if (!point.refused.empty() && is_timed(point)) {  // it never will be
+            work.add(takes_->timing(point));
+        }
     });
 }
 
@@ -272,7 +243,7 @@ void Measurement::measure_costs(Work& work) {
         if (is_timed(point)) {
             timed.push_back(&point);
             scenes.push_back(ended(point));
-            total += timing_work(point);
+            total += takes_->timing(point);
         }
     }
     const std::vector<RelativeCost> costs = relative_costs(
@@ -319,8 +290,8 @@ void chart(const Scene& scene, const ChartOptions& options) {
     const std::size_t long_run = options.long_run.value_or(default_long_run(scene));
     Measurement measurement(scene, std::move(steps), long_run);
     if (!options.quiet) {
-        fmt::print("takes        about {} on {:.0f} cores that do nothing else\n\n",
-                   duration(measurement.seconds()), cores());
+        fmt::print("takes        about {} on {} cores that do nothing else\n\n",
+                   duration(measurement.seconds()), nmbcgen::cores());
         std::fflush(stdout);
     }
     const std::vector<Point> points = measurement.run(options.quiet);

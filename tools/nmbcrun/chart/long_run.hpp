@@ -35,7 +35,7 @@ LongTimeStability stability_shown_by(const std::vector<double>& largest, double 
 inline constexpr std::size_t steps_between_looks = 20;
 
 /// |u| of any node; infinite where one is not finite.
-double largest_displacement(const nmbc::Chain& chain);
+[[nodiscard]] double largest_displacement(const nmbc::Chain& chain);
 
 /// Runs the scene's chain, with its ends and in its step, for so many steps from random data. The
 /// run ends early where it has grown, or faded, beyond all doubt: the rest counts as done then.

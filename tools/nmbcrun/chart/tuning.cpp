@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstdint>
@@ -58,19 +59,13 @@ Losses least_erring_losses(std::span<const double> profiles, std::size_t runs,
 Boundary tuned(const Scene& scene, Boundary layer, const Samples& reference,
                const Advance& advance) {
     constexpr std::array profiles{1.0, 2.0, 3.0, 4.0, 6.0};
-    double done = 0;
-    const auto add = [&](double part) {
-        done += part;
-        advance(part);
-    };
     const auto error_with = [&](const Losses& losses) {
         layer.profile = losses.profile;
         layer.target = losses.target;
         return error_of(scene, layer, reference,
-                        [&](double part) { add(part / double(tuning_runs)); });
+                        [&](double part) { advance(part / double(tuning_runs)); });
     };
     const Losses best = least_erring_losses(profiles, tuning_runs, error_with);
-    add(1 - done);
     layer.profile = best.profile;
     layer.target = best.target;
     return layer;
@@ -82,10 +77,11 @@ Boundary narrowest_silent(const Scene& scene, const Samples& reference, const Ad
     // Above it, something comes back from the narrower one, and nothing from the wider one.
     std::size_t narrow = 0;
     std::size_t wide = silent_layer(lattice_of(scene), scene.step.value() / unit, scene.end / unit);
+    const auto most_runs = double(std::bit_width(wide));  // each halves what is left
     while (wide - narrow > 1) {
         const std::size_t layer = narrow + (wide - narrow) / 2;
-        const double error =
-            error_of(scene, {.kind = BoundaryKind::extended, .layer = layer}, reference, advance);
+        const double error = error_of(scene, {.kind = BoundaryKind::extended, .layer = layer},
+                                      reference, [&](double part) { advance(part / most_runs); });
         (error > silent ? narrow : wide) = layer;
     }
     return {.kind = BoundaryKind::extended, .layer = wide};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/compare/layer_reflection.hpp"
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 #include <algorithm>
@@ -25,76 +26,99 @@ using nmbcgen::Mode;
 /// outermost of the interior, 0, inwards. Units dX = c = 1.
 class LayerOfWaves {
   public:
-    LayerOfWaves(nmbc::Lattice lattice, nmbcgen::HalfSpace half_space, const Boundary& boundary)
-        : lattice_(std::move(lattice)),
+    LayerOfWaves(const nmbc::Lattice& lattice, nmbcgen::HalfSpace half_space,
+                 const Boundary& boundary)
+        : symbol_(lattice.symbol),
           half_space_(std::move(half_space)),
+          modes_(half_space_),
           is_matched_(boundary.kind == BoundaryKind::pml),
           layer_(std::ptrdiff_t(boundary.layer)),
           losses_(nmbc::half_step_losses({boundary.layer, boundary.profile, target_of(boundary)},
                                          is_matched_ ? 0.5 : 1,
-                                         {.time_step = half_space_.time_step})) {}
+                                         {.time_step = half_space_.time_step})) {
+        if (is_matched_) {
+            squares_ = squares_about_a_node(lattice);
+        }
+    }
 
-    double energy_sent_back(double xi) const;
+    /// Not from two threads at a time.
+    double energy_sent_back(double xi);
 
   private:
-    std::ptrdiff_t reach() const { return std::ptrdiff_t(lattice_.reach()); }
+    /// How far a node's force comes from.
+    std::ptrdiff_t reach() const {
+        return std::max(std::ptrdiff_t(symbol_.size()) - 1, squares_.rows() - 1);
+    }
     double loss_at(std::ptrdiff_t node) const {
         return node >= 0 ? 0 : losses_[std::size_t(std::min(-node - 1, layer_))];
     }
-    /// Both call with pairs of nodes, all of which the first is in the layer or reaches into it
-    /// among them, and with the second's part in the force on it. inner: the first node that does
-    /// not. half_angle: theta/2.
-    template <class Visit>
-    void for_each_force(std::ptrdiff_t inner, Visit visit) const;
-    template <class Visit>
-    void for_each_stretched_force(std::ptrdiff_t inner, double half_angle, Visit visit) const;
+    static Eigen::MatrixXd squares_about_a_node(const nmbc::Lattice& lattice);
+    /// slow: (z + 1)/(z - 1), z = exp(i theta).
+    Complex stretched_force(std::ptrdiff_t node, std::ptrdiff_t other, Complex slow) const;
+    Complex force(std::ptrdiff_t node, std::ptrdiff_t other, Complex slow) const;
 
-    nmbc::Lattice lattice_;
+    std::vector<double> symbol_;
     nmbcgen::HalfSpace half_space_;
+    nmbcgen::OutgoingModes modes_;
     bool is_matched_;
     std::ptrdiff_t layer_;
     std::vector<double> losses_;
+    Eigen::MatrixXd squares_{};
 };
 
-template <class Visit>
-void LayerOfWaves::for_each_force(std::ptrdiff_t inner, Visit visit) const {
-    for (std::ptrdiff_t node = -layer_; node < inner; ++node) {
-        for (std::ptrdiff_t m = -reach(); m <= reach(); ++m) {
-            visit(node, node + m, Complex(lattice_.symbol[std::size_t(std::abs(m))]));
-        }
+/// The second derivatives of the energy of all squares about one node by u of it and of its
+/// neighbours, in order.
+Eigen::MatrixXd LayerOfWaves::squares_about_a_node(const nmbc::Lattice& lattice) {
+    Eigen::Index largest = 0;
+    for (const nmbc::Lattice::Square& square : lattice.energy) {
+        largest = std::max(largest, Eigen::Index(square.stencil.size()));
     }
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(largest, largest);
+    for (const nmbc::Lattice::Square& square : lattice.energy) {
+        const auto size = Eigen::Index(square.stencil.size());
+        const Eigen::Map<const Eigen::VectorXd> stencil(square.stencil.data(), size);
+        const Eigen::Index first = largest / 2 - size / 2;
+        sum.block(first, first, size, size) += square.weight * stencil * stencil.transpose();
+    }
+    return sum;
 }
 
-template <class Visit>
-void LayerOfWaves::for_each_stretched_force(std::ptrdiff_t inner, double half_angle,
-                                            Visit visit) const {
-    const Complex slow(0, -1 / std::tan(half_angle));  // (z + 1)/(z - 1)
-    for (const nmbc::Lattice::Square& square : lattice_.energy) {
-        const std::vector<double>& stencil = square.stencil;
-        const auto size = std::ptrdiff_t(stencil.size());
-        for (std::ptrdiff_t first = -layer_ - size; first < inner; ++first) {
-            const Complex weight = square.weight / (1.0 + loss_at(first + size / 2) * slow);
-            for (std::ptrdiff_t i = 0; i < size; ++i) {
-                for (std::ptrdiff_t k = 0; k < size; ++k) {
-                    visit(first + i, first + k,
-                          weight * stencil[std::size_t(i)] * stencil[std::size_t(k)]);
-                }
-            }
-        }
+Complex LayerOfWaves::stretched_force(std::ptrdiff_t node, std::ptrdiff_t other,
+                                      Complex slow) const {
+    const std::ptrdiff_t half = squares_.rows() / 2;
+    Complex sum = 0;
+    for (std::ptrdiff_t about = std::max(node, other) - half; about <= std::min(node, other) + half;
+         ++about) {
+        sum += squares_(node - about + half, other - about + half) / (1.0 + loss_at(about) * slow);
     }
+    return sum;
 }
 
-double LayerOfWaves::energy_sent_back(double xi) const {
-    const double omega = std::sqrt(std::max(nmbcgen::omega_squared(half_space_, xi), 0.0));
+/// The part of u of the other node in the force on this one, times -1.
+Complex LayerOfWaves::force(std::ptrdiff_t node, std::ptrdiff_t other, Complex slow) const {
+    if (is_matched_) {
+        return stretched_force(node, other, slow);
+    }
+    const auto distance = std::size_t(std::abs(node - other));
+    return distance < symbol_.size() ? symbol_[distance] : 0;
+}
+
+double LayerOfWaves::energy_sent_back(double xi) {
+    const double square = nmbcgen::omega_squared(half_space_, xi);
+    if (!(square > 0)) {
+        return 1;  // it stands still: as much as can come back
+    }
+    const double omega = std::sqrt(square);
     const double step = half_space_.time_step;
     const double half_angle = std::asin(std::min(omega * step / 2, 1.0));
-    const std::vector<Mode> outgoing = nmbcgen::outgoing_modes(half_space_, omega);
+    const Complex slow(0, -1 / std::tan(half_angle));
+    const std::vector<Mode> outgoing = modes_.at(omega);
     // What comes in is the mirror image of the one whose wave number is next to xi.
     const Mode& image = *std::ranges::min_element(outgoing, {}, [xi](const Mode& mode) {
         return mode.travels() ? std::abs(std::abs(std::arg(mode.k)) - xi) : 10;
     });
     if (!image.travels()) {
-        return 1;  // it stands still: as much as can come back
+        return 1;  // it stands still, too
     }
     // As many as the lattice reaches, or fewer where it happens to reach less far at its G.
     const auto waves = std::ptrdiff_t(outgoing.size());
@@ -120,15 +144,14 @@ double LayerOfWaves::energy_sent_back(double xi) const {
     for (std::ptrdiff_t node = -layer_; node < waves; ++node) {
         const Complex friction(0, 2 * loss_at(node) * std::sin(2 * half_angle) / (step * step));
         add(node, node, friction - omega * omega);
-    }
-    if (is_matched_) {
-        for_each_stretched_force(waves, half_angle, add);
-    } else {
-        for_each_force(waves, add);
+        for (std::ptrdiff_t other = node - reach(); other <= node + reach(); ++other) {
+            add(node, other, force(node, other, slow));
+        }
     }
     Matrix matrix(unknowns, unknowns);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SparseLU<Matrix> solver(matrix);
+    // In their own order the equations are a band.
+    const Eigen::SparseLU<Matrix, Eigen::NaturalOrdering<int>> solver(matrix);
     if (solver.info() != Eigen::Success) {
         return 1;  // waves that cannot be told apart
     }
@@ -138,16 +161,23 @@ double LayerOfWaves::energy_sent_back(double xi) const {
         energy += std::norm(found[layer_ + Eigen::Index(o)]) *
                   std::abs(outgoing[o].group_velocity / image.group_velocity);
     }
-    return energy;
+    // A layer adds no energy. Where modes merge, roundings of a matrix that is nearly singular may,
+    // or what comes is not a number.
+    return energy < 1 ? energy : 1;
 }
 
 }  // namespace
 
+std::size_t widest_told_layer(const nmbc::Lattice& lattice) {
+    constexpr double most_work = 1e5;  // some milliseconds a wave
+    const auto reach = double(lattice.reach());
+    return std::size_t(std::min(400.0, most_work / (reach * reach)));
+}
+
 std::function<double(double xi)> energy_sent_back_by_layer(const nmbc::Lattice& lattice,
                                                            nmbcgen::HalfSpace half_space,
                                                            const Boundary& boundary) {
-    const auto layer =
-        std::make_shared<const LayerOfWaves>(lattice, std::move(half_space), boundary);
+    const auto layer = std::make_shared<LayerOfWaves>(lattice, std::move(half_space), boundary);
     return [layer](double xi) { return layer->energy_sent_back(xi); };
 }
 

@@ -8,6 +8,7 @@
 #include "tools/nmbcrun/compare/layer_reflection.hpp"
 #include "tools/nmbcrun/sides/passive_design.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
 
 namespace nmbcrun {
 
@@ -39,7 +40,7 @@ std::optional<std::function<double(double xi)>> reflected_energy_of(const Scene&
             break;
         case BoundaryKind::sponge:
         case BoundaryKind::pml:
-            if (boundary.layer > widest_told_layer) {
+            if (boundary.layer > widest_told_layer(lattice_of(scene))) {
                 return std::nullopt;
             }
             return energy_sent_back_by_layer(
@@ -63,6 +64,7 @@ std::optional<double> predicted_reflection(const Scene& scene, const Boundary& b
     double reflected = 0;
     double total = 0;
     for (const Wave& wave : packet.spectrum()) {
+        stop_if_interrupted();
         reflected += wave.energy() * (*reflected_energy)(std::abs(wave.xi));
         total += wave.energy();
     }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 
+#include "tools/nmbcrun/compare/layer_reflection.hpp"
 #include "tools/nmbcrun/compare/packet.hpp"
 #include "tools/nmbcrun/compare/prediction.hpp"
 #include "tools/nmbcrun/compare/source_spectrum.hpp"
@@ -17,6 +18,8 @@
 #include "tools/nmbcrun/sources/short_waves.hpp"
 #include "tools/nmbcrun/sources/source_length.hpp"
 #include "tools/nmbcrun/sources/two_digits.hpp"
+#include "tools/nmbcrun/tables/tables.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -208,8 +211,10 @@ std::vector<std::string> warnings_of(const Simulation& simulation,
 
 /// What nothing is predicted of.
 std::string what_is_unknown(const Scene& scene, const Boundary& end) {
-    return is_damped(scene) ? "of a damped lattice"
-                            : fmt::format("of an end that is {}", name_of(end.kind));
+    return is_damped(scene)        ? "of a damped lattice"
+           : has_profile(end.kind) ? fmt::format("of a {} of more than {} nodes", name_of(end.kind),
+                                                 widest_told_layer(lattice_of(scene)))
+                                   : fmt::format("of an end that is {}", name_of(end.kind));
 }
 
 double energy_of(const std::vector<SourceSpectrum>& sources) {
@@ -268,6 +273,7 @@ Prospect prospect_of(const Simulation& simulation) {
             known.clear();
         }
         const auto known_or_found = [&](double xi) {
+            stop_if_interrupted();
             const auto [found, is_new] = known.try_emplace(xi, 0.0);
             return found->second = is_new ? (*reflected_energy)(xi) : found->second;
         };

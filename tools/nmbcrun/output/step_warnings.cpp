@@ -90,8 +90,8 @@ std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_
     return warnings;
 }
 
-void require_an_end(const StepPlan& plan, double unit_of_time, std::size_t steps_left,
-                    std::size_t nodes) {
+void require_bearable_length(const StepPlan& plan, double unit_of_time, std::size_t steps_left,
+                             std::size_t nodes) {
     constexpr double year = 365.25 * 24 * 3600;
     if (seconds_of(steps_left, nodes) > 100 * year) {  // some months where all goes fastest
         throw SceneError(steps_in_words(plan, unit_of_time, steps_left, nodes) +

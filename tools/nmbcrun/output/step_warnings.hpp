@@ -17,8 +17,8 @@ std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_
                                            std::size_t steps_left, std::size_t nodes);
 
 /// Throws SceneError where they take more than 100 years.
-void require_an_end(const StepPlan& plan, double unit_of_time, std::size_t steps_left,
-                    std::size_t nodes);
+void require_bearable_length(const StepPlan& plan, double unit_of_time, std::size_t steps_left,
+                             std::size_t nodes);
 
 /// ", about 8 min at 1e+08 node-steps a second"; empty of less than a million steps that take less
 /// than a minute.

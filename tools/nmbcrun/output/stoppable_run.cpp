@@ -47,12 +47,12 @@ std::optional<Checkpoint> StoppableRun::claim(std::map<std::string, std::string>
     return from;
 }
 
-Output StoppableRun::output_of(double bytes_of_snapshot, std::size_t probes) const {
+Output StoppableRun::output_of(const RunSize& size) const {
     const auto left = double(plan_.steps - steps());
     const auto every = [&](std::size_t interval) {
         return interval == 0 ? 0.0 : left / double(interval);
     };
-    return {every(every_), double(probes), every(snapshots_), bytes_of_snapshot};
+    return {every(every_), double(size.probes), every(snapshots_), size.bytes_of_snapshot};
 }
 
 double StoppableRun::free_bytes() const {
@@ -61,18 +61,16 @@ double StoppableRun::free_bytes() const {
     return unknown || space.capacity == 0 ? HUGE_VAL : double(space.available);
 }
 
-void StoppableRun::require_possible(std::size_t nodes, double bytes_of_snapshot,
-                                    std::size_t probes) const {
-    require_an_end(plan_, unit_of_time_, plan_.steps - steps(), nodes);
-    require_space(output_of(bytes_of_snapshot, probes), free_bytes());
+void StoppableRun::require_possible(const RunSize& size) const {
+    require_bearable_length(plan_, unit_of_time_, plan_.steps - steps(), size.nodes);
+    require_space(output_of(size), free_bytes());
 }
 
-void StoppableRun::warn(std::vector<std::string> warnings, std::size_t nodes,
-                        double bytes_of_snapshot, std::size_t probes) const {
-    warnings.push_back(warning_of_files(output_of(bytes_of_snapshot, probes), free_bytes()));
+void StoppableRun::warn(std::vector<std::string> warnings, const RunSize& size) const {
+    warnings.push_back(warning_of_files(output_of(size), free_bytes()));
     std::erase(warnings, "");
     for (const std::string& one :
-         warnings_of_steps(plan_, unit_of_time_, plan_.steps - steps(), nodes)) {
+         warnings_of_steps(plan_, unit_of_time_, plan_.steps - steps(), size.nodes)) {
         warnings.push_back(one);
     }
     if (replaces_earlier_) {

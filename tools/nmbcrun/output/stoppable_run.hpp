@@ -27,6 +27,14 @@ struct Highlights {
     double drift = 0;        ///< the largest of the ledger, whatever its sign
 };
 
+/// What it takes of a machine: nodes that are stepped, those that are written, and numbers of
+/// probes.
+struct RunSize {
+    std::size_t nodes = 0;
+    double bytes_of_snapshot = 0;  ///< as large as it gets while the run ends
+    std::size_t probes = 0;        ///< numbers in a row
+};
+
 class StoppableRun {
   public:
     virtual ~StoppableRun() = default;
@@ -40,14 +48,13 @@ class StoppableRun {
     /// from), and as the body does.
     void to_the_end();
 
-    /// Throws SceneError of so many nodes that its steps take a hundred years, FileError where
-    /// there is no room for its files: with such snapshots, and so many numbers of probes.
-    void require_possible(std::size_t nodes, double bytes_of_snapshot, std::size_t probes) const;
+    /// Throws SceneError where its steps take a hundred years, FileError where there is no room for
+    /// its files.
+    void require_possible(const RunSize& size) const;
 
-    /// Prints these on stderr, a line each, and what its user may not expect of any run of so many
-    /// nodes with such snapshots, and so many numbers of probes.
-    void warn(std::vector<std::string> warnings, std::size_t nodes, double bytes_of_snapshot,
-              std::size_t probes) const;
+    /// Prints these on stderr, a line each, and what its user may not expect of any run of this
+    /// size.
+    void warn(std::vector<std::string> warnings, const RunSize& size) const;
 
   protected:
     /// About so many rows of energies are printed.
@@ -105,7 +112,7 @@ class StoppableRun {
     };
 
     /// Still to be written.
-    Output output_of(double bytes_of_snapshot, std::size_t probes) const;
+    Output output_of(const RunSize& size) const;
     double free_bytes() const;
 
     bool is_done() const { return steps() >= plan_.steps; }

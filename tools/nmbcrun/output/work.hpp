@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
-#include <thread>
+#include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/terminal/interrupt.hpp"
@@ -17,11 +17,6 @@ namespace nmbcrun {
 /// Called now and then while something lasts, with the part of it that is done since it was called
 /// before. It may throw.
 using Advance = std::function<void(double)>;
-
-/// That share what is done on all of them.
-inline double cores() {
-    return double(std::max(1U, std::thread::hardware_concurrency()));
-}
 
 /// All that is to be done, known at the start; lets the user stop in between.
 class Work {
@@ -46,6 +41,28 @@ class Work {
     double done_ = 0;
     std::mutex adding_;
     Progress progress_;
+};
+
+/// A part of a work that may be over before all that was foreseen of it is done, or take longer.
+/// For one thread; it stays where it is, and so does the work.
+class Portion {
+  public:
+    Portion(Work& work, double total) : work_(work), left_(total) {}
+
+    /// Counts so many of it, as long as any are left.
+    Advance of(double work) {
+        return [this, work](double part) {
+            const double done = std::min(left_, work * part);
+            left_ -= done;
+            work_.add(done);
+        };
+    }
+    /// Counts what is left.
+    void finish() { work_.add(std::exchange(left_, 0)); }
+
+  private:
+    Work& work_;
+    double left_;
 };
 
 }  // namespace nmbcrun

@@ -171,18 +171,17 @@ void run_plane(const PlaneScene& scene, const RunOptions& options) {
     const SceneSides sides = sides_of(scene, options.quiet);
     PlaneRun run(scene, sides.all, options);
     const nmbc::Grid grid = run.simulation().plane().grid();
-    const std::size_t nodes = grid.nx * grid.ny;
-    const double bytes_of_snapshot = bytes_of_fields(run.simulation());
-    const std::size_t probes = 4 * scene.probes.size();
-    run.require_possible(nodes, bytes_of_snapshot, probes);
-    run.warn(warnings_of(run.simulation()), nodes, bytes_of_snapshot, probes);
+    const RunSize size{grid.nx * grid.ny, bytes_of_fields(run.simulation()),
+                       4 * scene.probes.size()};
+    run.require_possible(size);
+    run.warn(warnings_of(run.simulation()), size);
     if (!options.quiet) {
         const PlanePlan& plan = run.simulation().plan();
         const std::string ends = prospect_of(scene, sides.passive);
         fmt::print("{}{}time      {} steps of {}{}\n\n", heading_of(run.simulation()),
                    ends.empty() ? "" : fmt::format("ends      {}\n", ends), plan.steps,
                    heading_of(plan),
-                   length_of_run(plan.steps - run.simulation().plane().steps(), nodes));
+                   length_of_run(plan.steps - run.simulation().plane().steps(), size.nodes));
         std::fflush(stdout);  // through a pipe, too, it is read before the run
     }
     run.to_the_end();

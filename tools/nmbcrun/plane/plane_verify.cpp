@@ -77,7 +77,7 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool finer, bool qu
     };
     const PlanePlan& plan = simulation.plan();
     const std::size_t all = nodes_of(simulation) + reference.steps * nodes_of(reference.simulation);
-    require_an_end(plan, unit_of_time(scene), plan.steps, all);
+    require_bearable_length(plan, unit_of_time(scene), plan.steps, all);
     print_warnings(warnings_of(simulation));
     print_warnings(warnings_of_steps(plan, unit_of_time(scene), plan.steps, all));
     if (!quiet) {

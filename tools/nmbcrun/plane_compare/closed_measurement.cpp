@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/output/processor_clock.hpp"
+#include "tools/nmbcrun/output/first_steps.hpp"
 #include "tools/nmbcrun/output/work.hpp"
 #include "tools/nmbcrun/plane/finer_run.hpp"
 #include "tools/nmbcrun/plane/plane_sides.hpp"
@@ -108,7 +108,8 @@ class ClosureMeasurement {
 
     void require_points() const;
     void find_steps();
-    double timing_work();
+    void foresee_timing();
+    double total_timing() const;
     void run_beside_reference();
     void measure_costs();
 
@@ -149,13 +150,18 @@ void ClosureMeasurement::find_steps() {
     require_points();
 }
 
-/// What it takes to tell what they cost [s].
-double ClosureMeasurement::timing_work() {
-    double total = 0;
+/// What it takes to tell what they cost.
+void ClosureMeasurement::foresee_timing() {
     on_points([&](const SidePoint&, ClosureTrial& trial) {
         trial.timing = 2 * double(cost_pairs) * timed_burst(*trial.simulation).seconds;
-        total += trial.timing;
     });
+}
+
+double ClosureMeasurement::total_timing() const {
+    double total = 0;
+    for (const ClosureTrial& trial : trials_) {
+        total += trial.timing;
+    }
     return total;
 }
 
@@ -188,19 +194,10 @@ void ClosureMeasurement::run_beside_reference() {
             }
         });
     };
-    // The time of the first steps tells that of all.
-    constexpr double enough = 0.02;  // [s]
-    const double start = seconds_of_this_process();
-    std::size_t step = 0;
-    double taken = 0;
-    while (step < steps && taken < enough) {
-        advance();
-        ++step;
-        taken = seconds_of_this_process() - start;
-    }
-    const double a_step = taken / double(step);
-    work_.emplace(double(steps - step) * a_step + timing_work(), quiet_);
-    for (; step < steps; ++step) {
+    const auto [first, a_step] = take_first_steps(steps, advance);
+    foresee_timing();
+    work_.emplace(double(steps - first) * a_step + total_timing(), quiet_);
+    for (std::size_t step = first; step < steps; ++step) {
         advance();
         work_->add(a_step);
     }
@@ -221,11 +218,13 @@ void ClosureMeasurement::measure_costs() {
     bare.cfl.reset();
     PlaneSimulation fixed(bare, quiet_);
     const double bare_step = fixed.plan().time_step / fixed.plan().of_stable;
-    on_points([&](SidePoint& point, const ClosureTrial& trial) {
+    on_points([&](SidePoint& point, ClosureTrial& trial) {
         PlaneSimulation simulation(at_rest(trial.body.scene), trial.body.sides);
-        point.step_cost = relative_cost(simulation, fixed, work_->of(trial.timing));
+        point.step_cost =
+            relative_cost(simulation, fixed, work_->of(std::exchange(trial.timing, 0)));
         point.run_cost = point.step_cost * bare_step / point.longest_step;
     });
+    work_->add(total_timing());  // of what was refused
 }
 
 }  // namespace

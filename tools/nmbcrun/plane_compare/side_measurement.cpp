@@ -21,6 +21,7 @@
 #include "tools/nmbcrun/plane/plane_simulation.hpp"
 #include "tools/nmbcrun/plane_compare/side_trial.hpp"
 #include "tools/nmbcrun/stepping/plane_stepping.hpp"
+#include "tools/nmbcrun/terminal/interrupt.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -45,11 +46,16 @@ class SideMeasurement {
         find_steps();
         std::optional<PlaneSimulation> endless(std::in_place,
                                                in_steps({.kind = SideKind::extended}), quiet_);
-        Work work(foreseen(*endless), quiet_);
+        foresee(*endless);
+        Work work(total_work(), quiet_);
         run_reference(*endless, work);
         endless.reset();  // the largest of all
-        on_points([&](std::size_t i) { tune(i, work); });
-        on_points([&](std::size_t i) { run(i, work); });
+        on_portions(
+            work, [](const Foreseen& parts) { return parts.tuning; },
+            [&](std::size_t i, Portion& portion) { tune(i, portion); });
+        on_portions(
+            work, [](const Foreseen& parts) { return parts.trial + parts.long_run; },
+            [&](std::size_t i, Portion& portion) { run(i, portion); });
         for (const SidePoint& point : points_) {
             if (!point.refused.empty()) {
                 fmt::print(stderr, "nmbcrun: left out: {}: {}\n", point.what.name, point.refused);
@@ -74,12 +80,14 @@ class SideMeasurement {
     PlaneSimulation simulation_of(std::size_t i) const {
         return {in_steps(points_[i].what.side), *sides_[i]};
     }
+    void unless_refused(std::size_t i, const std::function<void()>& job) {
+        if (points_[i].refused.empty()) {
+            points_[i].refused = refusal_of(job);
+        }
+    }
     void on_points(const std::function<void(std::size_t)>& job) {
-        nmbcgen::on_all_cores(points_.size(), [&](std::size_t i) {
-            if (points_[i].refused.empty()) {
-                points_[i].refused = refusal_of([&] { job(i); });
-            }
-        });
+        nmbcgen::on_all_cores(points_.size(),
+                              [&](std::size_t i) { unless_refused(i, [&] { job(i); }); });
     }
 
     /// What the work on a point takes [s], while all cores share it; its timing has one.
@@ -90,12 +98,24 @@ class SideMeasurement {
         double timing = 0;
     };
 
+    /// Likewise, each with its portion of the work, which counts as done then, of what is refused,
+    /// too.
+    void on_portions(Work& work, const std::function<double(const Foreseen&)>& size,
+                     const std::function<void(std::size_t, Portion&)>& job) {
+        nmbcgen::on_all_cores(points_.size(), [&](std::size_t i) {
+            Portion portion(work, size(foreseen_[i]));
+            unless_refused(i, [&] { job(i, portion); });
+            portion.finish();
+        });
+    }
+
     void find_steps();
     Foreseen foreseen(std::size_t i, double bare_burst) const;
-    double foreseen(PlaneSimulation& endless);
+    void foresee(PlaneSimulation& endless);
+    double total_work() const;
     void run_reference(PlaneSimulation& endless, Work& work);
-    void tune(std::size_t i, Work& work);
-    void run(std::size_t i, Work& work);
+    void tune(std::size_t i, Portion& portion);
+    void run(std::size_t i, Portion& portion);
     void measure_costs(Work& work);
 
     PlaneScene scene_;
@@ -137,33 +157,36 @@ void SideMeasurement::find_steps() {
 SideMeasurement::Foreseen SideMeasurement::foreseen(std::size_t i, double bare_burst) const {
     const PlaneSideChoice& side = points_[i].what.side;
     const double start = seconds_of_this_process();
-    PlaneSimulation simulation(in_steps(side), quiet_);
+    PlaneSimulation simulation = simulation_of(i);
     const double making = seconds_of_this_process() - start;
     const Burst burst = timed_burst(simulation);
-    const double trial = (steps_ * burst.a_step + making) / cores();
+    const double trial = (steps_ * burst.a_step + making) / double(nmbcgen::cores());
     Foreseen parts{.tuning = has_layer(side.kind) ? double(tuning_runs) * trial : 0,
                    .trial = trial,
                    .timing = double(cost_pairs) * (burst.seconds + bare_burst)};
     if (may_grow(side.kind)) {
         PlaneSimulation box = small_box(scene_, side);
-        parts.long_run = double(long_run_) * timed_burst(box).a_step / cores();
+        parts.long_run = double(long_run_) * timed_burst(box).a_step / double(nmbcgen::cores());
     }
     return parts;
 }
 
-/// Of all there is to be done.
-double SideMeasurement::foreseen(PlaneSimulation& endless) {
+/// Of all there is to be done; what cannot even begin is refused.
+void SideMeasurement::foresee(PlaneSimulation& endless) {
     of_reference_ = steps_ * timed_burst(endless).a_step;
     PlaneSimulation bare(in_steps({.kind = SideKind::fixed}), quiet_);
     const double bare_burst = timed_burst(bare).seconds;
-    double total = of_reference_;
     foreseen_.resize(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        if (points_[i].refused.empty()) {
-            points_[i].refused = refusal_of([&] { foreseen_[i] = foreseen(i, bare_burst); });
-            const auto& [tuning, trial, long_run, timing] = foreseen_[i];
-            total += tuning + trial + long_run + timing;
-        }
+        stop_if_interrupted();
+        unless_refused(i, [&] { foreseen_[i] = foreseen(i, bare_burst); });
+    }
+}
+
+double SideMeasurement::total_work() const {
+    double total = of_reference_;
+    for (const auto& [tuning, trial, long_run, timing] : foreseen_) {
+        total += tuning + trial + long_run + timing;
     }
     return total;
 }
@@ -175,41 +198,33 @@ void SideMeasurement::run_reference(PlaneSimulation& endless, Work& work) {
     }
 }
 
-void SideMeasurement::tune(std::size_t i, Work& work) {
+void SideMeasurement::tune(std::size_t i, Portion& portion) {
     PlaneSideChoice& side = points_[i].what.side;
     if (!has_layer(side.kind)) {
         return;
     }
-    const Advance advance = work.of(foreseen_[i].tuning);
-    double left = 1;
+    const Advance advance = portion.of(foreseen_[i].tuning / double(tuning_runs));
     const auto error_with = [&](const Losses& losses) {
         side.profile = losses.profile;
         side.target = losses.target;
         PlaneSimulation simulation(in_steps(side), quiet_);
-        return run_trial(simulation, reference_,
-                         [&](double part) {
-                             const double done = std::min(left, part / double(tuning_runs));
-                             left -= done;
-                             advance(done);
-                         })
-            .error;
+        return run_trial(simulation, reference_, advance).error;
     };
     const Losses best = least_erring_losses(profiles, tuning_runs, error_with);
-    advance(left);
     side.profile = best.profile;
     side.target = best.target;
     sides_[i] = sides_of(in_steps(side), quiet_).all;
 }
 
-void SideMeasurement::run(std::size_t i, Work& work) {
+void SideMeasurement::run(std::size_t i, Portion& portion) {
     SidePoint& point = points_[i];
     PlaneSimulation simulation = simulation_of(i);
-    const SideTrial trial = run_trial(simulation, reference_, work.of(foreseen_[i].trial));
+    const SideTrial trial = run_trial(simulation, reference_, portion.of(foreseen_[i].trial));
     point.error = trial.error;
     point.energy_left = trial.energy_left;
     point.grows =
         may_grow(point.what.side.kind) &&
-        grows(small_box(scene_, point.what.side), long_run_, work.of(foreseen_[i].long_run));
+        grows(small_box(scene_, point.what.side), long_run_, portion.of(foreseen_[i].long_run));
 }
 
 /// One after the other: what runs beside it changes what is measured.
@@ -217,11 +232,13 @@ void SideMeasurement::measure_costs(Work& work) {
     PlaneSimulation bare(in_steps({.kind = SideKind::fixed}), quiet_);
     for (std::size_t i = 0; i < points_.size(); ++i) {
         SidePoint& point = points_[i];
+        Portion portion(work, foreseen_[i].timing);
         if (point.refused.empty()) {
             PlaneSimulation simulation = simulation_of(i);
-            point.step_cost = relative_cost(simulation, bare, work.of(foreseen_[i].timing));
+            point.step_cost = relative_cost(simulation, bare, portion.of(foreseen_[i].timing));
             point.run_cost = point.step_cost * bare_step_ / point.longest_step;
         }
+        portion.finish();
     }
 }
 

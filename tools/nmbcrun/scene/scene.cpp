@@ -21,12 +21,13 @@
 namespace nmbcrun {
 namespace {
 
-/// The nearest double to an exact number in a string, or a number. It has no default: 0 is standard
+/// Into G, and exact_G where it is an exact number in a string. It has no default: 0 is standard
 /// NOPD, which the paper's conditions absorb badly, and any other value is another lattice.
-double read_G(SceneReader& reader, Scene& scene) {
+void read_G_into(Scene& scene, SceneReader& reader) {
     if (reader.is_text("model.G")) {
         scene.exact_G = *read_exact(reader, "model.G");
-        return nmbc::detail::nearest_to_fraction(scene.exact_G);
+        scene.G = nmbc::detail::nearest_to_fraction(scene.exact_G);
+        return;
     }
     const auto G = reader.number("model.G", not_negative);
     const bool has_G = scene.family.starts_with("nopd");
@@ -39,7 +40,7 @@ double read_G(SceneReader& reader, Scene& scene) {
                                               best_G(scene.horizon), scene.horizon)
                                 : ""));
     }
-    return G.value_or(0);
+    scene.G = G.value_or(0);
 }
 
 /// Required, unless the family has one horizon only.
@@ -133,7 +134,9 @@ Scene read_scene_text(const std::string& text, const std::string& path,
     scene.auto_horizon = reader.is_word("model.horizon", "auto");
     scene.auto_G = reader.is_word("model.G", "auto");
     scene.horizon = scene.auto_horizon ? scene.horizon : read_horizon(reader, scene.family);
-    scene.G = scene.auto_G ? scene.G : read_G(reader, scene);
+    if (!scene.auto_G) {
+        read_G_into(scene, reader);
+    }
     scene.tau = read_exact(reader, "model.damping").value_or(scene.tau);
     if (scene.auto_horizon && reader.has("model.influence")) {
         reader.fail("model.influence", "needs a model.horizon that is a number");

@@ -16,8 +16,8 @@ void note_interrupts();
 /// Whether one was noted.
 bool interrupted();
 
-/// Throws Interrupted if so: for what may take a second or more before the first step, or beside
-/// them, and writes nothing.
+/// Throws Interrupted if so: for what may take a second or more before the first step of a run, or
+/// after its last, and writes nothing.
 void stop_if_interrupted();
 
 }  // namespace nmbcrun
