@@ -31,7 +31,8 @@ const std::vector<Instance>& instances() {
         for (const auto& [horizon, order, stride] :
              {std::tuple(1U, 1U, 1U), std::tuple(1U, 2U, 1U), std::tuple(1U, 3U, 1U),
               std::tuple(1U, 4U, 1U), std::tuple(2U, 1U, 1U), std::tuple(2U, 2U, 2U),
-              std::tuple(2U, 3U, 2U), std::tuple(2U, 1U, 2U), std::tuple(3U, 1U, 1U)}) {
+              std::tuple(2U, 3U, 2U), std::tuple(2U, 1U, 2U), std::tuple(2U, 2U, 4U),
+              std::tuple(3U, 1U, 1U), std::tuple(3U, 2U, 3U), std::tuple(3U, 3U, 3U)}) {
             const auto table = nmbcgen::derive(
                 {.horizon = horizon, .order = order, .stride = stride, .stabilisation = {}});
             made.push_back({table, Prover(table)});
@@ -39,6 +40,15 @@ const std::vector<Instance>& instances() {
         return made;
     }();
     return all;
+}
+
+/// Of an interval of G.
+double width_of_interval() {
+    return std::array{0.0, 1e-5, 1e-4, 1e-3}[std::size_t(nmbcgen::test::whole_number(0, 4))];
+}
+
+double inside(double G, double width) {
+    return G + width * nmbcgen::test::whole_number(0, 1001) / 1000;
 }
 
 /// The largest factor of a step; like ends, or a fixed one opposite.
@@ -56,21 +66,20 @@ TEST_CASE("no chain grows in a step that is proved") {
         const double most = nmbcgen::test::whole_number(1, 100) / 100.0;
         const bool like = nmbcgen::test::whole_number(0, 2) == 0;
         const Grade grade = like ? Grade::paired : Grade::contractive;
-        const double width =
-            std::array{0.0, 1e-5, 1e-4, 1e-3}[std::size_t(nmbcgen::test::whole_number(0, 4))];
+        const double width = width_of_interval();
         RC_PRE(each.prover.holds({G, G + width}, most, grade));
-        const double inside = G + width * nmbcgen::test::whole_number(0, 1001) / 1000;
+        const double stepped = inside(G, width);
         // all orders of magnitude from 1e-5 on alike
         const double cfl =
             1e-5 * std::pow(most / 1e-5, nmbcgen::test::whole_number(0, 1001) / 1000.0);
         const auto nodes = std::size_t(nmbcgen::test::whole_number(60, 100));
         RC_LOG() << each.table.specification.horizon << " " << each.table.specification.order << " "
-                 << each.table.specification.stride << " G " << inside << " cfl " << cfl
+                 << each.table.specification.stride << " G " << stepped << " cfl " << cfl
                  << " nodes " << nodes << (like ? " like" : " fixed") << '\n';
         // In short steps the double factor 1 of a constant and of a uniform velocity splits by the
         // square root of roundings.
         constexpr double root_of_roundings = 1e-7;
-        RC_ASSERT(largest_factor(make_half_space(each.table, Rational(inside)), cfl, nodes, like) <
+        RC_ASSERT(largest_factor(make_half_space(each.table, Rational(stepped)), cfl, nodes, like) <
                   1 + root_of_roundings);
     }));
 }
@@ -118,10 +127,13 @@ TEST_CASE("in continuous time the sampled grade is what is proved, away from edg
         const Instance& each =
             instances()[std::size_t(nmbcgen::test::whole_number(0, int(instances().size())))];
         const double G = nmbcgen::test::whole_number(1, 4000) / 1024.0 + 1.0 / 3000;
-        const Grade proved = each.prover.holds({G, G}, 0, Grade::contractive) ? Grade::contractive
-                             : each.prover.holds({G, G}, 0, Grade::paired)    ? Grade::paired
-                                                                              : Grade::none;
-        const Grade sampled = stability_grade(make_half_space(each.table, Rational(G)));
+        const double width = width_of_interval();
+        const nmbc::Window all{G, G + width};
+        const Grade proved = each.prover.holds(all, 0, Grade::contractive) ? Grade::contractive
+                             : each.prover.holds(all, 0, Grade::paired)    ? Grade::paired
+                                                                           : Grade::none;
+        const Grade sampled =
+            stability_grade(make_half_space(each.table, Rational(inside(G, width))));
         RC_LOG() << each.table.specification.horizon << " " << each.table.specification.order << " "
                  << each.table.specification.stride << " G " << G << '\n';
         RC_ASSERT(proved <= sampled);

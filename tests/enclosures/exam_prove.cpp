@@ -126,6 +126,14 @@ TEST_CASE("sup rho = 1 exactly is proved, where NMBC1 has several waves") {
     CHECK(prover(3, 1, 1).holds({1, 1}, 0.6, Grade::paired));
 }
 
+TEST_CASE("an interval of G is proved next to extrema of the band, too") {
+    // Two waves meet there.
+    CHECK(prover(3, 3, 3).holds({2.2, 2.2001}, 0, Grade::contractive));
+    CHECK(prover(2, 2, 2).holds({2.8, 2.801}, 0, Grade::contractive));
+    // The coefficients of omega^2 are larger than it, and have to vary with G together.
+    CHECK(prover(5, 1, 1).holds({4, 4.001}, 0, Grade::paired));
+}
+
 TEST_CASE("a certificate at one G is proved or sampled") {
     const auto certified = [](unsigned order, const nmbcgen::Rational& G,
                               const nmbcgen::Rational& time_step) {

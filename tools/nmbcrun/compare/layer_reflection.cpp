@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/compare/layer_reflection.hpp"
 
-#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 #include <algorithm>
