@@ -34,7 +34,8 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
             ->excludes(options.time_step);
     prove
         ->add_flag("--steps", request.proof.steps,
-                   "prove every certified step at the G it is certified for")
+                   "prove every certified step at the G it is certified for; seconds at n = 1, "
+                   "minutes above")
         ->excludes(options.G)
         ->excludes(options.time_step)
         ->excludes(up_to);

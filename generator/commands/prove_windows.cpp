@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 constexpr double farthest = 8;  ///< from the low end of a range that has no high one
 
 /// G of one line of a certificate, and the steps that are to be proved there.
-struct Range {
+struct CertifiedRange {
     Grade grade;
     nmbc::Window window;  ///< what is looked at
     bool has_end = true;
@@ -84,7 +84,7 @@ class OpenRanges {
     }
 
   private:
-    std::vector<nmbc::Window> proved_parts(const Range& range,
+    std::vector<nmbc::Window> proved_parts(const CertifiedRange& range,
                                            const std::function<void(double)>& told) const {
         const auto holds = [&](const nmbc::Window& piece) {
             return own_step_ > 0 ? prover_.holds_in_step(piece, own_step_, range.grade)
@@ -118,7 +118,7 @@ class OpenRanges {
     Prover prover_;
     double own_step_;
     ProofTask task_;
-    std::vector<Range> all_;
+    std::vector<CertifiedRange> all_;
 };
 
 OpenRanges ranges_of(const Table& table, const ProofTask& task) {
@@ -136,12 +136,12 @@ std::string in_steps(const Specification& what, const ProofTask& task) {
                               : "in continuous time";
 }
 
-std::string high_of(const Range& range) {
+std::string high_of(const CertifiedRange& range) {
     return range.has_end ? fmt::format("{:.6f}", range.window.high)
                          : fmt::format("(looked at up to {:g})", range.window.high);
 }
 
-std::string window_text(const Range& range, const std::vector<nmbc::Window>& proved) {
+std::string window_text(const CertifiedRange& range, const std::vector<nmbc::Window>& proved) {
     std::string text = fmt::format("{:<12} {:.6f} .. {}\n", name_of(range.grade), range.window.low,
                                    high_of(range));
     for (const nmbc::Window& part : proved) {
@@ -160,7 +160,7 @@ double percent(double part, double all) {
 }
 
 /// A line, as there are many of them.
-std::string steps_text(const Range& range, const std::vector<nmbc::Window>& proved) {
+std::string steps_text(const CertifiedRange& range, const std::vector<nmbc::Window>& proved) {
     const std::string steps = range.from > 0 ? fmt::format("{:g} to {:g}", range.from, range.cfl)
                                              : fmt::format("up to {:g}", range.cfl);
     const double all = length(range.window);
@@ -204,10 +204,11 @@ Shares shares_of(const Specification& what, const ProofTask& task) {
     Shares shares;
     const auto quiet = [](std::size_t, std::size_t) {};
     ranges_of(with_open_G(what), task)
-        .prove_all(quiet, [&](const Range& range, const std::vector<nmbc::Window>& proved) {
-            (range.grade == Grade::paired ? shares.paired : shares.contractive) +=
-                {length(proved), length(range.window)};
-        });
+        .prove_all(quiet,
+                   [&](const CertifiedRange& range, const std::vector<nmbc::Window>& proved) {
+                       (range.grade == Grade::paired ? shares.paired : shares.contractive) +=
+                           {length(proved), length(range.window)};
+                   });
     return shares;
 }
 
@@ -218,9 +219,10 @@ std::string proof_of_windows(const Specification& what, const ProofTask& task,
     const Table table = with_open_G(what);
     const OpenRanges ranges = ranges_of(table, task);
     std::string text = proof_heading(what, table) + in_steps(what, task) + "\n";
-    ranges.prove_all(progress, [&](const Range& range, const std::vector<nmbc::Window>& proved) {
-        text += task.steps ? steps_text(range, proved) : window_text(range, proved);
-    });
+    ranges.prove_all(
+        progress, [&](const CertifiedRange& range, const std::vector<nmbc::Window>& proved) {
+            text += task.steps ? steps_text(range, proved) : window_text(range, proved);
+        });
     return text;
 }
 
@@ -228,7 +230,7 @@ std::string proof_of_windows_json(const Specification& what, const ProofTask& ta
                                   const Progress& progress) {
     const bool in_own_step = own_step(what) > 0;
     Json found = Json::array();
-    const auto add = [&](const Range& range, const std::vector<nmbc::Window>& parts) {
+    const auto add = [&](const CertifiedRange& range, const std::vector<nmbc::Window>& parts) {
         Json proved = Json::array();
         for (const nmbc::Window& part : parts) {
             proved.push_back({part.low, part.high});

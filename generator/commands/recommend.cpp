@@ -121,7 +121,8 @@ std::string recommendation(const Question& question, const Progress& progress) {
         matched ? "matched in " : "", best.cfl, best.what.horizon, to_string(question.G),
         regenerating_command(best.what), in_a_scene(all, tolerance), certificate.least_nodes,
         matched ? "these steps, of which it takes no others" : in_words(best.certified),
-        name_of(certificate.paired),
+        certificate.paired == Evidence::proved ? "proved of each half space, the length sampled"
+                                               : "sampled",
         projected_family(question.family)
             ? "\n             for waves at normal incidence; in the plane oblique waves may grow"
             : "",
