@@ -73,10 +73,13 @@ class Sweep {
     }
 
   private:
+    /// known: waves that travel whether or not there are those of the clusters.
     bool holds_in_one(const Interval& square, const Interval& tau,
-                      const std::vector<ZeroCluster>& clusters) const {
+                      const std::vector<ZeroCluster>& clusters,
+                      const std::vector<WaveGroup>& known = {}) const {
         const Interval slowed = 1.0 - tau * square;
-        return slowed.lower() > 0 && holds_for_all(clusters, 0, {}, c_.scale * rise(square, tau));
+        return slowed.lower() > 0 &&
+               holds_for_all(clusters, 0, known, c_.scale * rise(square, tau));
     }
 
     /// Which cluster has two waves that may meet.
@@ -106,22 +109,18 @@ class Sweep {
             return false;
         }
         --boxes_left_;
-        const Interval middle = median(x);
+        const double middle = median(x);
         const Interval own = intersect(square, c_.band.at(middle) + slope_.at(x) * (x - middle));
         if (empty(own)) {
             return true;
         }
         const auto others = real_zeros(without_zero(c_.band, x));
-        const Interval slowed = 1.0 - tau * own;
-        if (others && slowed.lower() > 0 &&
-            holds_for_all(*others, 0, {{x, 1}}, c_.scale * rise(own, tau))) {
+        if (others && holds_in_one(own, tau, *others, {{x, 1}})) {
             return true;
         }
         return halvings_left > 0 &&
-               holds_with_one_at(Interval(x.lower(), middle.lower()), square, tau,
-                                 halvings_left - 1) &&
-               holds_with_one_at(Interval(middle.lower(), x.upper()), square, tau,
-                                 halvings_left - 1);
+               holds_with_one_at(Interval(x.lower(), middle), square, tau, halvings_left - 1) &&
+               holds_with_one_at(Interval(middle, x.upper()), square, tau, halvings_left - 1);
     }
 
     static double widest(const std::vector<ZeroCluster>& clusters) {
