@@ -167,10 +167,9 @@ inline double stable_time_step(const MatchingTable& table, double G, double wave
     const double cfl = certified_cfl(table, G, opposite);
     if (cfl == 0) {
         const bool like = opposite == Opposite::like;
-        throw NotCertified(std::string(table.name) +
-                           " is certified for no time step at G = " + detail::to_text(G) +
-                           (like ? "; " + certified_choices(table, G)
-                                 : " with any opposite end (table.max_cfl_contractive)"));
+        throw NotCertified(std::string(table.name) + " is certified for no time step at G = " +
+                           detail::to_text(G) + (like ? "; " : " opposite any end; ") +
+                           certified_choices(table, G, {}, opposite));
     }
     const double largest = 2 * cfl / maximum_frequency(make_lattice(table, G));
     const double matched = detail::nearest_to_fraction(table.time_step);

@@ -36,34 +36,38 @@ TEST_CASE("a run of many steps, or of very short ones, is told before it begins"
     const auto plan = [](double time_step, std::size_t steps, double cfl) {
         return nmbcrun::StepPlan{.time_step = time_step, .steps = steps, .cfl = cfl};
     };
+    const auto left = [](std::size_t steps, std::size_t nodes) {
+        return nmbcrun::StepsLeft{steps, nodes, nmbcrun::plane_pace};
+    };
     // An hour at 1e8 node-steps a second is 3.6e11 of them.
-    CHECK(warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000'000, 360).empty());
+    CHECK(warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, left(1'000'000'000, 360)).empty());
     const std::vector<std::string> many{
         "1e+09 steps of 720 nodes take about 2.0 h at 1e+08 node-steps a second: until time.end "
         "waves go 4e+08 dX"};
-    CHECK(warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000'000, 720) == many);
+    CHECK(warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, left(1'000'000'000, 720)) == many);
     // A warning refuses nothing.
-    CHECK(
-        warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000'000, 720'000'000).size() ==
-        1);
-    CHECK_NOTHROW(require_bearable_length(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000'000, 720));
+    CHECK(warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, left(1'000'000'000, 720'000'000))
+              .size() == 1);
+    CHECK_NOTHROW(
+        require_bearable_length(plan(0.2, 1'000'000'000, 0.9), 0.5, left(1'000'000'000, 720)));
     CHECK_THROWS_WITH_AS(
-        require_bearable_length(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000'000, 720'000'000),
+        require_bearable_length(plan(0.2, 1'000'000'000, 0.9), 0.5,
+                                left(1'000'000'000, 720'000'000)),
         "1e+09 steps of 720000000 nodes take about 2.3e+02 years at 1e+08 node-steps a second: "
         "until "
         "time.end waves go 4e+08 dX. At most 100 years are allowed",
         nmbcrun::SceneError);
     // What is left of them after a checkpoint.
-    CHECK(warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, 1'000'000, 720).empty());
+    CHECK(warnings_of_steps(plan(0.2, 1'000'000'000, 0.9), 0.5, left(1'000'000, 720)).empty());
     // Steps of 0.0045 dX/c at nine tenths of the limit.
     const std::vector<std::string> stiff{
         "the lattice is so stiff (a large model.G, or model.nu near its limit) that time steps "
         "above 0.005 dX/c are unstable: the run has 1.23e+05 of them"};
-    CHECK(warnings_of_steps(plan(0.00225, 123'000, 0.9), 0.5, 123'000, 9) == stiff);
+    CHECK(warnings_of_steps(plan(0.00225, 123'000, 0.9), 0.5, left(123'000, 9)) == stiff);
     const std::vector<std::string> small{
         "time steps of 0.0001, as the scene asks for, are 0.0009 of what the lattice allows: the "
         "run has 1.23e+05 of them"};
-    CHECK(warnings_of_steps(plan(1e-4, 123'000, 9e-4), 0.5, 123'000, 9) == small);
+    CHECK(warnings_of_steps(plan(1e-4, 123'000, 9e-4), 0.5, left(123'000, 9)) == small);
 }
 
 TEST_CASE("files that are large, or do not fit, are told before a run begins") {

@@ -32,7 +32,7 @@ for _ in {1..200}; do
     sleep 0.1
 done
 expect "rows so far" grep -q '^[0-9]' results/bar1d.csv.part
-expect "how long it takes, though stdout is no terminal" grep -qE '^time      [0-9]{9} steps of 0.02 .*, about [0-9]+ min at 1e\+08 node-steps a second$' "$scratch/stdout"
+expect "how long it takes, though stdout is no terminal" grep -qE '^time      [0-9]{9} steps of 0.02 .*, about [0-9]+ min at 5e\+08 node-steps a second$' "$scratch/stdout"
 for resume in "" --resume; do
     # shellcheck disable=SC2086  # nothing, or the option
     try run "$scene" "${short[@]}" $resume

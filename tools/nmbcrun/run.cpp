@@ -222,17 +222,16 @@ void run(const Scene& scene, const RunOptions& options) {
     Run run(scene, options);
     // u and v, in a growing file and, at the end, its copy
     const double bytes_of_snapshot = 4.0 * sizeof(double) * double(scene.nodes);
-    const RunSize size{run.simulation().chain().nodes(), bytes_of_snapshot,
+    const RunSize size{run.simulation().chain().nodes(), chain_pace, bytes_of_snapshot,
                        2 * scene.probes.size()};
     run.require_possible(size);
     run.warn(run.warnings(), size);
     if (!options.quiet) {
         const Plan& plan = run.simulation().plan();
-        const nmbc::Chain& chain = run.simulation().chain();
         const std::string& ends = run.prospect().ends;
         fmt::print("{}{}time      {} steps of {}{}\n\n", run.heading(),
                    ends.empty() ? "" : fmt::format("ends      {}\n", ends), plan.steps,
-                   heading_of(plan), length_of_run(plan.steps - chain.steps(), chain.nodes()));
+                   heading_of(plan), length_of_run(run.steps_left(size)));
         std::fflush(stdout);  // through a pipe, too, it is read before the run
     }
     run.to_the_end();

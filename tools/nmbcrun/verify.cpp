@@ -130,10 +130,10 @@ bool verify(const Scene& scene, double tolerance, bool quiet) {
     Simulation simulation(scene);
     Simulation reference(endless(mirrored, simulation.plan().time_step));
     const Plan& plan = simulation.plan();
-    const std::size_t nodes = simulation.chain().nodes() + reference.chain().nodes();
-    require_bearable_length(plan, unit_of_time(scene), plan.steps, nodes);
+    const StepsLeft all{plan.steps, simulation.chain().nodes() + reference.chain().nodes()};
+    require_bearable_length(plan, unit_of_time(scene), all);
     print_warnings(simulation.warnings());
-    print_warnings(warnings_of_steps(plan, unit_of_time(scene), plan.steps, nodes));
+    print_warnings(warnings_of_steps(plan, unit_of_time(scene), all));
     if (!quiet) {
         fmt::print("scene      {}\n", scene.title);
         fmt::print("ends       {}; {}\n", heading_of(scene.left), heading_of(scene.right));

@@ -47,9 +47,8 @@ std::string evidence_of(const Scene& scene, const nmbc::Lattice& lattice,
     if (!proved) {
         return "sampled (docs/explanation/stability.md)";
     }
-    return meets_half_line ? "proved of each half space at this G in these steps"
-                           : "proved of each half space at this G in these steps; that the chain "
-                             "is long enough for it: sampled";
+    const std::string each = "proved of each end by itself, at this G in these steps";
+    return meets_half_line ? each : each + "; sampled of both at this length";
 }
 
 }  // namespace nmbcrun

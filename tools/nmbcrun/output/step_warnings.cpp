@@ -12,18 +12,15 @@
 namespace nmbcrun {
 namespace {
 
-constexpr double pace = 1e8;  // node-steps per second, of a fast core
-
-double seconds_of(std::size_t steps, std::size_t nodes) {
-    return double(steps) * double(nodes) / pace;
+double seconds_of(const StepsLeft& left) {
+    return double(left.steps) * double(left.nodes) / left.pace;
 }
 
-std::string steps_in_words(const StepPlan& plan, double unit_of_time, std::size_t steps_left,
-                           std::size_t nodes) {
+std::string steps_in_words(const StepPlan& plan, double unit_of_time, const StepsLeft& left) {
     return fmt::format(
         "{:.3g} steps of {} nodes take about {} at {:g} node-steps a second: until time.end "
         "waves go {:.2g} dX",
-        double(steps_left), nodes, duration(seconds_of(steps_left, nodes)), pace,
+        double(left.steps), left.nodes, duration(seconds_of(left)), left.pace,
         double(plan.steps) * plan.time_step / unit_of_time);
 }
 
@@ -55,17 +52,18 @@ std::string files_in_words(const Output& output, double free) {
 
 }  // namespace
 
-std::string length_of_run(std::size_t steps_left, std::size_t nodes) {
+std::string length_of_run(const StepsLeft& left) {
     constexpr std::size_t many = 1'000'000;
     constexpr double minute = 60;
-    const double seconds = seconds_of(steps_left, nodes);
-    return steps_left < many && seconds < minute
+    const double seconds = seconds_of(left);
+    return left.steps < many && seconds < minute
                ? ""
-               : fmt::format(", about {} at {:g} node-steps a second", duration(seconds), pace);
+               : fmt::format(", about {} at {:g} node-steps a second", duration(seconds),
+                             left.pace);
 }
 
 std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_time,
-                                           std::size_t steps_left, std::size_t nodes) {
+                                           const StepsLeft& left) {
     std::vector<std::string> warnings;
     constexpr double short_cfl = 1e-3;
     if (plan.cfl < short_cfl) {
@@ -84,17 +82,16 @@ std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_
             longest, double(plan.steps)));
     }
     constexpr double hour = 3600;
-    if (seconds_of(steps_left, nodes) > hour) {
-        warnings.push_back(steps_in_words(plan, unit_of_time, steps_left, nodes));
+    if (seconds_of(left) > hour) {
+        warnings.push_back(steps_in_words(plan, unit_of_time, left));
     }
     return warnings;
 }
 
-void require_bearable_length(const StepPlan& plan, double unit_of_time, std::size_t steps_left,
-                             std::size_t nodes) {
+void require_bearable_length(const StepPlan& plan, double unit_of_time, const StepsLeft& left) {
     constexpr double year = 365.25 * 24 * 3600;
-    if (seconds_of(steps_left, nodes) > 100 * year) {  // some months where all goes fastest
-        throw SceneError(steps_in_words(plan, unit_of_time, steps_left, nodes) +
+    if (seconds_of(left) > 100 * year) {  // some months where all goes fastest
+        throw SceneError(steps_in_words(plan, unit_of_time, left) +
                          ". At most 100 years are allowed");
     }
 }

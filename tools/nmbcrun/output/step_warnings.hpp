@@ -10,19 +10,28 @@
 
 namespace nmbcrun {
 
+/// Node-steps a second of one fast core, energies included.
+inline constexpr double chain_pace = 5e8;
+inline constexpr double plane_pace = 1e8;
+
+/// The steps that are left to a run.
+struct StepsLeft {
+    std::size_t steps = 0;
+    std::size_t nodes = 0;
+    double pace = chain_pace;
+};
+
 /// In words: where the steps are far below what the lattice allows, where it allows none but very
-/// short ones, and where so many are left that they take more than an hour with so many nodes.
-/// unit_of_time: dX/c.
+/// short ones, and where so many are left that they take more than an hour. unit_of_time: dX/c.
 std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_time,
-                                           std::size_t steps_left, std::size_t nodes);
+                                           const StepsLeft& left);
 
 /// Throws SceneError where they take more than 100 years.
-void require_bearable_length(const StepPlan& plan, double unit_of_time, std::size_t steps_left,
-                             std::size_t nodes);
+void require_bearable_length(const StepPlan& plan, double unit_of_time, const StepsLeft& left);
 
 /// ", about 8 min at 1e+08 node-steps a second"; empty of less than a million steps that take less
 /// than a minute.
-std::string length_of_run(std::size_t steps_left, std::size_t nodes);
+std::string length_of_run(const StepsLeft& left);
 
 /// What a run still writes.
 struct Output {

@@ -47,6 +47,10 @@ std::optional<Checkpoint> StoppableRun::claim(std::map<std::string, std::string>
     return from;
 }
 
+StepsLeft StoppableRun::steps_left(const RunSize& size) const {
+    return {plan_.steps - steps(), size.nodes, size.pace};
+}
+
 Output StoppableRun::output_of(const RunSize& size) const {
     const auto left = double(plan_.steps - steps());
     const auto every = [&](std::size_t interval) {
@@ -62,15 +66,14 @@ double StoppableRun::free_bytes() const {
 }
 
 void StoppableRun::require_possible(const RunSize& size) const {
-    require_bearable_length(plan_, unit_of_time_, plan_.steps - steps(), size.nodes);
+    require_bearable_length(plan_, unit_of_time_, steps_left(size));
     require_space(output_of(size), free_bytes());
 }
 
 void StoppableRun::warn(std::vector<std::string> warnings, const RunSize& size) const {
     warnings.push_back(warning_of_files(output_of(size), free_bytes()));
     std::erase(warnings, "");
-    for (const std::string& one :
-         warnings_of_steps(plan_, unit_of_time_, plan_.steps - steps(), size.nodes)) {
+    for (const std::string& one : warnings_of_steps(plan_, unit_of_time_, steps_left(size))) {
         warnings.push_back(one);
     }
     if (replaces_earlier_) {

@@ -31,6 +31,7 @@ struct Highlights {
 /// probes.
 struct RunSize {
     std::size_t nodes = 0;
+    double pace = 0;               ///< node-steps a second, about
     double bytes_of_snapshot = 0;  ///< as large as it gets while the run ends
     std::size_t probes = 0;        ///< numbers in a row
 };
@@ -51,6 +52,8 @@ class StoppableRun {
     /// Throws SceneError where its steps take a hundred years, FileError where there is no room for
     /// its files.
     void require_possible(const RunSize& size) const;
+
+    StepsLeft steps_left(const RunSize& size) const;
 
     /// Prints these on stderr, a line each, and what its user may not expect of any run of this
     /// size.

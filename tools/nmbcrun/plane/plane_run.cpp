@@ -171,7 +171,7 @@ void run_plane(const PlaneScene& scene, const RunOptions& options) {
     const SceneSides sides = sides_of(scene, options.quiet);
     PlaneRun run(scene, sides.all, options);
     const nmbc::Grid grid = run.simulation().plane().grid();
-    const RunSize size{grid.nx * grid.ny, bytes_of_fields(run.simulation()),
+    const RunSize size{grid.nx * grid.ny, plane_pace, bytes_of_fields(run.simulation()),
                        4 * scene.probes.size()};
     run.require_possible(size);
     run.warn(warnings_of(run.simulation()), size);
@@ -180,8 +180,7 @@ void run_plane(const PlaneScene& scene, const RunOptions& options) {
         const std::string ends = prospect_of(scene, sides.passive);
         fmt::print("{}{}time      {} steps of {}{}\n\n", heading_of(run.simulation()),
                    ends.empty() ? "" : fmt::format("ends      {}\n", ends), plan.steps,
-                   heading_of(plan),
-                   length_of_run(plan.steps - run.simulation().plane().steps(), size.nodes));
+                   heading_of(plan), length_of_run(run.steps_left(size)));
         std::fflush(stdout);  // through a pipe, too, it is read before the run
     }
     run.to_the_end();

@@ -76,10 +76,12 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool finer, bool qu
         return one.plane().grid().nx * one.plane().grid().ny;
     };
     const PlanePlan& plan = simulation.plan();
-    const std::size_t all = nodes_of(simulation) + reference.steps * nodes_of(reference.simulation);
-    require_bearable_length(plan, unit_of_time(scene), plan.steps, all);
+    const StepsLeft all{plan.steps,
+                        nodes_of(simulation) + reference.steps * nodes_of(reference.simulation),
+                        plane_pace};
+    require_bearable_length(plan, unit_of_time(scene), all);
     print_warnings(warnings_of(simulation));
-    print_warnings(warnings_of_steps(plan, unit_of_time(scene), plan.steps, all));
+    print_warnings(warnings_of_steps(plan, unit_of_time(scene), all));
     if (!quiet) {
         fmt::print("{}time      {} steps of {}\nreference{}\n{}\n", heading_of(simulation),
                    simulation.plan().steps, heading_of(simulation.plan()),
