@@ -12,7 +12,7 @@ namespace {
 
 /// (f(x) - f(at))/(x - at)
 EnclosedPolynomial without_zero(const EnclosedPolynomial& f, const Interval& at) {
-    EnclosedPolynomial quotient(f.size() - 1);
+    EnclosedPolynomial quotient(f.empty() ? 0 : f.size() - 1);
     Interval carry = 0;
     for (std::size_t power = quotient.size(); power > 0; --power) {
         carry = carry * at + f[power];
@@ -34,7 +34,7 @@ class Sweep {
         : c_(condition),
           slope_(derivative(condition.band)),
           least_(least),
-          finest_(std::max(1e-10, spread_of(unexpanded(condition.band.enclosed())) / 32)),
+          finest_(std::max(1e-10, spread_of(condition.band) / 64)),
           boxes_left_(most_boxes) {}
 
     bool holds(const Interval& square, const Interval& tau, double top) {
@@ -110,7 +110,7 @@ class Sweep {
         }
         --boxes_left_;
         const double middle = median(x);
-        const Interval own = intersect(square, c_.band.at(middle) + slope_.at(x) * (x - middle));
+        const Interval own = intersect(square, values_on(x, c_.band, slope_.at(x)));
         if (empty(own)) {
             return true;
         }

@@ -42,7 +42,7 @@ Expansion ratio(const InX& band, const Polynomial& scale, const Interval& G) {
         expansion.slope.push_back(slope);
         expansion.rest.emplace_back(0);
     }
-    return expansion;
+    return std::move(expansion).simplified();
 }
 
 }  // namespace
@@ -104,24 +104,23 @@ ExactCondition exact_condition(const Table& table, const Polynomial& scale) {
 }
 
 EnclosedCondition enclose(const ExactCondition& condition, double low, double high) {
-    const auto enclosed = [=](const InX& polynomial) {
-        return expand(polynomial, low, high).enclosed();
+    const auto expanded = [=](const InX& polynomial) { return expand(polynomial, low, high); };
+    const auto all = [&](const ModePolynomials<InX>& exact) {
+        return ModePolynomials<Expansion>{.modes = expanded(exact.modes),
+                                          .modes_in_steps = expanded(exact.modes_in_steps),
+                                          .E = expanded(exact.E),
+                                          .O = expanded(exact.O)};
     };
-    const auto all = [&](const ModePolynomials<InX, InX>& exact) {
-        return ModePolynomials<EnclosedPolynomial, Expansion>{
-            expand(exact.modes, low, high), expand(exact.modes_in_steps, low, high),
-            enclosed(exact.E), enclosed(exact.O)};
-    };
-    const Interval scale = expand({condition.scale}, low, high).enclosed().front();
+    const Interval scale = expanded({condition.scale}).enclosed().front();
     return {.scale = scale,
             .band = ratio(condition.band, condition.scale, Interval(low, high)),
-            .product = enclosed(condition.product),
-            .square_of_C = enclosed(condition.square_of_C),
-            .square_of_B = enclosed(condition.square_of_B),
-            .E = enclosed(condition.E),
-            .O = enclosed(condition.O),
-            .C = enclosed(condition.C),
-            .B = enclosed(condition.B),
+            .product = expanded(condition.product),
+            .square_of_C = expanded(condition.square_of_C),
+            .square_of_B = expanded(condition.square_of_B),
+            .E = expanded(condition.E),
+            .O = expanded(condition.O),
+            .C = expanded(condition.C),
+            .B = expanded(condition.B),
             .stride = condition.stride,
             .in_w = all(condition.in_w),
             .in_v = all(condition.in_v)};

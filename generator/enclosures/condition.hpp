@@ -20,10 +20,10 @@ namespace nmbcgen {
 
 /// What tells boundary modes, in one of two variables, of which no k is infinitely far away in
 /// both: w, or v = 1/(x-3).
-template <class InVariable, class Expanded>
+template <class InVariable>
 struct ModePolynomials {
-    Expanded modes;
-    Expanded modes_in_steps;
+    InVariable modes;
+    InVariable modes_in_steps;
     InVariable E;
     InVariable O;
 };
@@ -31,10 +31,10 @@ struct ModePolynomials {
 /// Up to a positive function of G and one of x, |w| or |v|; in x but for the last two. Frequencies
 /// omega^2 and steps are counted per G, band = omega^2/G and tau = G (dt/2)^2, wherever G > 0: from
 /// some G on omega_max^2 is proportional to it, and so are the edges of the band.
-template <class InVariable, class Expanded, class Number>
+template <class InVariable, class Number>
 struct Condition {
-    Number scale;   ///< G, or 1
-    Expanded band;  ///< in 1/G, or in G
+    Number scale;     ///< G, or 1
+    InVariable band;  ///< in 1/G, or in G
     InVariable product;
     InVariable square_of_C;
     InVariable square_of_B;
@@ -43,12 +43,12 @@ struct Condition {
     InVariable C;  ///< c_0 .. c_N
     InVariable B;  ///< b_0 .. b_N
     unsigned stride = 1;
-    ModePolynomials<InVariable, Expanded> in_w;
-    ModePolynomials<InVariable, Expanded> in_v;
+    ModePolynomials<InVariable> in_w;
+    ModePolynomials<InVariable> in_v;
 };
 
 /// The band is omega^2 itself here.
-using ExactCondition = Condition<InX, InX, Polynomial>;
+using ExactCondition = Condition<InX, Polynomial>;
 
 /// Throws std::invalid_argument where the lattice is damped, omega^2 is not affine in G, long waves
 /// are not matched, or the degrees of E and O are others than those of a condition in general.
@@ -56,7 +56,7 @@ using ExactCondition = Condition<InX, InX, Polynomial>;
 ExactCondition exact_condition(const Table& table, const Polynomial& scale);
 
 /// At all G between low and high, where scale > 0.
-using EnclosedCondition = Condition<EnclosedPolynomial, Expansion, Interval>;
+using EnclosedCondition = Condition<Expansion, Interval>;
 
 EnclosedCondition enclose(const ExactCondition& condition, double low, double high);
 

@@ -45,24 +45,28 @@ Interval enclose(const Rational& value) {
 }
 
 EnclosedPolynomial Expansion::enclosed() const {
-    EnclosedPolynomial sum;
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        sum.push_back(value[i] + offset * slope[i] + rest[i]);
+    EnclosedPolynomial sum = value;
+    for (std::size_t i = 0; i < slope.size(); ++i) {
+        sum[i] += offset * slope[i] + rest[i];
     }
     return sum;
 }
 
+Expansion Expansion::simplified() && {
+    constexpr double of_roundings = 1e-14;
+    return width(offset) <= of_roundings ? unexpanded(enclosed()) : std::move(*this);
+}
+
 Interval Expansion::at(const Interval& x) const {
-    return value_at(value, x) + offset * value_at(slope, x) + value_at(rest, x);
+    return of([&](const EnclosedPolynomial& part) { return value_at(part, x); });
 }
 
 ComplexInterval Expansion::at(const ComplexInterval& z) const {
-    return value_at(value, z) + offset * value_at(slope, z) + value_at(rest, z);
+    return of([&](const EnclosedPolynomial& part) { return value_at(part, z); });
 }
 
 Expansion unexpanded(EnclosedPolynomial polynomial) {
-    const EnclosedPolynomial zeros(polynomial.size(), Interval(0));
-    return {.value = std::move(polynomial), .slope = zeros, .rest = zeros, .offset = 0};
+    return {.value = std::move(polynomial), .slope = {}, .rest = {}, .offset = 0};
 }
 
 Expansion derivative(const Expansion& expansion) {
@@ -70,6 +74,11 @@ Expansion derivative(const Expansion& expansion) {
             .slope = derivative(expansion.slope),
             .rest = derivative(expansion.rest),
             .offset = expansion.offset};
+}
+
+Interval values_on(const Interval& x, const Expansion& f, const Interval& slope) {
+    const Interval middle = median(x);
+    return intersect(f.at(x), f.at(middle) + slope * (x - middle));
 }
 
 Expansion expand(const std::vector<Polynomial>& coefficients, double low, double high) {
@@ -89,7 +98,7 @@ Expansion expand(const std::vector<Polynomial>& coefficients, double low, double
         expansion.slope.push_back(enclose(evaluate(slope, middle)));
         expansion.rest.push_back(value_at(curvature, range) * half_square);
     }
-    return expansion;
+    return std::move(expansion).simplified();
 }
 
 }  // namespace nmbcgen

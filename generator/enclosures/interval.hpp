@@ -92,7 +92,7 @@ Interval enclose(const Rational& value);
 
 /// Polynomials whose coefficients are functions of a parameter: at `offset` from its middle they
 /// are value + offset * slope, but for the rest. At one point z that is narrower than the
-/// polynomials of the enclosed coefficients are.
+/// polynomials of the enclosed coefficients are. At one parameter there are no slope and rest.
 struct Expansion {
     EnclosedPolynomial value;
     EnclosedPolynomial slope;
@@ -100,6 +100,18 @@ struct Expansion {
     Interval offset;
 
     EnclosedPolynomial enclosed() const;
+
+    /// Enclosed where the parameter is one number but for roundings, which is as narrow and takes a
+    /// third of the time.
+    Expansion simplified() &&;
+
+    /// A linear function of them, such as their values at one point.
+    template <class Linear>
+    auto of(const Linear& linear) const {
+        const auto own = linear(value);
+        return slope.empty() ? own : own + offset * linear(slope) + linear(rest);
+    }
+
     Interval at(const Interval& x) const;
     ComplexInterval at(const ComplexInterval& z) const;
 };
@@ -109,6 +121,9 @@ Expansion unexpanded(EnclosedPolynomial polynomial);
 
 /// In the polynomials' own variable.
 Expansion derivative(const Expansion& expansion);
+
+/// f on all of x, by its slope there, too (mean value form).
+Interval values_on(const Interval& x, const Expansion& f, const Interval& slope);
 
 /// Between low and high, which are exact.
 Expansion expand(const std::vector<Polynomial>& coefficients, double low, double high);

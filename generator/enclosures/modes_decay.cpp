@@ -32,6 +32,10 @@ Interval slope_across(const EnclosedPolynomial& f, const ComplexInterval& x) {
     return sum;
 }
 
+Interval slope_across(const Expansion& f, const ComplexInterval& x) {
+    return f.of([&](const EnclosedPolynomial& part) { return slope_across(part, x); });
+}
+
 /// The modes in w, where k = -1 is infinitely far away, or in v.
 class Chart {
   public:
@@ -61,7 +65,7 @@ class Chart {
     }
 
   private:
-    const ModePolynomials<EnclosedPolynomial, Expansion>& polynomials() const {
+    const ModePolynomials<Expansion>& polynomials() const {
         return variable_ == Variable::w ? condition_.in_w : condition_.in_v;
     }
 
@@ -111,10 +115,10 @@ class Chart {
     }
 
     /// Re O conj(E) - reach Im(O conj(E)) / Im z > 0
-    static bool is_positive(const EnclosedPolynomial& O_of, const EnclosedPolynomial& E_of,
-                            const ComplexInterval& z, const Interval& reach) {
-        const ComplexInterval O = value_at(O_of, z);
-        const ComplexInterval E = value_at(E_of, z);
+    static bool is_positive(const Expansion& O_of, const Expansion& E_of, const ComplexInterval& z,
+                            const Interval& reach) {
+        const ComplexInterval O = O_of.at(z);
+        const ComplexInterval E = E_of.at(z);
         const Interval across = slope_across(O_of, z) * E.re - O.re * slope_across(E_of, z);
         return (O.re * E.re + O.im * E.im - reach * across).lower() > 0;
     }
@@ -133,7 +137,8 @@ class Chart {
     bool decay_next_to_0(const Interval& x) const {
         const Interval inverse = 2.0 * x.lower() - Interval(1);
         return inverse.lower() > 1 &&
-               rate_is_below_0(condition_.C, condition_.B, condition_.stride, 1.0 / inverse);
+               rate_is_below_0(condition_.C.enclosed(), condition_.B.enclosed(), condition_.stride,
+                               1.0 / inverse);
     }
 
     /// Of a real root, which is alone in its disc: it decays, or travels.
@@ -151,8 +156,8 @@ class Chart {
 
     Variable variable_;
     const EnclosedCondition& condition_;
-    const EnclosedPolynomial& E_;
-    const EnclosedPolynomial& O_;
+    const Expansion& E_;
+    const Expansion& O_;
     WeightedSum modes_;
 };
 

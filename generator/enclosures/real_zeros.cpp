@@ -19,7 +19,10 @@ struct Candidate {
 class Isolation {
   public:
     explicit Isolation(const Expansion& polynomial)
-        : f_(polynomial), slope_(derivative(f_)), curvature_(derivative(slope_)) {}
+        : f_(polynomial),
+          slope_(derivative(f_)),
+          curvature_(derivative(slope_)),
+          third_(derivative(curvature_)) {}
 
     std::optional<std::vector<ZeroCluster>> clusters() {
         search(Interval(-1, 1), 0);
@@ -37,10 +40,9 @@ class Isolation {
     }
 
   private:
-    /// By value and slope in the middle, too.
-    Interval values(const Interval& x, const Interval& slope) const {
-        const Interval middle = median(x);
-        return intersect(f_.at(x), f_.at(middle) + slope * (x - middle));
+    Interval slope_on(const Interval& x) const {
+        const Interval plain = slope_.at(x);
+        return sign(plain) != 0 ? plain : values_on(x, slope_, curvature_.at(x));
     }
 
     int sign_at(double x) const { return x == 1 ? -1 : sign(f_.at(Interval(x))); }
@@ -49,8 +51,8 @@ class Isolation {
 
     void search(const Interval& x, int depth) {
         constexpr int deepest = 24;
-        const Interval slope = slope_.at(x);
-        if (sign(values(x, slope)) != 0) {
+        const Interval slope = slope_on(x);
+        if (sign(values_on(x, f_, slope)) != 0) {
             return;
         }
         if (sign(slope) != 0) {
@@ -78,8 +80,9 @@ class Isolation {
 
     /// Nothing where it cannot tell three zeros from one.
     std::optional<std::vector<int>> counts_in(const Candidate& candidate) const {
-        const bool one_at_most = sign(slope_.at(candidate.where)) != 0;
-        if (!one_at_most && sign(curvature_.at(candidate.where)) == 0) {
+        const Interval& x = candidate.where;
+        const bool one_at_most = sign(slope_on(x)) != 0;
+        if (!one_at_most && sign(values_on(x, curvature_, third_.at(x))) == 0) {
             return std::nullopt;
         }
         std::vector<int> counts;
@@ -92,23 +95,35 @@ class Isolation {
         return counts;
     }
 
-    /// By Newton's method, or bisection where that is slow; f is monotone in x.
+    /// Without a half, or a quarter or an eighth, that has no zero; rise: the sign of f's slope.
+    Interval without_an_end(const Interval& x, int rise) const {
+        for (const double part : {0.5, 0.25, 0.125}) {
+            const double low = x.lower() + part * width(x);
+            const double high = x.upper() - part * width(x);
+            if (in(low, x) && sign_at(low) == -rise) {
+                return {low, x.upper()};
+            }
+            if (in(high, x) && sign_at(high) == rise) {
+                return {x.lower(), high};
+            }
+        }
+        return x;
+    }
+
+    /// By Newton's method, or end by end where that is slow; f is monotone in x.
     Interval narrowed(Interval x) const {
         constexpr int most = 40;
         for (int step = 0; step < most && !empty(x); ++step) {
             const double before = width(x);
             const Interval middle = median(x);
-            const Interval slope = slope_.at(x);
-            const Interval value = f_.at(middle);
-            x = intersect(x, middle - value / slope);
-            constexpr double worth_it = 0.7;
+            const Interval slope = slope_on(x);
+            x = intersect(x, middle - f_.at(middle) / slope);
+            constexpr double worth_it = 0.9;
             if (!empty(x) && width(x) > worth_it * before) {
-                if (sign(value) == 0 || median(middle) <= x.lower() ||
-                    median(middle) >= x.upper()) {
+                x = without_an_end(x, sign(slope));
+                if (width(x) > worth_it * before) {
                     break;
                 }
-                x = sign(value) == sign(slope) ? Interval(x.lower(), median(middle))
-                                               : Interval(median(middle), x.upper());
             }
         }
         return x;
@@ -117,6 +132,7 @@ class Isolation {
     const Expansion& f_;
     Expansion slope_;
     Expansion curvature_;
+    Expansion third_;
     std::vector<Candidate> candidates_{};
 };
 

@@ -76,6 +76,10 @@ Triangular Triangular::of(const EnclosedPolynomial& f, const std::vector<Interva
     return result;
 }
 
+Triangular Triangular::of(const Expansion& f, const std::vector<Interval>& points) {
+    return f.of([&](const EnclosedPolynomial& part) { return of(part, points); });
+}
+
 Triangular operator*(const Triangular& left, const Triangular& right) {
     Triangular product(left.size_, 0);
     for (std::size_t i = 0; i < left.size_; ++i) {

@@ -19,6 +19,8 @@ class Triangular {
     /// interval, next to each other then.
     static Triangular of(const EnclosedPolynomial& f, const std::vector<Interval>& points);
 
+    static Triangular of(const Expansion& f, const std::vector<Interval>& points);
+
     /// Z itself.
     static Triangular of(const std::vector<Interval>& points);
 

@@ -90,7 +90,7 @@ class Pairing {
 
     bool holds() const {
         if (all_.size() == 1 && all_.front().count == 1) {
-            return value_at(c_.product, all_.front().where).lower() >= 0;
+            return c_.product.at(all_.front().where).lower() >= 0;
         }
         if (greater_.front() != Greater::unknown &&
             std::ranges::all_of(greater_, [&](Greater one) { return one == greater_.front(); })) {
@@ -113,8 +113,7 @@ class Pairing {
     using Part = std::vector<std::size_t>;
 
     Greater greater_at(const Interval& x) const {
-        const Interval difference =
-            seen_squared_ * value_at(c_.square_of_C, x) - value_at(c_.square_of_B, x);
+        const Interval difference = seen_squared_ * c_.square_of_C.at(x) - c_.square_of_B.at(x);
         return difference.lower() > 0   ? Greater::C
                : difference.upper() < 0 ? Greater::B
                                         : Greater::unknown;
@@ -217,8 +216,8 @@ class Pairing {
         if (points.size() > 1 || seen_squared_.lower() <= 0) {
             return std::nullopt;
         }
-        const Interval larger = max(value_at(c_.square_of_C, points.front()),
-                                    value_at(c_.square_of_B, points.front()) / seen_squared_);
+        const Interval larger = max(c_.square_of_C.at(points.front()),
+                                    c_.square_of_B.at(points.front()) / seen_squared_);
         return Triangular(1, larger).inverse();
     }
 

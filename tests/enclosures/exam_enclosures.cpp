@@ -47,6 +47,25 @@ TEST_CASE("a polynomial of G over an interval") {
     CHECK(width(range) < 0.51);
 }
 
+TEST_CASE("what varies with G is enclosed together") {
+    // G (1 - x) + x^2 at x = 1 is 1, whatever G is; enclosed coefficients give the width of G
+    const std::vector<Polynomial> f{Polynomial(std::vector<Rational>{0, 1}),
+                                    Polynomial(std::vector<Rational>{0, -1}),
+                                    Polynomial(Rational(1))};
+    const auto expansion = nmbcgen::expand(f, 1, 1.5);
+    CHECK(width(expansion.at(Interval(1))) < 1e-14);
+    CHECK(width(nmbcgen::value_at(expansion.enclosed(), Interval(1))) > 0.9);
+    CHECK(width(Triangular::of(expansion, {1}).corner()) < 1e-14);
+    // x^2 - x on [0.4, 0.6]: [0.4, 0.6] [-0.6, -0.4], or -0.25 + [-0.2, 0.2] [-0.1, 0.1]
+    const auto parabola = nmbcgen::unexpanded({0, -1, 1});
+    const Interval x(0.4, 0.6);
+    CHECK(width(parabola.at(x)) > 0.19);
+    const Interval values = nmbcgen::values_on(x, parabola, derivative(parabola).at(x));
+    CHECK(holds(values, Rational(-1, 4)));
+    CHECK(holds(values, Rational(-24, 100)));
+    CHECK(width(values) < 0.04 + 1e-14);
+}
+
 TEST_CASE("zeros between -1 and 1 are found and counted") {
     // -x^2 + 1/4
     const auto two = nmbcgen::real_zeros(nmbcgen::unexpanded({0.25, 0, -1}));
@@ -63,6 +82,13 @@ TEST_CASE("zeros between -1 and 1 are found and counted") {
     CHECK(pair->front().counts == std::vector{0, 2});
     CHECK(pair->front().where.lower() <= -1e-3);
     CHECK(pair->front().where.upper() >= 1e-3);
+    // -x^2 + 1e-4 + [-e, e]: 0.01 to within 5e-5, of which no eighth can be cut off
+    const auto near = nmbcgen::real_zeros(nmbcgen::unexpanded({Interval(0.99e-4, 1.01e-4), 0, -1}));
+    REQUIRE(near.has_value());
+    REQUIRE(near->size() == 2);
+    CHECK(near->back().where.lower() <= std::sqrt(0.99e-4));
+    CHECK(near->back().where.upper() >= std::sqrt(1.01e-4));
+    CHECK(width(near->back().where) < 4.0 / 3 * (std::sqrt(1.01e-4) - std::sqrt(0.99e-4)));
     // -x^3 + [-e, e]: one or three
     CHECK(!nmbcgen::real_zeros(nmbcgen::unexpanded({Interval(-1e-6, 1e-6), 0, 0, -1})).has_value());
     CHECK(nmbcgen::real_zeros(nmbcgen::unexpanded({-1}))->empty());
