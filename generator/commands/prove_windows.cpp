@@ -68,18 +68,26 @@ class OpenRanges {
         }
     }
 
-    /// Calls visit(range, parts that are proved) for one after the other.
+    /// Calls visit(range, parts that are proved) for one after the other, when all are examined.
     template <class Visit>
     void prove_all(const Progress& progress, Visit visit) const {
-        for (std::size_t i = 0; i < all_.size(); ++i) {
+        constexpr int in_one = 1000;
+        std::vector<std::vector<nmbc::Window>> parts(all_.size());
+        std::atomic<int> done = 0;
+        on_all_cores(all_.size(), [&](std::size_t i) {
             const nmbc::Window& window = all_[i].window;
+            int mine = 0;
             const auto told = [&](double G) {
-                constexpr double in_one = 1000;
-                const double done = length(window) > 0 ? (G - window.low) / length(window) : 0;
-                progress(std::size_t(in_one * (double(i) + done)),
-                         std::size_t(in_one) * all_.size());
+                const double part = length(window) > 0 ? (G - window.low) / length(window) : 0;
+                const int more = int(in_one * part) - mine;
+                mine += more;
+                progress(std::size_t(done += more), in_one * all_.size());
             };
-            visit(all_[i], proved_parts(all_[i], told));
+            parts[i] = proved_parts(all_[i], told);
+            done += in_one - mine;
+        });
+        for (std::size_t i = 0; i < all_.size(); ++i) {
+            visit(all_[i], parts[i]);
         }
     }
 
