@@ -78,13 +78,13 @@ class OpenRanges {
             const nmbc::Window& window = all_[i].window;
             int mine = 0;
             const auto told = [&](double G) {
-                const double part = length(window) > 0 ? (G - window.low) / length(window) : 0;
+                const double part = length(window) > 0 ? (G - window.low) / length(window) : 1;
                 const int more = int(in_one * part) - mine;
                 mine += more;
                 progress(std::size_t(done += more), in_one * all_.size());
             };
             parts[i] = proved_parts(all_[i], told);
-            done += in_one - mine;
+            told(window.high);
         });
         for (std::size_t i = 0; i < all_.size(); ++i) {
             visit(all_[i], parts[i]);

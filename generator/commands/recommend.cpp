@@ -122,7 +122,7 @@ std::string recommendation(const Question& question, const Progress& progress) {
         regenerating_command(best.what), in_a_scene(all, tolerance), certificate.least_nodes,
         matched ? "these steps, of which it takes no others" : in_words(best.certified),
         certificate.paired == Evidence::proved
-            ? "proved of each end by itself, sampled of the length"
+            ? "proved of two such ends far apart, sampled of the length"
             : "sampled",
         projected_family(question.family)
             ? "\n             for waves at normal incidence; in the plane oblique waves may grow"

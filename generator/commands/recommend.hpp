@@ -26,7 +26,7 @@ struct Question {
     std::optional<double> cfl;  ///< of the steps; none: the largest that are within the tolerance
 };
 
-/// What `progress` hears of: so many of so many conditions examined.
+/// What `progress` hears of, from any thread: so much of so much is examined.
 using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// The recommended one and the others, as a text for people. Examined are orders 1 to 6 (or the one

@@ -34,7 +34,7 @@ class Sweep {
         : c_(condition),
           slope_(derivative(condition.band)),
           least_(least),
-          finest_(std::max(1e-10, spread_of(condition.band) / 64)),
+          finest_(std::max(1e-10, spread_of(condition.band) / 64)),  // 16 to 256 do as well
           boxes_left_(most_boxes) {}
 
     bool holds(const Interval& square, const Interval& tau, double top) {

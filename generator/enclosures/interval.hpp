@@ -91,8 +91,9 @@ EnclosedPolynomial derivative(const EnclosedPolynomial& polynomial);
 Interval enclose(const Rational& value);
 
 /// Polynomials whose coefficients are functions of a parameter: at `offset` from its middle they
-/// are value + offset * slope, but for the rest. At one point z that is narrower than the
-/// polynomials of the enclosed coefficients are. At one parameter there are no slope and rest.
+/// are value + offset * slope, but for the rest. Their values are narrower so than those of
+/// polynomials whose coefficients are enclosed one by one. Without slope and rest, the value
+/// encloses them.
 struct Expansion {
     EnclosedPolynomial value;
     EnclosedPolynomial slope;
@@ -105,7 +106,8 @@ struct Expansion {
     /// third of the time.
     Expansion simplified() &&;
 
-    /// A linear function of them, such as their values at one point.
+    /// A function that is linear in the polynomial, such as its value at a point; of no other would
+    /// this be an enclosure.
     template <class Linear>
     auto of(const Linear& linear) const {
         const auto own = linear(value);

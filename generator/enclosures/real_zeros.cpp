@@ -56,7 +56,7 @@ class Isolation {
             return;
         }
         if (sign(slope) != 0) {
-            const Interval narrow = narrowed(x);
+            const Interval narrow = narrowed(x, sign(slope));
             if (!empty(narrow)) {
                 keep({narrow, sign_at(x.lower()), sign_at(x.upper())});
             }
@@ -110,17 +110,16 @@ class Isolation {
         return x;
     }
 
-    /// By Newton's method, or end by end where that is slow; f is monotone in x.
-    Interval narrowed(Interval x) const {
+    /// By Newton's method, or end by end where that is slow; f is monotone in x, as `rise` says.
+    Interval narrowed(Interval x, int rise) const {
         constexpr int most = 40;
+        constexpr double worth_it = 0.9;  // a step that leaves more is the last
         for (int step = 0; step < most && !empty(x); ++step) {
             const double before = width(x);
             const Interval middle = median(x);
-            const Interval slope = slope_on(x);
-            x = intersect(x, middle - f_.at(middle) / slope);
-            constexpr double worth_it = 0.9;
+            x = intersect(x, middle - f_.at(middle) / slope_on(x));
             if (!empty(x) && width(x) > worth_it * before) {
-                x = without_an_end(x, sign(slope));
+                x = without_an_end(x, rise);
                 if (width(x) > worth_it * before) {
                     break;
                 }

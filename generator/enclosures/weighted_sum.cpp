@@ -2,6 +2,7 @@
 #include "generator/enclosures/weighted_sum.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace nmbcgen {
 namespace {
@@ -18,6 +19,9 @@ void add(EnclosedPolynomial& sum, const Interval& factor, const EnclosedPolynomi
 WeightedSum::WeightedSum(const std::vector<Term>& terms) {
     about_middle_.offset = terms.front().polynomial.offset;
     for (const auto& [polynomial, factor] : terms) {
+        if (!equal(polynomial.offset, about_middle_.offset)) {
+            throw std::invalid_argument("WeightedSum: polynomials of different parameters");
+        }
         const double middle = median(factor);
         add(about_middle_.value, middle, polynomial.value);
         add(about_middle_.slope, factor, polynomial.slope);

@@ -17,6 +17,7 @@ class WeightedSum {
         Interval factor;
     };
 
+    /// Throws std::invalid_argument where their offsets differ.
     explicit WeightedSum(const std::vector<Term>& terms);
 
     /// For every value of the parameter and of the factors.

@@ -130,7 +130,8 @@ bool verify(const Scene& scene, double tolerance, bool quiet) {
     Simulation simulation(scene);
     Simulation reference(endless(mirrored, simulation.plan().time_step));
     const Plan& plan = simulation.plan();
-    const StepsLeft all{plan.steps, simulation.chain().nodes() + reference.chain().nodes()};
+    const StepsLeft all{plan.steps, simulation.chain().nodes() + reference.chain().nodes(),
+                        chain_pace};
     require_bearable_length(plan, unit_of_time(scene), all);
     print_warnings(simulation.warnings());
     print_warnings(warnings_of_steps(plan, unit_of_time(scene), all));

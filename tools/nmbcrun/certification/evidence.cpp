@@ -47,8 +47,9 @@ std::string evidence_of(const Scene& scene, const nmbc::Lattice& lattice,
     if (!proved) {
         return "sampled (docs/explanation/stability.md)";
     }
-    const std::string each = "proved of each end by itself, at this G in these steps";
-    return meets_half_line ? each : each + "; sampled of both at this length";
+    return meets_half_line ? "proved of this end at this G in these steps"
+                           : "proved of these ends far apart, at this G in these steps; sampled of "
+                             "this length";
 }
 
 }  // namespace nmbcrun

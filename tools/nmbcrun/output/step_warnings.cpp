@@ -90,7 +90,7 @@ std::vector<std::string> warnings_of_steps(const StepPlan& plan, double unit_of_
 
 void require_bearable_length(const StepPlan& plan, double unit_of_time, const StepsLeft& left) {
     constexpr double year = 365.25 * 24 * 3600;
-    if (seconds_of(left) > 100 * year) {  // some months where all goes fastest
+    if (seconds_of(left) > 100 * year) {
         throw SceneError(steps_in_words(plan, unit_of_time, left) +
                          ". At most 100 years are allowed");
     }

@@ -16,9 +16,9 @@ inline constexpr double plane_pace = 1e8;
 
 /// The steps that are left to a run.
 struct StepsLeft {
-    std::size_t steps = 0;
-    std::size_t nodes = 0;
-    double pace = chain_pace;
+    std::size_t steps;
+    std::size_t nodes;
+    double pace;
 };
 
 /// In words: where the steps are far below what the lattice allows, where it allows none but very

@@ -18,8 +18,7 @@ inline std::string warning_of_start_at(std::string_view edge, double share) {
                : fmt::format(
                      "initial reaches the {}, with {:.1g} of its largest value on the outermost "
                      "nodes. What lets waves out knows nothing of what would come in from beyond "
-                     "it, so what is found near it is wrong by about as much. More domain.nodes "
-                     "keep it away",
+                     "it, so what is found near it is wrong by about as much",
                      edge, share);
 }
 
