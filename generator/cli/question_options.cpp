@@ -44,9 +44,9 @@ CLI::App* add_prove(CLI::App& app, Request& request, Pending& pending) {
                "the window)")
         ->excludes(options.G);
     auto* const format = add_format(*prove, request);
-    auto* const all = prove->add_flag(
-        "--all", request.proof.all,
-        "how much is proved for the committed tables; half an hour, with --steps more");
+    auto* const all = prove->add_flag("--all", request.proof.all,
+                                      "how much is proved for the committed tables; 50 minutes of "
+                                      "processor time, with --steps more");
     for (CLI::Option* other : {options.family, options.order, options.horizon, options.radius,
                                options.weights, options.stride, options.damping, options.time_step,
                                options.cfl, options.G, up_to, format}) {
