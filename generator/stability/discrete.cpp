@@ -131,8 +131,9 @@ Eigen::MatrixXd one_step_map(const LatticeEnd& left, const LatticeEnd& right, st
     const auto ghosts = Eigen::Index(lattice.reach());
     const auto interior = Eigen::Index(nodes);
     const Eigen::Index all = interior + 2 * ghosts;
-    if (interior < std::max(reach_of(left), reach_of(right))) {
-        throw std::invalid_argument("the chain is shorter than the condition reaches");
+    if (const auto least = std::max(reach_of(left), reach_of(right)); interior < least) {
+        throw std::invalid_argument("the conditions of a chain of " + std::to_string(nodes) +
+                                    " nodes reach " + std::to_string(least));
     }
 
     // Rows of `velocity`: v at k+1/2 on all nodes as a linear function of the state.

@@ -73,7 +73,7 @@ stable --set boundary.kind=passive
 expect_stdout_line "boundary  passive"
 expect_stdout_line "stable    by construction"
 # What it rests on that others are stable: like ends together, unlike ones each by itself.
-proved="stable    proved of these ends far apart, at this G in these steps; sampled of this length"
+proved="stable    proved of these ends far apart, at this G in these steps; sampled: that this is far enough"
 stable --set boundary.order=2 --set boundary.stride=2 --set model.G=1
 expect_stdout_line "$proved"
 stable --set boundary.order=2 --set boundary.stride=2 --set model.G=1 --set boundary.right.kind=fixed
@@ -87,7 +87,7 @@ expect_stdout_line "stable    sampled: the eigenvalues of this chain"
 stable --set model.family=chain1d --set model.horizon=1 --set boundary.right.order=1 --set boundary.left.kind=snm
 expect_stdout_line "stable    sampled (docs/reference/scene.md)"
 stable --set boundary.order=2 --set boundary.stride=2 --set model.G=1 --set model.damping=1/100
-expect_stdout_line "stable    proved of these ends far apart, at this G in these steps; sampled of this length"
+expect_stdout_line "stable    proved of these ends far apart, at this G in these steps; sampled: that this is far enough"
 stable --set boundary.kind=passive --set boundary.right.kind=fixed --set model.G=0
 stable --set boundary.kind=passive --set boundary.right.kind=nmbc --set boundary.right.order=2 \
     --set boundary.right.stride=2 --set model.G=1

@@ -48,8 +48,8 @@ std::string evidence_of(const Scene& scene, const nmbc::Lattice& lattice,
         return "sampled (docs/explanation/stability.md)";
     }
     return meets_half_line ? "proved of this end at this G in these steps"
-                           : "proved of these ends far apart, at this G in these steps; sampled of "
-                             "this length";
+                           : "proved of these ends far apart, at this G in these steps; sampled: "
+                             "that this is far enough";
 }
 
 }  // namespace nmbcrun
