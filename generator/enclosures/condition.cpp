@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "generator/exact/rational_function.hpp"
 #include "generator/stability/half_space.hpp"

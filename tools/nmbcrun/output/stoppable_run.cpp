@@ -52,7 +52,7 @@ StepsLeft StoppableRun::steps_left(const RunSize& size) const {
 }
 
 Output StoppableRun::output_of(const RunSize& size) const {
-    const auto left = double(plan_.steps - steps());
+    const auto left = double(steps_left(size).steps);
     const auto every = [&](std::size_t interval) {
         return interval == 0 ? 0.0 : left / double(interval);
     };
