@@ -13,7 +13,7 @@
 #include <nmbc/bond_sweeps.hpp>
 #include <nmbc/plane_nodes.hpp>
 #include <nmbc/plane_potential.hpp>
-#include <nmbc/sweep.hpp>
+#include <nmbc/plane_sweep.hpp>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -33,7 +33,8 @@ class BondForce {
     BondForce(const BondModel& model, std::array<PlaneAxis, 2> axes, std::ptrdiff_t pitch)
         : states_(model, std::move(axes)),
           horizon_(static_cast<std::ptrdiff_t>(model.horizon())),
-          pitch_(pitch) {
+          pitch_(pitch),
+          sweep_(axis(0), axis(1).nodes(), pitch, horizon_) {
         for (const BondGroup& group : states_.groups()) {
             limits_.push_back(std::numeric_limits<Real>::infinity());
             std::array<std::ptrdiff_t, 4> entries{};
@@ -71,11 +72,21 @@ class BondForce {
 
     /// v += scale M^-1 times the force, on the nodes of the body.
     void kick(double scale, PlaneField<const Real> u, PlaneField<Real> v) {
-        kick_rows({.scale = scale, .u = u, .v = v, .breaks = false});
+        kick_rows({.scale = scale, .u = u, .v = v, .breaks = false}, nothing_before);
     }
     /// Likewise, once the bonds that are too long have broken.
     void break_and_kick(double scale, PlaneField<const Real> u, PlaneField<Real> v) {
-        kick_rows({.scale = scale, .u = u, .v = v, .breaks = may_break_});
+        kick_rows({.scale = scale, .u = u, .v = v, .breaks = may_break_}, nothing_before);
+    }
+
+    const PlaneSweep& sweep() const { return sweep_; }
+    /// Once sweep().drift_ends() is done, the drift of the other rows, and break_and_kick().
+    void drift_and_kick(const PlaneDrift<Real>& drift, double scale, PlaneField<Real> u,
+                        PlaneField<Real> v) {
+        kick_rows({.scale = scale, .u = {u[0], u[1]}, .v = v, .breaks = may_break_},
+                  [&](const PlaneRange& rows, std::ptrdiff_t y) {
+                      sweep_.drift_inner(rows, y, drift, u, v);
+                  });
     }
 
     /// Of the nodes of the body among first .. last-1 of a row: half of each of their bonds, and
@@ -157,7 +168,7 @@ class BondForce {
     }
 
   private:
-    static constexpr std::ptrdiff_t block = 128;  ///< nodes whose sums stay in the first cache
+    static constexpr std::ptrdiff_t block = 256;  ///< nodes whose sums stay in the first cache
     using Sums = std::array<Real, static_cast<std::size_t>(block)>;
 
     struct Kick {
@@ -219,16 +230,18 @@ class BondForce {
         return sum;
     }
 
-    void kick_rows(const Kick& kick) {
-        const auto rows = static_cast<std::size_t>(axis(1).nodes());
-        broken_.resize(rows);
-        const std::size_t nodes = rows * static_cast<std::size_t>(axis(0).nodes());
-        for_each_piece(rows, std::min(pieces_of(nodes), rows),
-                       [&](std::size_t first, std::size_t last) {
-                           for (std::size_t y = first; y < last; ++y) {
-                               kick_row(kick, static_cast<std::ptrdiff_t>(y));
-                           }
-                       });
+    static void nothing_before(const PlaneRange& /*piece*/, std::ptrdiff_t /*y*/) {}
+
+    /// Before row y of u is read for the first time, before_row(rows of its piece, y).
+    template <class BeforeRow>
+    void kick_rows(const Kick& kick, const BeforeRow& before_row) {
+        broken_.resize(static_cast<std::size_t>(axis(1).nodes()));
+        sweep_.for_each_piece([&](std::size_t /*piece*/, const PlaneRange& rows) {
+            for (std::ptrdiff_t y = rows.first; y < rows.last; ++y) {
+                before_row(rows, y + horizon_);
+                kick_row(kick, y);
+            }
+        });
     }
 
     void kick_row(const Kick& kick, std::ptrdiff_t y) {
@@ -252,12 +265,14 @@ class BondForce {
     template <bool IsWeighted>
     void kick_block(const Kick& kick, const Block& nodes) {
         std::array<Sums, 2> forces{};
-        for (std::size_t g = 0; g < states_.groups().size(); ++g) {
-            if (states_.groups()[g].size == 4) {
-                pull_group<IsWeighted, 4>(g, nodes, kick.breaks, forces);
-            } else {
-                pull_group<IsWeighted, 2>(g, nodes, kick.breaks, forces);
-            }
+        bool is_too_long = false;
+        for_each_group([&](std::size_t g, auto size) {
+            is_too_long |= pull_group<IsWeighted, size>(g, nodes, kick.breaks, forces);
+        });
+        if (is_too_long) {
+            forces = {};
+            for_each_group(
+                [&](std::size_t g, auto size) { break_group<IsWeighted, size>(g, nodes, forces); });
         }
         for (std::size_t a = 0; a < 2; ++a) {
             const Real* const force = forces[a].data();
@@ -277,22 +292,43 @@ class BondForce {
         }
     }
 
+    /// Calls work(its number, its size as a constant) for each group of bonds.
+    template <class Work>
+    void for_each_group(const Work& work) const {
+        for (std::size_t g = 0; g < states_.groups().size(); ++g) {
+            if (states_.groups()[g].size == 4) {
+                work(g, std::integral_constant<std::size_t, 4>{});
+            } else {
+                work(g, std::integral_constant<std::size_t, 2>{});
+            }
+        }
+    }
+
+    /// Adds the forces of a group's bonds that hold. Returns whether one of them is too long, if
+    /// bonds may break.
+    template <bool IsWeighted, std::size_t Size>
+    bool pull_group(std::size_t number, const Block& nodes, bool may_break,
+                    std::array<Sums, 2>& forces) const {
+        const BondLines<Real, Word, Size> lines = lines_of<Size>(number, nodes);
+        const Word* const held =
+            &states_.held(states_.groups()[number].word)[states_.index(nodes.x, nodes.y)];
+        const auto pull = [&](auto is_watched) {
+            return pull_bonds<IsWeighted, is_watched>(lines, limits_[number], nodes.count, held,
+                                                      forces[0].data(), forces[1].data()) != 0;
+        };
+        return may_break ? pull(std::true_type{}) : pull(std::false_type{});
+    }
+
     /// Adds the forces of a group's bonds, once those that are too long have broken.
     template <bool IsWeighted, std::size_t Size>
-    void pull_group(std::size_t number, const Block& nodes, bool breaks,
-                    std::array<Sums, 2>& forces) {
+    void break_group(std::size_t number, const Block& nodes, std::array<Sums, 2>& forces) {
         const std::size_t word = states_.groups()[number].word;
         const std::size_t index = states_.index(nodes.x, nodes.y);
         const BondLines<Real, Word, Size> lines = lines_of<Size>(number, nodes);
-        Word* const held = &states_.held(word)[index];
-        if (!breaks) {
-            pull_bonds<IsWeighted>(lines, nodes.count, held, forces[0].data(), forces[1].data());
-            return;
-        }
         std::array<Word, static_cast<std::size_t>(block)> broke{};
         if (break_bonds<IsWeighted>(lines, limits_[number], nodes.count,
-                                    &states_.breakable(word)[index], held, forces[0].data(),
-                                    forces[1].data(), broke.data()) == 0) {
+                                    &states_.breakable(word)[index], &states_.held(word)[index],
+                                    forces[0].data(), forces[1].data(), broke.data()) == 0) {
             return;
         }
         std::vector<Broken>& broken = broken_[static_cast<std::size_t>(nodes.y)];
@@ -332,6 +368,7 @@ class BondForce {
     BondStates<Word> states_;
     std::ptrdiff_t horizon_;
     std::ptrdiff_t pitch_;
+    PlaneSweep sweep_;
     std::vector<std::array<std::ptrdiff_t, 4>> entries_{};  // of the members of each group
     std::vector<Real> limits_{};                            // of R.(u_J - u_I), likewise
     bool may_break_ = false;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <nmbc/vector_loops.hpp>
 #include <type_traits>
 
 namespace nmbc::detail {
@@ -61,21 +62,31 @@ void add_bond_forces(const BondLines<Real, Word, Size>& lines, std::ptrdiff_t i,
     }
 }
 
-/// Adds the forces of the bonds that hold.
-template <bool IsWeighted, class Real, class Word, std::size_t Size>
-void pull_bonds(const BondLines<Real, Word, Size>& by_reference, std::ptrdiff_t count,
+/// Adds the forces of the bonds that hold. Returns bits of those of them that are longer than the
+/// limit; none where they are not watched.
+template <bool IsWeighted, bool IsWatched, class Real, class Word, std::size_t Size>
+Word pull_bonds(const BondLines<Real, Word, Size>& by_reference, Real limit, std::ptrdiff_t count,
                 const Word* __restrict held, Real* __restrict force_x, Real* __restrict force_y) {
     const BondLines<Real, Word, Size> lines = by_reference;  // that no store can change
+    Word too_long = 0;
+    NMBC_NO_ENTRY_NEEDS_ANOTHER
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const Word bits = held[i];
+        Word above = 0;
         add_bond_forces<IsWeighted>(
             lines, i,
             [&](std::size_t m) {
                 const Real e = bond_extension(lines, m, i);
-                return (bits & lines.bits[m]) != 0 ? e : Real(0);
+                const Word holds = bits & lines.bits[m];
+                if constexpr (IsWatched) {
+                    above |= e > limit ? holds : Word{0};
+                }
+                return holds != 0 ? e : Real(0);
             },
             force_x[i], force_y[i]);
+        too_long |= above;
     }
+    return too_long;
 }
 
 /// Adds the squares of the extensions of the bonds that hold, each times its weight over w.
@@ -83,6 +94,7 @@ template <class Real, class Word, std::size_t Size>
 void square_bonds(const BondLines<Real, Word, Size>& by_reference, std::ptrdiff_t count,
                   const Word* __restrict held, double* __restrict squares) {
     const BondLines<Real, Word, Size> lines = by_reference;
+    NMBC_NO_ENTRY_NEEDS_ANOTHER
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         for (std::size_t m = 0; m < Size; ++m) {
             const auto between = [&](const Real* there, const Real* here) {
@@ -106,6 +118,7 @@ Word break_bonds(const BondLines<Real, Word, Size>& by_reference, Real limit, st
                  Real* __restrict force_y, Word* __restrict broke) {
     const BondLines<Real, Word, Size> lines = by_reference;
     Word any = 0;
+    NMBC_NO_ENTRY_NEEDS_ANOTHER
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const Word old = held[i];
         const Word may_break = breakable[i] & old;

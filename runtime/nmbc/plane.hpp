@@ -255,7 +255,7 @@ class BasicPlane {
         }
         return *bonds;
     }
-    void break_and_kick(detail::BondForce<Real>& bonds);
+    void count_broken(detail::BondForce<Real>& bonds);
 
     void find_damping(double duration);
     void add_damping(Fields& v) const;

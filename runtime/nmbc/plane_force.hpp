@@ -5,24 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <nmbc/cache_line.hpp>
 #include <nmbc/plane_closed_rows.hpp>
 #include <nmbc/plane_nodes.hpp>
 #include <nmbc/plane_potential.hpp>
 #include <nmbc/plane_row_numbers.hpp>
 #include <nmbc/plane_row_sweeps.hpp>
+#include <nmbc/plane_sweep.hpp>
 #include <nmbc/plane_sweeps.hpp>
-#include <nmbc/sweep.hpp>
 #include <utility>
 #include <vector>
 
 namespace nmbc::detail {
-
-/// u += time_step v, on these columns of the field.
-template <class Real>
-struct PlaneDrift {
-    Real time_step = 0;
-    PlaneRange columns{};
-};
 
 /// With E = density = dX = 1. A node has T = P K^-1 - w g, with P the stress that belongs to its
 /// gradient g, K its shape tensor and w = Vs s; the force on node I is then the sum over J of the
@@ -36,7 +30,8 @@ class PlaneForce {
         : nodes_(std::move(nodes)),
           horizon_(nodes_.horizon()),
           pitch_(nodes_.pitch()),
-          stress_pitch_(nodes_.x().nodes() + 2 * horizon_),
+          sweep_(nodes_.x(), nodes_.y().nodes(), pitch_, 2 * horizon_),
+          stress_pitch_(stress_pitch(nodes_.x().nodes() + 2 * horizon_)),
           sweeps_(sweeps_of<Real>(nodes_.model())) {
         const CorrespondenceModel& model = nodes_.model();
         const double A = whole_shape(model);
@@ -80,80 +75,38 @@ class PlaneForce {
     /// v += scale M^-1 times the force, on the nodes of the body.
     void kick(double scale, PlaneField<const Real> u, PlaneField<Real> v) {
         make_rings();
-        for_each_piece([&](std::size_t piece, const PlaneRange& rows) {
+        sweep_.for_each_piece([&](std::size_t piece, const PlaneRange& rows) {
             kick_rows(scale, rows, u, v, rings_[piece], [](std::ptrdiff_t) {});
         });
     }
 
-    /// Whether drifts and kicks can be one sweep.
-    bool can_drift() const { return nodes_.y().nodes() >= 4 * horizon_; }
-
-    /// The drift of the rows that two pieces read, or that images copy.
-    void drift_ends(const PlaneDrift<Real>& drift, PlaneField<Real> u, PlaneField<Real> v) const {
-        for_each_piece([&](std::size_t /*piece*/, const PlaneRange& rows) {
-            for (std::ptrdiff_t y = 0; y < 2 * horizon_; ++y) {
-                drift_row(rows.first + y, drift, u, v);
-                drift_row(rows.last - 1 - y, drift, u, v);
-            }
-        });
-    }
-
-    /// The drift of the other rows, each of them before it is read, and kick().
+    const PlaneSweep& sweep() const { return sweep_; }
+    /// Once sweep().drift_ends() is done, the drift of the other rows, and kick().
     void drift_and_kick(const PlaneDrift<Real>& drift, double scale, PlaneField<Real> u,
                         PlaneField<Real> v) {
         make_rings();
-        for_each_piece([&](std::size_t piece, const PlaneRange& rows) {
-            kick_rows(scale, rows, {u[0], u[1]}, v, rings_[piece], [&](std::ptrdiff_t y) {
-                if (y >= rows.first + 2 * horizon_ && y < rows.last - 2 * horizon_) {
-                    drift_row(y, drift, u, v);
-                }
-            });
+        sweep_.for_each_piece([&](std::size_t piece, const PlaneRange& rows) {
+            kick_rows(scale, rows, {u[0], u[1]}, v, rings_[piece],
+                      [&](std::ptrdiff_t y) { sweep_.drift_inner(rows, y, drift, u, v); });
         });
     }
 
-    void drift_row(std::ptrdiff_t y, const PlaneDrift<Real>& drift, PlaneField<Real> u,
-                   PlaneField<Real> v) const {
-        const auto nodes = static_cast<std::size_t>(drift.columns.last - drift.columns.first);
-        const std::ptrdiff_t first = y * pitch_ + drift.columns.first;
-        for (std::size_t a = 0; a < 2; ++a) {
-            drift_nodes(drift.time_step, u[a] + first, v[a] + first, 0, nodes);
-            close_row(nodes_.x(), a, u[a] + y * pitch_, nodes_.x().ghosts());
-        }
-    }
-
   private:
-    /// work(piece, its rows), in threads.
-    template <class Work>
-    void for_each_piece(const Work& work) const {
-        const std::size_t pieces = this->pieces();
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) if (pieces > 1)
-#endif
-        for (std::size_t piece = 0; piece < pieces; ++piece) {
-            work(piece, rows_of_piece(piece, pieces));
-        }
-    }
+    using Ring = std::vector<Real, CacheLineAllocator<Real>>;
 
-    /// A piece finds the T of `horizon` rows on both sides of its own anew.
-    std::size_t pieces() const {
-        const auto rows = static_cast<std::size_t>(nodes_.y().nodes());
-        return std::min(pieces_of(rows * static_cast<std::size_t>(nodes_.x().nodes())),
-                        std::max<std::size_t>(rows / (8 * nodes_.model().horizon()), 1));
-    }
-    PlaneRange rows_of_piece(std::size_t piece, std::size_t pieces) const {
-        const auto rows = static_cast<std::size_t>(nodes_.y().nodes());
-        return {static_cast<std::ptrdiff_t>(rows * piece / pieces),
-                static_cast<std::ptrdiff_t>(rows * (piece + 1) / pieces)};
+    /// Rows of T begin at cache lines. Their number is odd, so that rows do not all begin in the
+    /// same set of the cache.
+    static std::ptrdiff_t stress_pitch(std::ptrdiff_t entries) {
+        constexpr auto line = static_cast<std::ptrdiff_t>(cache_line / sizeof(Real));
+        return ((entries + line - 1) / line | 1) * line;
     }
     void make_rings() {
-        while (rings_.size() < pieces()) {
+        while (rings_.size() < sweep_.pieces()) {
             rings_.emplace_back(static_cast<std::size_t>(6 * ring_rows() * stress_pitch_), Real(0));
         }
     }
 
-    std::ptrdiff_t ring_rows() const {
-        return 2 * horizon_ + 1;
-    }
+    std::ptrdiff_t ring_rows() const { return 2 * horizon_ + 1; }
 
     /// T of a node near a side that is cut off.
     std::array<Real, 4> stress(std::ptrdiff_t x, std::ptrdiff_t y, PlaneField<const Real> u) const {
@@ -176,7 +129,7 @@ class PlaneForce {
     }
 
     void kick_node(double scale, std::ptrdiff_t x, std::ptrdiff_t y, PlaneField<const Real> u,
-                   PlaneField<Real> v, const std::vector<Real>& ring) const {
+                   PlaneField<Real> v, const Ring& ring) const {
         const std::ptrdiff_t at = y * pitch_ + x;
         if (const ClosedRow* const force = closed_row(x, y)) {
             kick_closed(scale, *force, at, u, v);
@@ -227,18 +180,18 @@ class PlaneForce {
     }
 
     /// Entry 0 of a row of T: rows come round in the ring.
-    template <class Ring>
-    auto* row(Ring& ring, std::size_t part, std::ptrdiff_t y) const {
+    template <class AnyRing>
+    auto* row(AnyRing& ring, std::size_t part, std::ptrdiff_t y) const {
         const std::ptrdiff_t place = (y + horizon_) % ring_rows();
         return ring.data() +
                (static_cast<std::ptrdiff_t>(part) * ring_rows() + place) * stress_pitch_ + horizon_;
     }
 
-    void find_stress(std::ptrdiff_t y, PlaneField<const Real> u, std::vector<Real>& ring) const;
+    void find_stress(std::ptrdiff_t y, PlaneField<const Real> u, Ring& ring) const;
     /// Before row y of u is read for the first time, before_row(y).
     template <class BeforeRow>
     void kick_rows(double scale, const PlaneRange& rows, PlaneField<const Real> u,
-                   PlaneField<Real> v, std::vector<Real>& ring, const BeforeRow& before_row) const;
+                   PlaneField<Real> v, Ring& ring, const BeforeRow& before_row) const;
 
     /// Of a row's nodes, those that the sweeps may take; an empty part at its end where none.
     /// Where nodes are left at an end, they are a strip, or more.
@@ -274,6 +227,7 @@ class PlaneForce {
     PlaneNodes nodes_;
     std::ptrdiff_t horizon_;
     std::ptrdiff_t pitch_;
+    PlaneSweep sweep_;
     std::ptrdiff_t stress_pitch_;
     PlaneCoefficients<Real> coefficients_;
     PlaneSweeps<Real> sweeps_;
@@ -281,12 +235,11 @@ class PlaneForce {
     PlaneRows<Real> rows_{};    // of the sweeps
     ClosedRows closed_rows_{};  // none where no side is closed
     /// T and the pull of some rows, one ring for each piece.
-    std::vector<std::vector<Real>> rings_;
+    std::vector<Ring> rings_;
 };
 
 template <class Real>
-void PlaneForce<Real>::find_stress(std::ptrdiff_t y, PlaneField<const Real> u,
-                                   std::vector<Real>& ring) const {
+void PlaneForce<Real>::find_stress(std::ptrdiff_t y, PlaneField<const Real> u, Ring& ring) const {
     const auto columns = nodes_.x().with_energy();
     const auto rows = nodes_.y().with_energy();
     std::array<Real*, 6> T{};
@@ -326,7 +279,7 @@ void PlaneForce<Real>::find_stress(std::ptrdiff_t y, PlaneField<const Real> u,
 template <class Real>
 template <class BeforeRow>
 void PlaneForce<Real>::kick_rows(double scale, const PlaneRange& rows, PlaneField<const Real> u,
-                                 PlaneField<Real> v, std::vector<Real>& ring,
+                                 PlaneField<Real> v, Ring& ring,
                                  const BeforeRow& before_row) const {
     for (std::ptrdiff_t y = rows.first - horizon_; y < rows.first + horizon_; ++y) {
         find_stress(y, u, ring);

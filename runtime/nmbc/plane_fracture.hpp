@@ -74,11 +74,10 @@ double BasicPlane<Real>::damage(std::size_t x, std::size_t y) const {
 /// = e - dt de/dt, the velocities v of the step that led here. The kick has changed them when its
 /// breaks are known, by what it can be asked for again.
 template <class Real>
-void BasicPlane<Real>::break_and_kick(detail::BondForce<Real>& bonds) {
+void BasicPlane<Real>::count_broken(detail::BondForce<Real>& bonds) {
     const double scale = kick_scale(parameters_.time_step);
     const auto u = field(std::as_const(u_));
     const auto v = field(std::as_const(v_));
-    bonds.break_and_kick(scale, u, field(v_));
     const auto before_kick = [&](const std::array<std::ptrdiff_t, 2>& node) {
         const auto [x, y] = node;
         const std::ptrdiff_t at = y * static_cast<std::ptrdiff_t>(grid().nx) + x;

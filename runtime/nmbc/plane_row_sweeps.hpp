@@ -7,25 +7,8 @@
 #include <array>
 #include <cstddef>
 #include <nmbc/plane_family.hpp>
+#include <nmbc/vector_loops.hpp>
 #include <type_traits>
-
-/// Before a loop over entries: what one writes, no other one reads. GCC would find that out for few
-/// rows only, while the loop runs.
-#if defined(__clang__)
-#define NMBC_NO_ENTRY_NEEDS_ANOTHER _Pragma("clang loop vectorize(assume_safety)")
-#elif defined(__GNUC__)
-#define NMBC_NO_ENTRY_NEEDS_ANOTHER _Pragma("GCC ivdep")
-#else
-#define NMBC_NO_ENTRY_NEEDS_ANOTHER
-#endif
-
-/// Of what is in loops over entries, and of short loops: where a call is left in place, which GCC
-/// decides anew in every program, the loop around it has no vectors.
-#if defined(__GNUC__)
-#define NMBC_INLINED [[gnu::always_inline]] inline
-#else
-#define NMBC_INLINED inline
-#endif
 
 namespace nmbc::detail {
 
@@ -86,11 +69,12 @@ struct PlaneCoefficients {
 };
 
 /// Nodes of a block, whose column sums stay in the cache of first level.
-inline constexpr std::ptrdiff_t plane_block = 128;
+template <class Real>
+inline constexpr std::ptrdiff_t plane_block = 1024 / sizeof(Real);
 
 /// Sums over columns of these rows, entry by entry; entry 0 is that of node -reach.
 template <class Shape, class Real>
-using ColumnSum = std::array<Real, plane_block + 2 * Shape::reach>;
+using ColumnSum = std::array<Real, plane_block<Real> + 2 * Shape::reach>;
 
 /// Of the longest columns, and of the lesser ones.
 template <class Shape, class Real>
@@ -184,6 +168,31 @@ NMBC_INLINED void find_odd(const PlaneLines<Shape, Real>& lines, std::ptrdiff_t 
     }
 }
 
+/// Of one field both find_even() and find_odd(), whose rows are read once.
+template <class Shape, class Real>
+NMBC_INLINED void find_both(const PlaneLines<Shape, Real>& lines, std::ptrdiff_t nodes,
+                            Real* __restrict even_longest, Real* __restrict even_lesser,
+                            Real* __restrict odd_longest, Real* __restrict odd_lesser) {
+    NMBC_NO_ENTRY_NEEDS_ANOTHER
+    for (std::ptrdiff_t x = 0; x < nodes; ++x) {
+        Real even = lines.at(x, 0);
+        Real odd = 0;
+        unrolled<1, Shape::reach>([&](auto j) {
+            const Real after = lines.at(x, j);
+            const Real before = lines.at(x, -j);
+            const Real difference = static_cast<Real>(j) * (after - before);
+            even += after + before;
+            odd = j == 1 ? difference : odd + difference;
+            if constexpr (j == Shape::lesser) {
+                even_lesser[x] = even;
+                odd_lesser[x] = odd;
+            }
+        });
+        even_longest[x] = even;
+        odd_longest[x] = odd;
+    }
+}
+
 /// Sums over the family of a node.
 template <class Real>
 struct FamilySums {
@@ -202,8 +211,8 @@ struct FamilyColumns {
     NMBC_INLINED void find(const Real* u, std::ptrdiff_t pitch, std::ptrdiff_t nodes) {
         const std::ptrdiff_t wide = nodes + 2 * Shape::reach;
         const auto lines = lines_of<Shape>(u - Shape::reach, pitch);
-        find_even<Shape, Shape::reach>(lines, wide, even.longest.data(), even.lesser.data());
-        find_odd<Shape>(lines, wide, odd.longest.data(), odd.lesser.data());
+        find_both<Shape>(lines, wide, even.longest.data(), even.lesser.data(), odd.longest.data(),
+                         odd.lesser.data());
     }
 
     /// own: entry 0 of u.
@@ -255,8 +264,8 @@ void stress_row(const PlaneCoefficients<Real>& k, const PlaneRange& nodes,
                 const std::array<Real*, 6>& T) {
     FamilyColumns<Shape, Real> of_x;
     FamilyColumns<Shape, Real> of_y;
-    for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block) {
-        const std::ptrdiff_t size = std::min(plane_block, nodes.last - first);
+    for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block<Real>) {
+        const std::ptrdiff_t size = std::min(plane_block<Real>, nodes.last - first);
         const std::array<const Real*, 2> block{u[0] + first, u[1] + first};
         of_x.find(block[0], pitch, size);
         of_y.find(block[1], pitch, size);
@@ -308,14 +317,18 @@ NMBC_INLINED void find_divergence_columns(const std::array<const Real* const*, 2
 }
 
 /// v += scale times the forces, on these nodes of a row, at whose node 0 u, v and T's rows xx, xy,
-/// yx, yy and those of the pull point, each of them those from -reach to reach.
+/// yx, yy and those of the pull point, each of them those from -reach to reach. Blocks end at
+/// multiples of their length: where node -reach of a row begins a cache line, so do the column sums
+/// of all blocks but the first one.
 template <class Shape, class Real>
 void kick_row(Real scale, const PlaneRange& nodes, const std::array<const Real* const*, 6>& T,
               const std::array<Real*, 2>& v) {
     ColumnSums<Shape, Real> even;
     ColumnSums<Shape, Real> odd;
-    for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block) {
-        const std::ptrdiff_t size = std::min(plane_block, nodes.last - first);
+    std::ptrdiff_t last = nodes.first;
+    for (std::ptrdiff_t first = nodes.first; first < nodes.last; first = last) {
+        last = std::min((first / plane_block<Real> + 1) * plane_block<Real>, nodes.last);
+        const std::ptrdiff_t size = last - first;
         for (std::size_t a = 0; a < 2; ++a) {
             find_divergence_columns({T[2 * a], T[2 * a + 1]}, first, size, even, odd);
             kick_block(scale, size, even, odd, T[2 * a][Shape::reach] + first,

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <nmbc/plane_row_sweeps.hpp>
+#include <nmbc/vector_loops.hpp>
 #include <utility>
 #include <vector>
 
@@ -37,8 +38,9 @@ void stress_row_beside(const PlaneModuli<Real>& k, const PlaneRowNumbers<Real>& 
                        const PlaneRange& nodes, const std::array<const Real*, 2>& u,
                        std::ptrdiff_t pitch, const std::array<Real*, 6>& T) {
     std::array<FamilyColumns<Shape, Real>, 2> columns;
-    for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block) {
-        const std::ptrdiff_t size = Size > 0 ? Size : std::min(plane_block, nodes.last - first);
+    for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block<Real>) {
+        const std::ptrdiff_t size =
+            Size > 0 ? Size : std::min(plane_block<Real>, nodes.last - first);
         const std::array<const Real*, 2> own{u[0] + first, u[1] + first};
         columns[0].find(own[0], pitch, size);
         columns[1].find(own[1], pitch, size);
@@ -133,8 +135,9 @@ void kick_row_beside(const PlaneRowNumbers<Real>& numbers, Real scale, const Rea
     ColumnSum<Shape, Real> alone;
     std::array<Real, 2 * Shape::reach + 1> row_weights{};
     std::copy_n(along, row_weights.size(), row_weights.begin());
-    for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block) {
-        const std::ptrdiff_t size = Size > 0 ? Size : std::min(plane_block, nodes.last - first);
+    for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block<Real>) {
+        const std::ptrdiff_t size =
+            Size > 0 ? Size : std::min(plane_block<Real>, nodes.last - first);
         const std::ptrdiff_t wide = size + 2 * Shape::reach;
         const auto entry = static_cast<std::size_t>(first + Shape::reach);
         const Real* const moment_x = &numbers.moment[0][entry];
@@ -175,6 +178,3 @@ template <class Shape>
 inline constexpr std::ptrdiff_t kick_strip = (3 * Shape::reach + 3) / 4 * 4;
 
 }  // namespace nmbc::detail
-
-#undef NMBC_INLINED
-#undef NMBC_NO_ENTRY_NEEDS_ANOTHER

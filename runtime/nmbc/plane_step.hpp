@@ -71,7 +71,9 @@ void BasicPlane<Real>::kick() {
         count_damped();
     }
     if (auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_)) {
-        break_and_kick(*bonds);
+        bonds->break_and_kick(kick_scale(parameters_.time_step), field(std::as_const(u_)),
+                              field(v_));
+        count_broken(*bonds);
     } else {
         kick_by_forces(parameters_.time_step, v_);
     }
@@ -88,11 +90,12 @@ void BasicPlane<Real>::keep_velocities() {
     friction_.keep(field(std::as_const(v_)));
 }
 
-/// In one sweep over memory, where the forces can.
+/// In one sweep over memory, but in thin bodies and beside damping.
 template <class Real>
 void BasicPlane<Real>::drift_and_kick() {
-    auto* const force = std::get_if<detail::PlaneForce<Real>>(&force_);
-    if (force == nullptr || !force->can_drift() || damping_) {
+    const detail::PlaneSweep& sweep = std::visit(
+        [](const auto& force) -> const detail::PlaneSweep& { return force.sweep(); }, force_);
+    if (!sweep.can_drift() || damping_) {
         drift();
         kick();
         return;
@@ -102,15 +105,20 @@ void BasicPlane<Real>::drift_and_kick() {
     const auto v = field(v_);
     const detail::PlaneDrift<Real> drift = drift_of_rows();
     for (std::size_t ghost = 0; ghost < moving_ghosts_[2]; ++ghost) {
-        force->drift_row(-1 - static_cast<std::ptrdiff_t>(ghost), drift, u, v);
+        sweep.drift_row(-1 - static_cast<std::ptrdiff_t>(ghost), drift, u, v);
     }
     for (std::size_t ghost = 0; ghost < moving_ghosts_[3]; ++ghost) {
-        force->drift_row(static_cast<std::ptrdiff_t>(ny_ + ghost), drift, u, v);
+        sweep.drift_row(static_cast<std::ptrdiff_t>(ny_ + ghost), drift, u, v);
     }
-    force->drift_ends(drift, u, v);
+    sweep.drift_ends(drift, u, v);
     close_ghosts(u_);
     ++steps_;
-    force->drift_and_kick(drift, kick_scale(parameters_.time_step), u, v);
+    std::visit(
+        [&](auto& force) { force.drift_and_kick(drift, kick_scale(parameters_.time_step), u, v); },
+        force_);
+    if (auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_)) {
+        count_broken(*bonds);
+    }
 }
 
 template <class Real>

@@ -30,15 +30,23 @@ inline std::size_t pieces_of([[maybe_unused]] std::size_t nodes) {
     return 1;
 }
 
-/// Calls work(first, last) for each piece of the nodes 0 .. nodes-1.
+/// Calls work(piece) for each of them.
 template <class Work>
-void for_each_piece(std::size_t nodes, std::size_t pieces, const Work& work) {
+void in_threads_each(std::size_t pieces, const Work& work) {
 #ifdef _OPENMP
 #pragma omp parallel for schedule(static) if (pieces > 1)
 #endif
     for (std::size_t piece = 0; piece < pieces; ++piece) {
-        work(nodes * piece / pieces, nodes * (piece + 1) / pieces);
+        work(piece);
     }
+}
+
+/// Calls work(first, last) for each piece of the nodes 0 .. nodes-1.
+template <class Work>
+void for_each_piece(std::size_t nodes, std::size_t pieces, const Work& work) {
+    in_threads_each(pieces, [&](std::size_t piece) {
+        work(nodes * piece / pieces, nodes * (piece + 1) / pieces);
+    });
 }
 
 }  // namespace in_threads or in_one_thread

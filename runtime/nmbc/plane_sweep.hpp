@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+/// A sweep over the rows of a plane lattice, in pieces for threads, in which rows drift before they
+/// are kicked.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <nmbc/plane_block.hpp>
+#include <nmbc/plane_nodes.hpp>
+#include <nmbc/sweep.hpp>
+#include <utility>
+
+namespace nmbc::detail {
+
+/// u += time_step v, on these columns of the field.
+template <class Real>
+struct PlaneDrift {
+    Real time_step = 0;
+    PlaneRange columns{};
+};
+
+/// The kick of a row reads u of the rows up to `reach` away, and as many nodes beyond its ends.
+class PlaneSweep {
+  public:
+    /// pitch: entries of a field from one row to the next.
+    PlaneSweep(PlaneAxis x, std::ptrdiff_t rows, std::ptrdiff_t pitch, std::ptrdiff_t reach)
+        : x_(std::move(x)), rows_(rows), pitch_(pitch), reach_(reach) {}
+
+    /// None is shorter than 4 reach, where the plane is not.
+    std::size_t pieces() const {
+        const auto rows = static_cast<std::size_t>(rows_);
+        return std::min(pieces_of(rows * static_cast<std::size_t>(x_.nodes())),
+                        std::max<std::size_t>(rows / static_cast<std::size_t>(4 * reach_), 1));
+    }
+    /// Calls work(piece, its rows), in threads.
+    template <class Work>
+    void for_each_piece(const Work& work) const {
+        const std::size_t pieces = this->pieces();
+        in_threads_each(pieces, [&](std::size_t piece) { work(piece, rows_of(piece, pieces)); });
+    }
+
+    /// Whether drifts and kicks can be one sweep: drift_ends(), then kicks of all rows, before each
+    /// of which those that it reads first have drift_inner().
+    bool can_drift() const { return rows_ >= 2 * reach_; }
+
+    /// The drift of the rows that two pieces read, or that images copy.
+    template <class Real>
+    void drift_ends(const PlaneDrift<Real>& drift, PlaneField<Real> u, PlaneField<Real> v) const {
+        for_each_piece([&](std::size_t /*piece*/, const PlaneRange& rows) {
+            for (std::ptrdiff_t y = 0; y < reach_; ++y) {
+                drift_row(rows.first + y, drift, u, v);
+                drift_row(rows.last - 1 - y, drift, u, v);
+            }
+        });
+    }
+    /// The drift of a row of the piece; nothing where drift_ends() was that.
+    template <class Real>
+    void drift_inner(const PlaneRange& piece, std::ptrdiff_t y, const PlaneDrift<Real>& drift,
+                     PlaneField<Real> u, PlaneField<Real> v) const {
+        if (y >= piece.first + reach_ && y < piece.last - reach_) {
+            drift_row(y, drift, u, v);
+        }
+    }
+    template <class Real>
+    void drift_row(std::ptrdiff_t y, const PlaneDrift<Real>& drift, PlaneField<Real> u,
+                   PlaneField<Real> v) const {
+        const auto nodes = static_cast<std::size_t>(drift.columns.last - drift.columns.first);
+        const std::ptrdiff_t first = y * pitch_ + drift.columns.first;
+        for (std::size_t a = 0; a < 2; ++a) {
+            drift_nodes(drift.time_step, u[a] + first, v[a] + first, 0, nodes);
+            close_row(x_, a, u[a] + y * pitch_, reach_);
+        }
+    }
+
+  private:
+    PlaneRange rows_of(std::size_t piece, std::size_t pieces) const {
+        const auto rows = static_cast<std::size_t>(rows_);
+        return {static_cast<std::ptrdiff_t>(rows * piece / pieces),
+                static_cast<std::ptrdiff_t>(rows * (piece + 1) / pieces)};
+    }
+
+    PlaneAxis x_;
+    std::ptrdiff_t rows_;
+    std::ptrdiff_t pitch_;
+    std::ptrdiff_t reach_;
+};
+
+}  // namespace nmbc::detail
