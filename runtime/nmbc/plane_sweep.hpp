@@ -26,10 +26,11 @@ class PlaneSweep {
     PlaneSweep(PlaneAxis x, std::ptrdiff_t rows, std::ptrdiff_t pitch, std::ptrdiff_t reach)
         : x_(std::move(x)), rows_(rows), pitch_(pitch), reach_(reach) {}
 
-    /// None is shorter than 4 reach, where the plane is not.
+    /// Few, as a piece finds what its first rows share with the one before it anew. None is shorter
+    /// than 4 reach, where the plane is not.
     std::size_t pieces() const {
         const auto rows = static_cast<std::size_t>(rows_);
-        return std::min(pieces_of(rows * static_cast<std::size_t>(x_.nodes())),
+        return std::min(pieces_for_threads(rows * static_cast<std::size_t>(x_.nodes())),
                         std::max<std::size_t>(rows / static_cast<std::size_t>(4 * reach_), 1));
     }
     /// Calls work(piece, its rows), in threads.

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 
 namespace nmbc::detail {
 
@@ -28,6 +31,15 @@ inline std::size_t pieces_of([[maybe_unused]] std::size_t nodes) {
     }
 #endif
     return 1;
+}
+
+/// Likewise, where each piece costs more than its nodes: one a thread at the most.
+inline std::size_t pieces_for_threads(std::size_t nodes) {
+#ifdef _OPENMP
+    return std::min(pieces_of(nodes), static_cast<std::size_t>(omp_get_max_threads()));
+#else
+    return pieces_of(nodes);
+#endif
 }
 
 /// Calls work(piece) for each of them.

@@ -52,9 +52,8 @@ Work work_of(unsigned radius_squared) {
     }
 }
 
-/// Of bonds one sweep reads u and v and writes v, the next one reads v and u and writes u.
-/// Operations are not counted.
-constexpr Work work_of_bonds{12, 0};
+/// Of bonds a sweep reads which of them hold, too. Operations are not counted.
+constexpr Work work_of_bonds{9, 0};
 
 /// Seconds for so many operations in fused multiply-adds.
 template <class Real>
