@@ -40,7 +40,7 @@ allow generator/commands "generator/(table|exact|dense|lattice|bonds|closures|co
 allow generator/cli "generator/(table|exact|bonds|closures|coupling|families|names|emit|commands|support|cli)/|generator/matching/real.hpp|CLI/|$text"
 allow generator "generator/|unistd.h|$text"
 allow generated/nmbc/tables 'nmbc/table.hpp|nmbc/tables/'
-allow runtime/nmbc 'nmbc/[a-z_]+\.hpp'
+allow runtime/nmbc 'nmbc/[a-z_]+\.hpp|omp.h'
 
 # nmbcrun, from the ground up: each room may also include those it names.
 run() { # ROOM OTHER_ROOMS FURTHER
@@ -49,17 +49,18 @@ run() { # ROOM OTHER_ROOMS FURTHER
 run terminal '' 'unistd.h|sys/ioctl.h'
 run scene '' 'generator/(table|exact|lattice|names|families)/|nlohmann/|toml\+\+/|hdf5.h'
 run stepping '' ''
-run sides 'terminal|scene|stepping' 'generator/(families|passive)/|(unsupported/)?Eigen/'
-run sources 'scene|sides'
+run ends 'terminal|scene|stepping' 'generator/(families|passive)/|(unsupported/)?Eigen/'
+run sources 'scene|ends'
 run tables scene 'generator/(table|exact|families|names)/'
-run certification 'terminal|scene|sides|sources|tables' 'generator/(table|exact|stability|enclosures)/'
-run simulation 'scene|sides|sources|tables|certification' 'unistd.h'
+run certification 'terminal|scene|ends|sources|tables' 'generator/(table|exact|stability|enclosures)/'
+run simulation 'scene|ends|sources|tables|certification' 'unistd.h'
 run output 'terminal|scene|simulation' 'generator/(names/(checksum|printable)|support/posix_file).hpp|spawn.h|unistd.h|sys/wait.h'
-below='terminal|scene|sides|sources|tables|certification|simulation'
-run compare "$below" 'generator/(table|exact|closures|stability)/|boost/math/|Eigen/Sparse(Core|LU)|unsupported/Eigen/FFT'
-run chart "$below|compare|output" 'generator/(support/|names/printable.hpp)|boost/math/'
-run advise "$below|compare|chart|output" 'generator/(table|exact|stability)/|generator/support/progress_line.hpp|unsupported/Eigen/FFT|boost/math/'
-run plane 'terminal|scene|stepping|sides|sources|output' 'generator/(table|exact|closures|families|names|plane|passive)/|generator/support/(files|posix_file|progress_line).hpp|boost/math/'
+below='terminal|scene|ends|sources|tables|certification|simulation'
+run compare "$below" 'generator/(exact|closures)/|boost/math/'
+run prediction "$below|compare" 'generator/(table|exact|stability)/|Eigen/Sparse(Core|LU)|unsupported/Eigen/FFT'
+run chart "$below|compare|prediction|output" 'generator/(support/|names/printable.hpp)|boost/math/'
+run advise "$below|compare|prediction|chart|output" 'generator/(table|exact|stability)/|generator/support/progress_line.hpp|unsupported/Eigen/FFT|boost/math/'
+run plane 'terminal|scene|stepping|sources|output' 'generator/(table|exact|closures|families|names|plane|passive)/|generator/support/(files|posix_file|progress_line).hpp|boost/math/'
 run plane_compare 'terminal|scene|stepping|output|chart|plane' 'generator/(support/|names/printable.hpp)'
 allow tools/nmbcrun "tools/nmbcrun/|generator/names/(checksum|printable).hpp|generator/support/(command_line_problem|exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
 allow tools/bench "generator/|tools/nmbcrun/|CLI/|nmbc/|benchmark/|boost/math/|$text"

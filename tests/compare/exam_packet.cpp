@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "tools/nmbcrun/compare/packet.hpp"
-#include "tools/nmbcrun/compare/prediction.hpp"
+#include "tools/nmbcrun/prediction/prediction.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 

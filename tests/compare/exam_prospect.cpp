@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "tests/compare/advised_scenes.hpp"
-#include "tools/nmbcrun/compare/prospect.hpp"
-#include "tools/nmbcrun/compare/source_spectrum.hpp"
+#include "tools/nmbcrun/prediction/prospect.hpp"
+#include "tools/nmbcrun/prediction/source_spectrum.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <nmbc/tables/tables.hpp>
 
 #include "tools/nmbcrun/compare/reference.hpp"
-#include "tools/nmbcrun/sides/silent_layer.hpp"
+#include "tools/nmbcrun/ends/silent_layer.hpp"
 
 namespace {
 

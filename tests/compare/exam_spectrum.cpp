@@ -6,7 +6,7 @@
 #include <nmbc/tables/tables.hpp>
 #include <numbers>
 
-#include "tools/nmbcrun/compare/spectrum.hpp"
+#include "tools/nmbcrun/prediction/spectrum.hpp"
 
 namespace {
 

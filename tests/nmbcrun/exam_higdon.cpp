@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "tests/nmbcrun/chains.hpp"
-#include "tools/nmbcrun/sides/higdon.hpp"
+#include "tools/nmbcrun/ends/higdon.hpp"
 
 namespace {
 

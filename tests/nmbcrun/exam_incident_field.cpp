@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tests/nmbcrun/bar.hpp"
+#include "tools/nmbcrun/ends/lattice_wave.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/sides/lattice_wave.hpp"
 #include "tools/nmbcrun/sources/incoming_wave.hpp"
 
 namespace nmbcrun::test {

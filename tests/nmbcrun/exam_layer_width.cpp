@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "tests/nmbcrun/chains.hpp"
+#include "tools/nmbcrun/ends/pml.hpp"
+#include "tools/nmbcrun/ends/sponge.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
-#include "tools/nmbcrun/sides/pml.hpp"
-#include "tools/nmbcrun/sides/sponge.hpp"
 
 namespace {
 

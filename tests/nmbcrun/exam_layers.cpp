@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "tests/nmbcrun/chains.hpp"
-#include "tools/nmbcrun/sides/pml.hpp"
-#include "tools/nmbcrun/sides/sponge.hpp"
+#include "tools/nmbcrun/ends/pml.hpp"
+#include "tools/nmbcrun/ends/sponge.hpp"
 
 namespace {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// A run that is stored and taken up again goes on bit for bit.
 #include "tests/nmbcrun/chains.hpp"
-#include "tools/nmbcrun/sides/higdon.hpp"
-#include "tools/nmbcrun/sides/pml.hpp"
-#include "tools/nmbcrun/sides/sponge.hpp"
-#include "tools/nmbcrun/sides/truncated.hpp"
+#include "tools/nmbcrun/ends/higdon.hpp"
+#include "tools/nmbcrun/ends/pml.hpp"
+#include "tools/nmbcrun/ends/sponge.hpp"
+#include "tools/nmbcrun/ends/truncated.hpp"
 
 namespace {
 

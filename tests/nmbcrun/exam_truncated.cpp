@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "tests/nmbcrun/chains.hpp"
-#include "tools/nmbcrun/sides/truncated.hpp"
+#include "tools/nmbcrun/ends/truncated.hpp"
 
 namespace {
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "tests/tools/exact_cases.hpp"
-#include "tools/nmbcrun/sides/exact.hpp"
-#include "tools/nmbcrun/sides/transparent_kernel.hpp"
+#include "tools/nmbcrun/ends/exact.hpp"
+#include "tools/nmbcrun/ends/transparent_kernel.hpp"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "tests/tools/exact_cases.hpp"
-#include "tools/nmbcrun/sides/online_convolution.hpp"
-#include "tools/nmbcrun/sides/transparent_kernel.hpp"
+#include "tools/nmbcrun/ends/online_convolution.hpp"
+#include "tools/nmbcrun/ends/transparent_kernel.hpp"
 
 namespace {
 

@@ -30,7 +30,7 @@ unstable "and none above cfl = 0.954 is stable. Give time.cfl = 0.92" \
 unstable "between these ends steps up to 0.236703 (cfl = 0.79) are stable. Give time.cfl = 0.79 or less" \
     --set model.G=1 "${beside_sbp[@]}" --set time.cfl=0.8
 # What is named in the place of steps beyond the lattice's own is certified, too.
-unstable "steps of 0.264567 (cfl = 2) are too long: these ends are certified in steps of 0.0912755 (cfl = 0.69), for example, $(:
+unstable "steps of 0.264567 (cfl = 2) are too long: these ends are certified in steps of 0.0912755 (cfl = 0.69), $(:
     )and none above cfl = 1 is stable. Give time.cfl = 0.69" \
     --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 --set time.cfl=2
 stable --set boundary.order=2 --set model.horizon=1 --set model.G=0.5 \

@@ -35,7 +35,7 @@ setting 2 "boundary.allow_unstable must be true or false, not 1" boundary.allow_
 setting 2 "--set boundary.rigth.kind: boundary.rigth is not a key of a scene" boundary.rigth.kind=free
 setting 2 "--set bogus.key: bogus is not a key of a scene" bogus.key=1
 setting 2 "no table for family nopd1d, horizon 2, order 9" boundary.right.order=9
-setting 4 "these ends are certified in steps of 0.29495 (cfl = 0.61), for example, and none above cfl = 1 is stable" time.step=0.6
+setting 4 "these ends are certified in steps of 0.29495 (cfl = 0.61), and none above cfl = 1 is stable" time.step=0.6
 setting 2 "drive.centre and drive.half_width select no node: the nodes are at X = 1 to 500" drive.centre=-99
 refuses 2 "a run of 250000 steps is too long for an \"exact\" end, which is made for 200000 at most" \
     "$scene" --set boundary.kind=exact --set time.end=5000

@@ -13,11 +13,11 @@
 
 #include "generator/names/printable.hpp"
 #include "tools/nmbcrun/certification/stand_ins.hpp"
-#include "tools/nmbcrun/compare/prospect.hpp"
 #include "tools/nmbcrun/output/chain_files.hpp"
 #include "tools/nmbcrun/output/energies_file.hpp"
 #include "tools/nmbcrun/output/step_warnings.hpp"
 #include "tools/nmbcrun/output/stoppable_run.hpp"
+#include "tools/nmbcrun/prediction/prospect.hpp"
 #include "tools/nmbcrun/report.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"

@@ -9,7 +9,7 @@
 #include "tools/nmbcrun/advise/wave_grid.hpp"
 #include "tools/nmbcrun/compare/packet.hpp"
 #include "tools/nmbcrun/compare/reference.hpp"
-#include "tools/nmbcrun/sides/silent_layer.hpp"
+#include "tools/nmbcrun/ends/silent_layer.hpp"
 #include "tools/nmbcrun/simulation/simulation.hpp"
 #include "tools/nmbcrun/sources/incoming_wave.hpp"
 #include "tools/nmbcrun/sources/pulse.hpp"

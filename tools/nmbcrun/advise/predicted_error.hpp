@@ -11,8 +11,8 @@
 #include "generator/stability/modes.hpp"
 #include "tools/nmbcrun/advise/outgoing.hpp"
 #include "tools/nmbcrun/advise/pause.hpp"
+#include "tools/nmbcrun/ends/passive_design.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
-#include "tools/nmbcrun/sides/passive_design.hpp"
 
 namespace nmbcrun {
 

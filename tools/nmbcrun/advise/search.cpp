@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "tools/nmbcrun/certification/time_step.hpp"
+#include "tools/nmbcrun/ends/passive_design.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/scene/step_plan.hpp"
-#include "tools/nmbcrun/sides/passive_design.hpp"
 #include "tools/nmbcrun/simulation/ends.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 

@@ -14,7 +14,7 @@
 #include "generator/stability/discrete.hpp"
 #include "generator/stability/round_trip.hpp"
 #include "tools/nmbcrun/certification/half_space.hpp"
-#include "tools/nmbcrun/sides/half_line.hpp"
+#include "tools/nmbcrun/ends/half_line.hpp"
 
 namespace nmbcrun {
 namespace {

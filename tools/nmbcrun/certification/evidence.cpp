@@ -6,7 +6,7 @@
 #include "generator/enclosures/prove.hpp"
 #include "generator/exact/exact_table.hpp"
 #include "tools/nmbcrun/certification/certificate.hpp"
-#include "tools/nmbcrun/sides/half_line.hpp"
+#include "tools/nmbcrun/ends/half_line.hpp"
 
 namespace nmbcrun {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "generator/exact/rounded_text.hpp"
 #include "tools/nmbcrun/certification/time_step.hpp"
+#include "tools/nmbcrun/ends/passive_design.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/sides/passive_design.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {

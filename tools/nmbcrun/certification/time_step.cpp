@@ -16,9 +16,9 @@
 #include "generator/exact/rounded_text.hpp"
 #include "tools/nmbcrun/certification/certificate.hpp"
 #include "tools/nmbcrun/certification/stand_ins.hpp"
+#include "tools/nmbcrun/ends/half_line.hpp"
+#include "tools/nmbcrun/ends/passive_design.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/sides/half_line.hpp"
-#include "tools/nmbcrun/sides/passive_design.hpp"
 #include "tools/nmbcrun/sources/time_scale.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 #include "tools/nmbcrun/terminal/interrupt.hpp"
@@ -202,7 +202,7 @@ std::string objection_to_steps(const Scene& scene, const nmbc::Lattice& lattice,
         is_limit ? fmt::format("between these ends steps up to {} (cfl = {}) are stable", longest,
                                largest)
                  : fmt::format(
-                       "these ends are certified in steps of {} (cfl = {}), for example, "
+                       "these ends are certified in steps of {} (cfl = {}), "
                        "and none above cfl = {} is stable",
                        longest, largest, nmbcgen::rounded_up(stable, 3));
     const char* or_less = is_limit ? " or less" : "";

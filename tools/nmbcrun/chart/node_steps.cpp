@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/chart/node_steps.hpp"
 
+#include "tools/nmbcrun/ends/silent_layer.hpp"
 #include "tools/nmbcrun/scene/step_plan.hpp"
-#include "tools/nmbcrun/sides/silent_layer.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {

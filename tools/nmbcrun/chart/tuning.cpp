@@ -14,7 +14,7 @@
 #include <string>
 
 #include "tools/nmbcrun/chart/boundaries.hpp"
-#include "tools/nmbcrun/sides/silent_layer.hpp"
+#include "tools/nmbcrun/ends/silent_layer.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 
 namespace nmbcrun {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include "tools/nmbcrun/ends/half_line.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/sides/half_line.hpp"
 
 namespace nmbcrun {
 namespace {

@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "tools/nmbcrun/ends/half_line.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/sides/half_line.hpp"
 #include "tools/nmbcrun/sources/pulse.hpp"
 
 namespace nmbcrun {

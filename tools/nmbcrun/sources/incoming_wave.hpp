@@ -5,8 +5,8 @@
 #include <nmbc/boundary_condition.hpp>
 #include <nmbc/lattice.hpp>
 
+#include "tools/nmbcrun/ends/incident_field.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
-#include "tools/nmbcrun/sides/incident_field.hpp"
 
 namespace nmbcrun {
 

@@ -8,9 +8,9 @@
 #include <span>
 #include <utility>
 
+#include "tools/nmbcrun/ends/lattice_wave.hpp"
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/scene/csv_columns.hpp"
-#include "tools/nmbcrun/sides/lattice_wave.hpp"
 #include "tools/nmbcrun/sources/pulse.hpp"
 
 namespace nmbcrun {

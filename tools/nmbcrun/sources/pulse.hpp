@@ -2,8 +2,8 @@
 /// The shapes of scenes, in space and in wave numbers.
 #pragma once
 
+#include "tools/nmbcrun/ends/lattice_wave.hpp"
 #include "tools/nmbcrun/scene/sources.hpp"
-#include "tools/nmbcrun/sides/lattice_wave.hpp"
 
 namespace nmbcrun {
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/nmbcrun/ends/incident_field.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
-#include "tools/nmbcrun/sides/incident_field.hpp"
 #include "tools/nmbcrun/sources/driver.hpp"
 #include "tools/nmbcrun/sources/force_in_time.hpp"
 #include "tools/nmbcrun/sources/forcing.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/passive_design.hpp"
+#include "tools/nmbcrun/ends/passive_design.hpp"
 
 #include <fmt/format.h>
 
@@ -18,8 +18,8 @@
 
 #include "generator/families/family.hpp"
 #include "generator/passive/chain_end.hpp"
+#include "tools/nmbcrun/ends/cut_families.hpp"
 #include "tools/nmbcrun/errors.hpp"
-#include "tools/nmbcrun/sides/cut_families.hpp"
 
 namespace nmbcrun {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/compare/layer_reflection.hpp"
+#include "tools/nmbcrun/prediction/layer_reflection.hpp"
 
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>

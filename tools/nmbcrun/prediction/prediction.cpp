@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/compare/prediction.hpp"
+#include "tools/nmbcrun/prediction/prediction.hpp"
 
 #include <cmath>
 
 #include "generator/stability/band_reflection.hpp"
 #include "tools/nmbcrun/certification/half_space.hpp"
-#include "tools/nmbcrun/compare/layer_reflection.hpp"
-#include "tools/nmbcrun/sides/passive_design.hpp"
+#include "tools/nmbcrun/ends/passive_design.hpp"
+#include "tools/nmbcrun/prediction/layer_reflection.hpp"
 #include "tools/nmbcrun/tables/tables.hpp"
 #include "tools/nmbcrun/terminal/interrupt.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/exact.hpp"
+#include "tools/nmbcrun/ends/exact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "tools/nmbcrun/sides/online_convolution.hpp"
-#include "tools/nmbcrun/sides/transparent_kernel.hpp"
+#include "tools/nmbcrun/ends/online_convolution.hpp"
+#include "tools/nmbcrun/ends/transparent_kernel.hpp"
 
 namespace nmbcrun {
 namespace {

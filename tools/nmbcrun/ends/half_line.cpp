@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/half_line.hpp"
+#include "tools/nmbcrun/ends/half_line.hpp"
 
-#include "tools/nmbcrun/sides/silent_layer.hpp"
+#include "tools/nmbcrun/ends/silent_layer.hpp"
 
 namespace nmbcrun {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/lattice_wave.hpp"
+#include "tools/nmbcrun/ends/lattice_wave.hpp"
 
 #include <algorithm>
 #include <cmath>

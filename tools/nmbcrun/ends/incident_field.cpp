@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/incident_field.hpp"
+#include "tools/nmbcrun/ends/incident_field.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/silent_layer.hpp"
+#include "tools/nmbcrun/ends/silent_layer.hpp"
 
 #include <algorithm>
 #include <cmath>

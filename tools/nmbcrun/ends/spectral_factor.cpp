@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/spectral_factor.hpp"
+#include "tools/nmbcrun/ends/spectral_factor.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/pml.hpp"
+#include "tools/nmbcrun/ends/pml.hpp"
 
 #include <algorithm>
 #include <cstddef>

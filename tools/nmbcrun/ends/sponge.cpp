@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/sponge.hpp"
+#include "tools/nmbcrun/ends/sponge.hpp"
 
 #include <algorithm>
 #include <span>

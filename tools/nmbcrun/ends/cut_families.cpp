@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/cut_families.hpp"
+#include "tools/nmbcrun/ends/cut_families.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/truncated.hpp"
+#include "tools/nmbcrun/ends/truncated.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/nmbcrun/sides/cut_families.hpp"
+#include "tools/nmbcrun/ends/cut_families.hpp"
 
 namespace nmbcrun {
 namespace {

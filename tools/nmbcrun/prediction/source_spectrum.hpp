@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/nmbcrun/compare/spectrum.hpp"
+#include "tools/nmbcrun/prediction/spectrum.hpp"
 #include "tools/nmbcrun/scene/scene.hpp"
 
 namespace nmbcrun {

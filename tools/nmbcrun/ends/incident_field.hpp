@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "tools/nmbcrun/sides/lattice_wave.hpp"
+#include "tools/nmbcrun/ends/lattice_wave.hpp"
 
 namespace nmbcrun {
 

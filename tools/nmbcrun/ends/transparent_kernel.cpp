@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/transparent_kernel.hpp"
+#include "tools/nmbcrun/ends/transparent_kernel.hpp"
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <unsupported/Eigen/FFT>
 
-#include "tools/nmbcrun/sides/spectral_factor.hpp"
+#include "tools/nmbcrun/ends/spectral_factor.hpp"
 #include "tools/nmbcrun/terminal/interrupt.hpp"
 
 namespace nmbcrun {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/compare/spectrum.hpp"
+#include "tools/nmbcrun/prediction/spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/compare/prospect.hpp"
+#include "tools/nmbcrun/prediction/prospect.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,11 +9,11 @@
 #include <limits>
 #include <map>
 
-#include "tools/nmbcrun/compare/layer_reflection.hpp"
 #include "tools/nmbcrun/compare/packet.hpp"
-#include "tools/nmbcrun/compare/prediction.hpp"
-#include "tools/nmbcrun/compare/source_spectrum.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/prediction/layer_reflection.hpp"
+#include "tools/nmbcrun/prediction/prediction.hpp"
+#include "tools/nmbcrun/prediction/source_spectrum.hpp"
 #include "tools/nmbcrun/sources/force_in_time.hpp"
 #include "tools/nmbcrun/sources/short_waves.hpp"
 #include "tools/nmbcrun/sources/source_length.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/compare/source_spectrum.hpp"
+#include "tools/nmbcrun/prediction/source_spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>

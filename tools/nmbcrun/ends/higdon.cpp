@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/higdon.hpp"
+#include "tools/nmbcrun/ends/higdon.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/nmbcrun/sides/online_convolution.hpp"
+#include "tools/nmbcrun/ends/online_convolution.hpp"
 
 #include <algorithm>
 #include <bit>
