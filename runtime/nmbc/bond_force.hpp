@@ -12,8 +12,8 @@
 #include <nmbc/bond_states.hpp>
 #include <nmbc/bond_sweeps.hpp>
 #include <nmbc/plane_nodes.hpp>
+#include <nmbc/plane_pieces.hpp>
 #include <nmbc/plane_potential.hpp>
-#include <nmbc/plane_sweep.hpp>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -34,7 +34,7 @@ class BondForce {
         : states_(model, std::move(axes)),
           horizon_(static_cast<std::ptrdiff_t>(model.horizon())),
           pitch_(pitch),
-          sweep_(axis(0), axis(1).nodes(), pitch, horizon_) {
+          pieces_(axis(0), axis(1).nodes(), pitch, horizon_) {
         for (const BondGroup& group : states_.groups()) {
             limits_.push_back(std::numeric_limits<Real>::infinity());
             std::array<std::ptrdiff_t, 4> entries{};
@@ -70,23 +70,26 @@ class BondForce {
         may_break_ = true;
     }
 
+    const PlanePieces& pieces() const { return pieces_; }
+
     /// v += scale M^-1 times the force, on the nodes of the body.
     void kick(double scale, PlaneField<const Real> u, PlaneField<Real> v) {
-        kick_rows({.scale = scale, .u = u, .v = v, .breaks = false}, nothing_before);
+        kick_pieces(pieces_.count(), {.scale = scale, .u = u, .v = v, .breaks = false},
+                    [](const PlaneRange&, std::ptrdiff_t) {});
     }
     /// Likewise, once the bonds that are too long have broken.
     void break_and_kick(double scale, PlaneField<const Real> u, PlaneField<Real> v) {
-        kick_rows({.scale = scale, .u = u, .v = v, .breaks = may_break_}, nothing_before);
+        kick_pieces(pieces_.count(), {.scale = scale, .u = u, .v = v, .breaks = may_break_},
+                    [](const PlaneRange&, std::ptrdiff_t) {});
     }
-
-    const PlaneSweep& sweep() const { return sweep_; }
-    /// Once sweep().drift_ends() is done, the drift of the other rows, and break_and_kick().
-    void drift_and_kick(const PlaneDrift<Real>& drift, double scale, PlaneField<Real> u,
-                        PlaneField<Real> v) {
-        kick_rows({.scale = scale, .u = {u[0], u[1]}, .v = v, .breaks = may_break_},
-                  [&](const PlaneRange& rows, std::ptrdiff_t y) {
-                      sweep_.drift_inner(rows, y, drift, u, v);
-                  });
+    /// Once drift_ends() of so many pieces is done, the drift of the other rows, and
+    /// break_and_kick().
+    void drift_and_kick(std::size_t pieces, const PlaneDrift<Real>& drift, double scale,
+                        PlaneField<Real> u, PlaneField<Real> v) {
+        kick_pieces(pieces, {.scale = scale, .u = {u[0], u[1]}, .v = v, .breaks = may_break_},
+                    [&](const PlaneRange& rows, std::ptrdiff_t y) {
+                        pieces_.drift_inner(rows, y, drift, u, v);
+                    });
     }
 
     /// Of the nodes of the body among first .. last-1 of a row: half of each of their bonds, and
@@ -230,13 +233,11 @@ class BondForce {
         return sum;
     }
 
-    static void nothing_before(const PlaneRange& /*piece*/, std::ptrdiff_t /*y*/) {}
-
     /// Before row y of u is read for the first time, before_row(rows of its piece, y).
     template <class BeforeRow>
-    void kick_rows(const Kick& kick, const BeforeRow& before_row) {
+    void kick_pieces(std::size_t pieces, const Kick& kick, const BeforeRow& before_row) {
         broken_.resize(static_cast<std::size_t>(axis(1).nodes()));
-        sweep_.for_each_piece([&](std::size_t /*piece*/, const PlaneRange& rows) {
+        pieces_.for_each(pieces, [&](std::size_t /*piece*/, const PlaneRange& rows) {
             for (std::ptrdiff_t y = rows.first; y < rows.last; ++y) {
                 before_row(rows, y + horizon_);
                 kick_row(kick, y);
@@ -265,11 +266,11 @@ class BondForce {
     template <bool IsWeighted>
     void kick_block(const Kick& kick, const Block& nodes) {
         std::array<Sums, 2> forces{};
-        bool is_too_long = false;
+        bool breaks = false;
         for_each_group([&](std::size_t g, auto size) {
-            is_too_long |= pull_group<IsWeighted, size>(g, nodes, kick.breaks, forces);
+            breaks |= pull_group<IsWeighted, size>(g, nodes, kick.breaks, forces);
         });
-        if (is_too_long) {
+        if (breaks) {
             forces = {};
             for_each_group(
                 [&](std::size_t g, auto size) { break_group<IsWeighted, size>(g, nodes, forces); });
@@ -304,19 +305,22 @@ class BondForce {
         }
     }
 
-    /// Adds the forces of a group's bonds that hold. Returns whether one of them is too long, if
-    /// bonds may break.
+    /// Adds the forces of a group's bonds that hold. Returns whether one of them breaks, if any
+    /// may.
     template <bool IsWeighted, std::size_t Size>
     bool pull_group(std::size_t number, const Block& nodes, bool may_break,
                     std::array<Sums, 2>& forces) const {
         const BondLines<Real, Word, Size> lines = lines_of<Size>(number, nodes);
-        const Word* const held =
-            &states_.held(states_.groups()[number].word)[states_.index(nodes.x, nodes.y)];
-        const auto pull = [&](auto is_watched) {
-            return pull_bonds<IsWeighted, is_watched>(lines, limits_[number], nodes.count, held,
-                                                      forces[0].data(), forces[1].data()) != 0;
-        };
-        return may_break ? pull(std::true_type{}) : pull(std::false_type{});
+        const std::size_t word = states_.groups()[number].word;
+        const std::size_t index = states_.index(nodes.x, nodes.y);
+        const Word* const held = &states_.held(word)[index];
+        if (!may_break) {
+            pull_bonds<IsWeighted>(lines, nodes.count, held, forces[0].data(), forces[1].data());
+            return false;
+        }
+        return pull_and_watch_bonds<IsWeighted>(lines, limits_[number], nodes.count,
+                                                &states_.breakable(word)[index], held,
+                                                forces[0].data(), forces[1].data()) != 0;
     }
 
     /// Adds the forces of a group's bonds, once those that are too long have broken.
@@ -368,7 +372,7 @@ class BondForce {
     BondStates<Word> states_;
     std::ptrdiff_t horizon_;
     std::ptrdiff_t pitch_;
-    PlaneSweep sweep_;
+    PlanePieces pieces_;
     std::vector<std::array<std::ptrdiff_t, 4>> entries_{};  // of the members of each group
     std::vector<Real> limits_{};                            // of R.(u_J - u_I), likewise
     bool may_break_ = false;

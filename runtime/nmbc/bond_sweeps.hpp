@@ -28,7 +28,7 @@ struct BondLines {
 /// R.(u_J - u_I) of bond m. The sum begins with a 0 that compilers may not drop: all sweeps round
 /// alike where products are contracted with additions.
 template <class Lines>
-auto bond_extension(const Lines& lines, std::size_t m, std::ptrdiff_t i) {
+NMBC_INLINED auto bond_extension(const Lines& lines, std::size_t m, std::ptrdiff_t i) {
     std::remove_const_t<std::remove_reference_t<decltype(lines.x[m])>> e = 0;
     e += lines.x[m] * (lines.there_x[m][i] - lines.here_x[i]);
     e += lines.y[m] * (lines.there_y[m][i] - lines.here_y[i]);
@@ -38,8 +38,8 @@ auto bond_extension(const Lines& lines, std::size_t m, std::ptrdiff_t i) {
 /// Adds the forces of a node's bonds, in an order that no mirror along an axis changes.
 /// extension_of(m): of a bond that holds, otherwise 0.
 template <bool IsWeighted, class Real, class Word, std::size_t Size, class Extension>
-void add_bond_forces(const BondLines<Real, Word, Size>& lines, std::ptrdiff_t i,
-                     const Extension& extension_of, Real& force_x, Real& force_y) {
+NMBC_INLINED void add_bond_forces(const BondLines<Real, Word, Size>& lines, std::ptrdiff_t i,
+                                  const Extension& extension_of, Real& force_x, Real& force_y) {
     const auto pull = [&](std::size_t m) {
         const Real e = extension_of(m);
         if constexpr (IsWeighted) {
@@ -62,31 +62,48 @@ void add_bond_forces(const BondLines<Real, Word, Size>& lines, std::ptrdiff_t i,
     }
 }
 
-/// Adds the forces of the bonds that hold. Returns bits of those of them that are longer than the
-/// limit; none where they are not watched.
-template <bool IsWeighted, bool IsWatched, class Real, class Word, std::size_t Size>
-Word pull_bonds(const BondLines<Real, Word, Size>& by_reference, Real limit, std::ptrdiff_t count,
+/// Adds the forces of the bonds that hold.
+template <bool IsWeighted, class Real, class Word, std::size_t Size>
+void pull_bonds(const BondLines<Real, Word, Size>& by_reference, std::ptrdiff_t count,
                 const Word* __restrict held, Real* __restrict force_x, Real* __restrict force_y) {
     const BondLines<Real, Word, Size> lines = by_reference;  // that no store can change
-    Word too_long = 0;
     NMBC_NO_ENTRY_NEEDS_ANOTHER
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const Word bits = held[i];
-        Word above = 0;
         add_bond_forces<IsWeighted>(
             lines, i,
             [&](std::size_t m) {
                 const Real e = bond_extension(lines, m, i);
-                const Word holds = bits & lines.bits[m];
-                if constexpr (IsWatched) {
-                    above |= e > limit ? holds : Word{0};
-                }
-                return holds != 0 ? e : Real(0);
+                return (bits & lines.bits[m]) != 0 ? e : Real(0);
             },
             force_x[i], force_y[i]);
-        too_long |= above;
     }
-    return too_long;
+}
+
+/// Likewise. Returns bits of those that are longer than the limit and may break.
+template <bool IsWeighted, class Real, class Word, std::size_t Size>
+Word pull_and_watch_bonds(const BondLines<Real, Word, Size>& by_reference, Real limit,
+                          std::ptrdiff_t count, const Word* __restrict breakable,
+                          const Word* __restrict held, Real* __restrict force_x,
+                          Real* __restrict force_y) {
+    const BondLines<Real, Word, Size> lines = by_reference;
+    Word breaking = 0;
+    NMBC_NO_ENTRY_NEEDS_ANOTHER
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const Word bits = held[i];
+        const Word may_break = bits & breakable[i];
+        Word too_long = 0;
+        add_bond_forces<IsWeighted>(
+            lines, i,
+            [&](std::size_t m) {
+                const Real e = bond_extension(lines, m, i);
+                too_long |= e > limit ? lines.bits[m] : Word{0};
+                return (bits & lines.bits[m]) != 0 ? e : Real(0);
+            },
+            force_x[i], force_y[i]);
+        breaking |= too_long & may_break;
+    }
+    return breaking;
 }
 
 /// Adds the squares of the extensions of the bonds that hold, each times its weight over w.

@@ -14,6 +14,7 @@
 #include <nmbc/plane_ghosts.hpp>
 #include <nmbc/plane_model.hpp>
 #include <nmbc/plane_parameters.hpp>
+#include <nmbc/plane_pieces.hpp>
 #include <nmbc/plane_potential.hpp>
 #include <nmbc/plane_sides.hpp>
 #include <optional>
@@ -255,7 +256,7 @@ class BasicPlane {
         }
         return *bonds;
     }
-    void count_broken(detail::BondForce<Real>& bonds);
+    void count_broken();
 
     void find_damping(double duration);
     void add_damping(Fields& v) const;

@@ -56,7 +56,6 @@ class PlaneAxis {
     }
 
     std::ptrdiff_t nodes() const { return nodes_; }
-    std::ptrdiff_t ghosts() const { return ghosts_; }
 
     double strain(std::ptrdiff_t node) const { return strain_[index(node)]; }
     double stabilisation(std::ptrdiff_t node) const { return stabilisation_[index(node)]; }

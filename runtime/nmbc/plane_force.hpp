@@ -8,10 +8,10 @@
 #include <nmbc/cache_line.hpp>
 #include <nmbc/plane_closed_rows.hpp>
 #include <nmbc/plane_nodes.hpp>
+#include <nmbc/plane_pieces.hpp>
 #include <nmbc/plane_potential.hpp>
 #include <nmbc/plane_row_numbers.hpp>
 #include <nmbc/plane_row_sweeps.hpp>
-#include <nmbc/plane_sweep.hpp>
 #include <nmbc/plane_sweeps.hpp>
 #include <utility>
 #include <vector>
@@ -30,7 +30,7 @@ class PlaneForce {
         : nodes_(std::move(nodes)),
           horizon_(nodes_.horizon()),
           pitch_(nodes_.pitch()),
-          sweep_(nodes_.x(), nodes_.y().nodes(), pitch_, 2 * horizon_),
+          pieces_(nodes_.x(), nodes_.y().nodes(), pitch_, 2 * horizon_),
           stress_pitch_(stress_pitch(nodes_.x().nodes() + 2 * horizon_)),
           sweeps_(sweeps_of<Real>(nodes_.model())) {
         const CorrespondenceModel& model = nodes_.model();
@@ -72,38 +72,40 @@ class PlaneForce {
         return detail::potential_of_row(nodes_, y, first, last, u);
     }
 
+    const PlanePieces& pieces() const { return pieces_; }
+
     /// v += scale M^-1 times the force, on the nodes of the body.
     void kick(double scale, PlaneField<const Real> u, PlaneField<Real> v) {
-        make_rings();
-        sweep_.for_each_piece([&](std::size_t piece, const PlaneRange& rows) {
-            kick_rows(scale, rows, u, v, rings_[piece], [](std::ptrdiff_t) {});
-        });
+        kick_pieces(pieces_.count(), scale, u, v, [](const PlaneRange&, std::ptrdiff_t) {});
     }
-
-    const PlaneSweep& sweep() const { return sweep_; }
-    /// Once sweep().drift_ends() is done, the drift of the other rows, and kick().
-    void drift_and_kick(const PlaneDrift<Real>& drift, double scale, PlaneField<Real> u,
-                        PlaneField<Real> v) {
-        make_rings();
-        sweep_.for_each_piece([&](std::size_t piece, const PlaneRange& rows) {
-            kick_rows(scale, rows, {u[0], u[1]}, v, rings_[piece],
-                      [&](std::ptrdiff_t y) { sweep_.drift_inner(rows, y, drift, u, v); });
+    /// Once drift_ends() of so many pieces is done, the drift of the other rows, and kick().
+    void drift_and_kick(std::size_t pieces, const PlaneDrift<Real>& drift, double scale,
+                        PlaneField<Real> u, PlaneField<Real> v) {
+        kick_pieces(pieces, scale, {u[0], u[1]}, v, [&](const PlaneRange& rows, std::ptrdiff_t y) {
+            pieces_.drift_inner(rows, y, drift, u, v);
         });
     }
 
   private:
     using Ring = std::vector<Real, CacheLineAllocator<Real>>;
 
-    /// Rows of T begin at cache lines. Their number is odd, so that rows do not all begin in the
-    /// same set of the cache.
+    /// Rows of T begin at cache lines, of which each has an odd number: so rows do not all begin in
+    /// the same set of the cache.
     static std::ptrdiff_t stress_pitch(std::ptrdiff_t entries) {
         constexpr auto line = static_cast<std::ptrdiff_t>(cache_line / sizeof(Real));
         return ((entries + line - 1) / line | 1) * line;
     }
-    void make_rings() {
-        while (rings_.size() < sweep_.pieces()) {
+
+    /// Before row y of u is read for the first time, before_row(rows of its piece, y).
+    template <class BeforeRow>
+    void kick_pieces(std::size_t pieces, double scale, PlaneField<const Real> u, PlaneField<Real> v,
+                     const BeforeRow& before_row) {
+        while (rings_.size() < pieces) {
             rings_.emplace_back(static_cast<std::size_t>(6 * ring_rows() * stress_pitch_), Real(0));
         }
+        pieces_.for_each(pieces, [&](std::size_t piece, const PlaneRange& rows) {
+            kick_rows(scale, rows, u, v, rings_[piece], before_row);
+        });
     }
 
     std::ptrdiff_t ring_rows() const { return 2 * horizon_ + 1; }
@@ -188,7 +190,6 @@ class PlaneForce {
     }
 
     void find_stress(std::ptrdiff_t y, PlaneField<const Real> u, Ring& ring) const;
-    /// Before row y of u is read for the first time, before_row(y).
     template <class BeforeRow>
     void kick_rows(double scale, const PlaneRange& rows, PlaneField<const Real> u,
                    PlaneField<Real> v, Ring& ring, const BeforeRow& before_row) const;
@@ -227,7 +228,7 @@ class PlaneForce {
     PlaneNodes nodes_;
     std::ptrdiff_t horizon_;
     std::ptrdiff_t pitch_;
-    PlaneSweep sweep_;
+    PlanePieces pieces_;
     std::ptrdiff_t stress_pitch_;
     PlaneCoefficients<Real> coefficients_;
     PlaneSweeps<Real> sweeps_;
@@ -288,7 +289,7 @@ void PlaneForce<Real>::kick_rows(double scale, const PlaneRange& rows, PlaneFiel
     std::array<const Real* const*, 6> T{};
     std::ranges::transform(stresses, T.begin(), [](const auto& part) { return part.data(); });
     for (std::ptrdiff_t y = rows.first; y < rows.last; ++y) {
-        before_row(y + 2 * horizon_);
+        before_row(rows, y + 2 * horizon_);
         find_stress(y + horizon_, u, ring);
         for (std::ptrdiff_t j = -horizon_; j <= horizon_ && sweeps_.exist(); ++j) {
             for (std::size_t part = 0; part < T.size(); ++part) {

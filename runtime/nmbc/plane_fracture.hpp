@@ -74,7 +74,12 @@ double BasicPlane<Real>::damage(std::size_t x, std::size_t y) const {
 /// = e - dt de/dt, the velocities v of the step that led here. The kick has changed them when its
 /// breaks are known, by what it can be asked for again.
 template <class Real>
-void BasicPlane<Real>::count_broken(detail::BondForce<Real>& bonds) {
+void BasicPlane<Real>::count_broken() {
+    auto* const of_bonds = std::get_if<detail::BondForce<Real>>(&force_);
+    if (of_bonds == nullptr) {
+        return;
+    }
+    detail::BondForce<Real>& bonds = *of_bonds;
     const double scale = kick_scale(parameters_.time_step);
     const auto u = field(std::as_const(u_));
     const auto v = field(std::as_const(v_));

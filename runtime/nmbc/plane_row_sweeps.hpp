@@ -154,12 +154,10 @@ NMBC_INLINED void find_odd(const PlaneLines<Shape, Real>& lines, std::ptrdiff_t 
                            Real* __restrict longest, Real* __restrict lesser) {
     NMBC_NO_ENTRY_NEEDS_ANOTHER
     for (std::ptrdiff_t x = 0; x < nodes; ++x) {
-        Real sum = lines.at(x, 1) - lines.at(x, -1);
-        if constexpr (Shape::lesser == 1) {
-            lesser[x] = sum;
-        }
-        unrolled<2, Shape::reach>([&](auto j) {
-            sum += static_cast<Real>(j) * (lines.at(x, j) - lines.at(x, -j));
+        Real sum = 0;
+        unrolled<1, Shape::reach>([&](auto j) {
+            const Real difference = static_cast<Real>(j) * (lines.at(x, j) - lines.at(x, -j));
+            sum = j == 1 ? difference : sum + difference;
             if constexpr (j == Shape::lesser) {
                 lesser[x] = sum;
             }
@@ -318,8 +316,8 @@ NMBC_INLINED void find_divergence_columns(const std::array<const Real* const*, 2
 
 /// v += scale times the forces, on these nodes of a row, at whose node 0 u, v and T's rows xx, xy,
 /// yx, yy and those of the pull point, each of them those from -reach to reach. Blocks end at
-/// multiples of their length: where node -reach of a row begins a cache line, so do the column sums
-/// of all blocks but the first one.
+/// multiples of their length, counted from node 0; nodes.first is not below 0. Where node -reach of
+/// T's rows begins a cache line, what the column sums of later blocks read first does, too.
 template <class Shape, class Real>
 void kick_row(Real scale, const PlaneRange& nodes, const std::array<const Real* const*, 6>& T,
               const std::array<Real*, 2>& v) {

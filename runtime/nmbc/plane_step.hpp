@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <nmbc/certificate.hpp>
 #include <nmbc/plane.hpp>
+#include <nmbc/plane_pieces.hpp>
+#include <nmbc/sweep.hpp>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -73,7 +75,7 @@ void BasicPlane<Real>::kick() {
     if (auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_)) {
         bonds->break_and_kick(kick_scale(parameters_.time_step), field(std::as_const(u_)),
                               field(v_));
-        count_broken(*bonds);
+        count_broken();
     } else {
         kick_by_forces(parameters_.time_step, v_);
     }
@@ -93,9 +95,9 @@ void BasicPlane<Real>::keep_velocities() {
 /// In one sweep over memory, but in thin bodies and beside damping.
 template <class Real>
 void BasicPlane<Real>::drift_and_kick() {
-    const detail::PlaneSweep& sweep = std::visit(
-        [](const auto& force) -> const detail::PlaneSweep& { return force.sweep(); }, force_);
-    if (!sweep.can_drift() || damping_) {
+    const detail::PlanePieces& pieces = std::visit(
+        [](const auto& force) -> const detail::PlanePieces& { return force.pieces(); }, force_);
+    if (!pieces.can_drift() || damping_) {
         drift();
         kick();
         return;
@@ -105,20 +107,18 @@ void BasicPlane<Real>::drift_and_kick() {
     const auto v = field(v_);
     const detail::PlaneDrift<Real> drift = drift_of_rows();
     for (std::size_t ghost = 0; ghost < moving_ghosts_[2]; ++ghost) {
-        sweep.drift_row(-1 - static_cast<std::ptrdiff_t>(ghost), drift, u, v);
+        pieces.drift_row(-1 - static_cast<std::ptrdiff_t>(ghost), drift, u, v);
     }
     for (std::size_t ghost = 0; ghost < moving_ghosts_[3]; ++ghost) {
-        sweep.drift_row(static_cast<std::ptrdiff_t>(ny_ + ghost), drift, u, v);
+        pieces.drift_row(static_cast<std::ptrdiff_t>(ny_ + ghost), drift, u, v);
     }
-    sweep.drift_ends(drift, u, v);
+    const std::size_t count = pieces.count();
+    pieces.drift_ends(count, drift, u, v);
     close_ghosts(u_);
     ++steps_;
-    std::visit(
-        [&](auto& force) { force.drift_and_kick(drift, kick_scale(parameters_.time_step), u, v); },
-        force_);
-    if (auto* const bonds = std::get_if<detail::BondForce<Real>>(&force_)) {
-        count_broken(*bonds);
-    }
+    const double scale = kick_scale(parameters_.time_step);
+    std::visit([&](auto& force) { force.drift_and_kick(count, drift, scale, u, v); }, force_);
+    count_broken();
 }
 
 template <class Real>

@@ -33,7 +33,7 @@ inline std::size_t pieces_of([[maybe_unused]] std::size_t nodes) {
     return 1;
 }
 
-/// Likewise, where each piece costs more than its nodes: one a thread at the most.
+/// Likewise, one a thread at the most.
 inline std::size_t pieces_for_threads(std::size_t nodes) {
 #ifdef _OPENMP
     return std::min(pieces_of(nodes), static_cast<std::size_t>(omp_get_max_threads()));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A sweep over the rows of a plane lattice, in pieces for threads, in which rows drift before they
-/// are kicked.
+/// The rows of a plane lattice in pieces, one a thread, whose rows drift before they are kicked.
 #pragma once
 
 #include <algorithm>
@@ -20,41 +19,42 @@ struct PlaneDrift {
 };
 
 /// The kick of a row reads u of the rows up to `reach` away, and as many nodes beyond its ends.
-class PlaneSweep {
+class PlanePieces {
   public:
     /// pitch: entries of a field from one row to the next.
-    PlaneSweep(PlaneAxis x, std::ptrdiff_t rows, std::ptrdiff_t pitch, std::ptrdiff_t reach)
+    PlanePieces(PlaneAxis x, std::ptrdiff_t rows, std::ptrdiff_t pitch, std::ptrdiff_t reach)
         : x_(std::move(x)), rows_(rows), pitch_(pitch), reach_(reach) {}
 
-    /// Few, as a piece finds what its first rows share with the one before it anew. None is shorter
-    /// than 4 reach, where the plane is not.
-    std::size_t pieces() const {
+    /// How many there are now, which is the same within a step only: threads may become more or
+    /// fewer. Of several pieces none is shorter than 2 reach.
+    std::size_t count() const {
         const auto rows = static_cast<std::size_t>(rows_);
         return std::min(pieces_for_threads(rows * static_cast<std::size_t>(x_.nodes())),
-                        std::max<std::size_t>(rows / static_cast<std::size_t>(4 * reach_), 1));
+                        std::max<std::size_t>(rows / static_cast<std::size_t>(2 * reach_), 1));
     }
-    /// Calls work(piece, its rows), in threads.
+    /// Calls work(piece, its rows) for each of so many, in threads.
     template <class Work>
-    void for_each_piece(const Work& work) const {
-        const std::size_t pieces = this->pieces();
-        in_threads_each(pieces, [&](std::size_t piece) { work(piece, rows_of(piece, pieces)); });
+    void for_each(std::size_t count, const Work& work) const {
+        in_threads_each(count, [&](std::size_t piece) { work(piece, rows_of(piece, count)); });
     }
 
-    /// Whether drifts and kicks can be one sweep: drift_ends(), then kicks of all rows, before each
-    /// of which those that it reads first have drift_inner().
+    /// Whether a step's drift and kick can be one sweep: first drift_ends(), then in each piece
+    /// drift_inner() of the row that the next kick is the first to read, and that kick.
     bool can_drift() const { return rows_ >= 2 * reach_; }
 
-    /// The drift of the rows that two pieces read, or that images copy.
+    /// The drift of the first and last `reach` rows of each piece, which the next piece or images
+    /// read, too.
     template <class Real>
-    void drift_ends(const PlaneDrift<Real>& drift, PlaneField<Real> u, PlaneField<Real> v) const {
-        for_each_piece([&](std::size_t /*piece*/, const PlaneRange& rows) {
+    void drift_ends(std::size_t count, const PlaneDrift<Real>& drift, PlaneField<Real> u,
+                    PlaneField<Real> v) const {
+        for_each(count, [&](std::size_t /*piece*/, const PlaneRange& rows) {
             for (std::ptrdiff_t y = 0; y < reach_; ++y) {
                 drift_row(rows.first + y, drift, u, v);
                 drift_row(rows.last - 1 - y, drift, u, v);
             }
         });
     }
-    /// The drift of a row of the piece; nothing where drift_ends() was that.
+    /// The drift of row y, if it is one between these.
     template <class Real>
     void drift_inner(const PlaneRange& piece, std::ptrdiff_t y, const PlaneDrift<Real>& drift,
                      PlaneField<Real> u, PlaneField<Real> v) const {
@@ -74,10 +74,10 @@ class PlaneSweep {
     }
 
   private:
-    PlaneRange rows_of(std::size_t piece, std::size_t pieces) const {
+    PlaneRange rows_of(std::size_t piece, std::size_t count) const {
         const auto rows = static_cast<std::size_t>(rows_);
-        return {static_cast<std::ptrdiff_t>(rows * piece / pieces),
-                static_cast<std::ptrdiff_t>(rows * (piece + 1) / pieces)};
+        return {static_cast<std::ptrdiff_t>(rows * piece / count),
+                static_cast<std::ptrdiff_t>(rows * (piece + 1) / count)};
     }
 
     PlaneAxis x_;
