@@ -60,9 +60,9 @@ run compare 'terminal|scene|sources|simulation' 'generator/(exact|closures)/|boo
 run prediction "$below|compare" 'generator/stability/|Eigen/Sparse(Core|LU)|unsupported/Eigen/FFT'
 run chart "$below|compare|prediction|output" 'generator/(support/|names/printable.hpp)|boost/math/'
 run advise "$below|compare|prediction|chart|output" 'generator/(table|exact|stability)/|generator/support/progress_line.hpp|unsupported/Eigen/FFT|boost/math/'
-run plane 'terminal|scene|stepping|sources|output' 'generator/(table|exact|closures|families|names|plane|passive)/|generator/support/(files|posix_file|progress_line).hpp|boost/math/'
+run plane 'terminal|scene|stepping|sources|simulation|output' 'generator/(table|exact|closures|families|names|plane|passive)/|generator/support/(files|posix_file|progress_line).hpp|boost/math/'
 run plane_compare 'terminal|scene|stepping|output|chart|plane' 'generator/(support/|names/printable.hpp)'
-allow tools/nmbcrun "tools/nmbcrun/|generator/names/(checksum|printable).hpp|generator/support/(command_line_problem|exit_code|number_between|posix_file).hpp|nmbc/|CLI/|$text"
+allow tools/nmbcrun "tools/nmbcrun/|generator/names/(checksum|printable).hpp|generator/support/(command_line_problem|exit_code|number_between|posix_file).hpp|nmbc/|CLI/|unistd.h|$text"
 allow tools/bench "generator/|tools/nmbcrun/|CLI/|nmbc/|benchmark/|boost/math/|$text"
 allow tools/stability_atlas "tools/|nmbc/|generator/|CLI/|unistd.h|$text"
 

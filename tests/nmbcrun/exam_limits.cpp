@@ -17,7 +17,7 @@
 namespace nmbcrun::test {
 namespace {
 
-TEST_CASE("a chain has to fit in memory") {
+TEST_CASE("a chain or a plane has to fit in memory") {
     constexpr std::uintmax_t gigabyte = 1'000'000'000;
     CHECK_NOTHROW(require_memory(10'000'000, 2 * gigabyte));
     CHECK_NOTHROW(require_memory(100'000'000, 12 * gigabyte));
@@ -26,6 +26,11 @@ TEST_CASE("a chain has to fit in memory") {
                          "there are 12: at most 100000000 nodes are allowed",
                          SceneError);
     CHECK_THROWS_AS(require_memory(1, 0), SceneError);
+    CHECK_NOTHROW(require_memory_of_plane({1000, 1000}, gigabyte));
+    CHECK_THROWS_WITH_AS(require_memory_of_plane({10000, 9000}, 12 * gigabyte),
+                         "a plane of 10000 x 9000 nodes needs 18.9 GB of memory, and there are 12: "
+                         "at most 57142857 nodes are allowed",
+                         SceneError);
     CHECK(physical_memory() > gigabyte / 10);
     // A layer counts, however it is given: a million times what there is.
     Scene scene = bar(100, 1);

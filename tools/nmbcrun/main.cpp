@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// nmbcrun: runs scenes and compares their ends.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <new>
 #include <nmbc/coefficients.hpp>
@@ -155,9 +158,20 @@ int exit_code_of(Command command) {
     }
 }
 
+/// Threads that wait sleep, unless the user has chosen: where other programs keep the cores busy,
+/// planes take ten times as long while they spin. OpenMP reads its environment when it is loaded,
+/// so the program begins anew with another one; where it cannot, it goes on as it is.
+void let_threads_sleep(char** argv) {
+    if (std::getenv("OMP_WAIT_POLICY") == nullptr && std::getenv("GOMP_SPINCOUNT") == nullptr &&
+        setenv("OMP_WAIT_POLICY", "passive", 0) == 0) {
+        execv("/proc/self/exe", argv);
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    let_threads_sleep(argv);
     nmbcrun::end_at_interrupts(stopped);
     Arguments arguments;
     CLI::App app("nmbcrun: runs scenes with nonlocal matching boundary conditions.", "nmbcrun");

@@ -221,7 +221,9 @@ AutomaticStep automatic_step(const Scene& scene, const nmbc::Lattice& lattice, d
     }
     AutomaticStep step = with_their_like(scene, lattice, surfaces);
     if (step.cfl == 0) {
-        throw Unstable(fmt::format("no time step is certified for {}.\n{}", step.limit,
+        const std::string choices = choices_in_place(scene);
+        throw Unstable(fmt::format("no time step is certified for {}.{}\n{}", step.limit,
+                                   choices.empty() ? "" : "\n" + choices + ".",
                                    matched ? to_try_its_own : to_try_one));
     }
     constexpr double roundings = 1e-9;

@@ -13,6 +13,7 @@ namespace nmbcrun {
 /// Node-steps a second of one fast core, energies included.
 inline constexpr double chain_pace = 5e8;
 inline constexpr double plane_pace = 1e8;
+inline constexpr double bond_pace = 3e7;
 
 /// The steps that are left to a run.
 struct StepsLeft {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/nmbcrun/plane/plane_initial.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -70,6 +71,34 @@ bool set_initial_fields(const PlaneScene& scene, const std::array<std::size_t, 4
         }
     }
     return false;
+}
+
+std::array<double, 4> initial_at_sides(const PlaneScene& scene,
+                                       const std::array<std::size_t, 4>& extension,
+                                       const nmbc::Plane& plane) {
+    const auto& [nx, ny] = scene.nodes;
+    std::array<double, 4> shares{};
+    for (const std::size_t a : {0U, 1U}) {
+        for (const auto& field : {plane.displacement(a), plane.velocity(a)}) {
+            double most = 0;
+            std::array<double, 4> there{};
+            for (std::size_t y = 0; y < ny; ++y) {
+                for (std::size_t x = 0; x < nx; ++x) {
+                    const double size =
+                        std::abs(field[plane.entry(x + extension[0], y + extension[2])]);
+                    most = std::max(most, size);
+                    const std::array layers{x, nx - 1 - x, y, ny - 1 - y};
+                    for (std::size_t side = 0; side < there.size(); ++side) {
+                        there[side] = layers[side] == 0 ? std::max(there[side], size) : there[side];
+                    }
+                }
+            }
+            for (std::size_t side = 0; side < there.size(); ++side) {
+                shares[side] = std::max(shares[side], most > 0 ? there[side] / most : 0);
+            }
+        }
+    }
+    return shares;
 }
 
 }  // namespace nmbcrun

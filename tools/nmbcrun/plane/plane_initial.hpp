@@ -36,4 +36,10 @@ class InitialShape {
 bool set_initial_fields(const PlaneScene& scene, const std::array<std::size_t, 4>& extension,
                         nmbc::Plane& plane);
 
+/// Of each side what is set so on the scene's outermost nodes, u or v: the largest |value|, over
+/// that of all its nodes.
+std::array<double, 4> initial_at_sides(const PlaneScene& scene,
+                                       const std::array<std::size_t, 4>& extension,
+                                       const nmbc::Plane& plane);
+
 }  // namespace nmbcrun

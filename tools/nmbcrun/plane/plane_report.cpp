@@ -79,38 +79,9 @@ bool lets_go(SideKind kind) {
     return kind == SideKind::passive || kind == SideKind::nmbc || kind == SideKind::higdon;
 }
 
-/// Of each side: the largest |value| of the scene's outermost nodes, over that of all its nodes.
-std::array<double, 4> shares_at_sides(std::span<const double> field,
-                                      const PlaneSimulation& simulation) {
-    const auto& [nx, ny] = simulation.scene().nodes;
-    double most = 0;
-    std::array<double, 4> there{};
-    for (std::size_t y = 0; y < ny; ++y) {
-        for (std::size_t x = 0; x < nx; ++x) {
-            const double size = std::abs(field[simulation.entry(x, y)]);
-            most = std::max(most, size);
-            const std::array layers{x, nx - 1 - x, y, ny - 1 - y};
-            for (std::size_t side = 0; side < there.size(); ++side) {
-                there[side] = layers[side] == 0 ? std::max(there[side], size) : there[side];
-            }
-        }
-    }
-    for (double& largest : there) {
-        largest = most > 0 ? largest / most : 0;
-    }
-    return there;
-}
-
 /// Where [initial] moves the outermost nodes at sides that let waves out.
 std::vector<std::string> warnings_of_start(const PlaneSimulation& simulation) {
-    std::array<double, 4> shares{};
-    for (const std::size_t a : {0U, 1U}) {
-        for (const auto& field :
-             {simulation.plane().displacement(a), simulation.plane().velocity(a)}) {
-            std::ranges::transform(shares, shares_at_sides(field, simulation), shares.begin(),
-                                   [](double one, double other) { return std::max(one, other); });
-        }
-    }
+    const std::array<double, 4>& shares = simulation.initial_at_sides();
     std::vector<std::string> warnings;
     for (std::size_t side = 0; side < shares.size(); ++side) {
         if (lets_go(simulation.scene().sides[side].kind)) {

@@ -14,6 +14,7 @@
 #include "tools/nmbcrun/plane/plane_initial.hpp"
 #include "tools/nmbcrun/plane/plane_lattice.hpp"
 #include "tools/nmbcrun/plane/plane_sides.hpp"
+#include "tools/nmbcrun/simulation/memory.hpp"
 
 namespace nmbcrun {
 namespace {
@@ -27,6 +28,7 @@ std::array<std::size_t, 2> extended_nodes(const PlaneScene& scene,
 
 nmbc::Plane plane_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
                      const std::array<std::size_t, 2>& nodes, double time_step) {
+    require_memory_of_plane(nodes, physical_memory());
     return {model_of(scene),
             sides,
             {.nx = nodes[0],
@@ -39,11 +41,17 @@ nmbc::Plane plane_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
 
 /// Of initial fields.
 SceneError moves_nothing(const PlaneScene& scene) {
+    if (scene.initial->shape == PlaneShape::file) {
+        return SceneError(scene.initial->file.string() + " moves no node: it has no energy");
+    }
+    const double width = scene.initial->width;
     return SceneError(
-        scene.initial->shape == PlaneShape::file
-            ? scene.initial->file.string() + " moves no node: it has no energy"
+        width > scene.spacing
+            ? fmt::format("initial has no energy: its width is {:g}, and the body {:g} x {:g}",
+                          width, scene.spacing * double(scene.nodes[0]),
+                          scene.spacing * double(scene.nodes[1]))
             : fmt::format("initial moves no node: its width is {:g}, and nodes are {:g} apart",
-                          scene.initial->width, scene.spacing));
+                          width, scene.spacing));
 }
 
 bool is_at_rest(const nmbc::Plane& plane) {
@@ -70,6 +78,7 @@ PlaneSimulation::PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides
       plane_(plane_of(scene_, sides, extended_nodes(scene_, extension_), plan_.time_step)),
       sources_(scene_, plane_, {extension_[0], extension_[2]}, plan_.time_step) {
     const bool is_staggered = scene_.initial && set_initial_fields(scene_, extension_, plane_);
+    initial_at_sides_ = nmbcrun::initial_at_sides(scene_, extension_, plane_);
     cut();
     if (is_staggered) {
         plane_.start_staggered();

@@ -45,6 +45,9 @@ class PlaneSimulation {
     /// Layers that extended sides add to the scene's nodes, in the order of plane_sides.
     const std::array<std::size_t, 4>& extension() const { return extension_; }
 
+    /// Of each side, in that order: what [initial] gave its outermost nodes, over what it gave any.
+    const std::array<double, 4>& initial_at_sides() const { return initial_at_sides_; }
+
     bool is_done() const { return plane_.steps() >= plan_.steps; }
     void advance(std::size_t steps);
 
@@ -110,6 +113,7 @@ class PlaneSimulation {
     std::optional<nmbc::PlanePml> pml_;  // of the scene's layers of that kind
     PlaneSources sources_;
     double at_start_ = 0;  // energy of the whole plane
+    std::array<double, 4> initial_at_sides_{};
 };
 
 }  // namespace nmbcrun

@@ -78,7 +78,7 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool finer, bool qu
     const PlanePlan& plan = simulation.plan();
     const StepsLeft all{plan.steps,
                         nodes_of(simulation) + reference.steps * nodes_of(reference.simulation),
-                        plane_pace};
+                        scene.is_bond_based() ? bond_pace : plane_pace};
     require_bearable_length(plan, unit_of_time(scene), all);
     print_warnings(warnings_of(simulation));
     print_warnings(warnings_of_steps(plan, unit_of_time(scene), all));

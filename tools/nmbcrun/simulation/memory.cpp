@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <string>
 
 #include "tools/nmbcrun/ends/half_line.hpp"
 #include "tools/nmbcrun/errors.hpp"
@@ -12,8 +13,21 @@
 namespace nmbcrun {
 namespace {
 
-/// Of one node: 79 were measured, 119 in a damped lattice (docs/how-to/long-runs.md).
+/// Of one node of a chain: 79 were measured, 119 in a damped lattice (docs/how-to/long-runs.md).
 constexpr std::uintmax_t bytes_of_node = 120;
+/// Of one of a plane, while a checkpoint is stored: 202 were measured.
+constexpr std::uintmax_t bytes_of_plane_node = 210;
+
+void require(const std::string& body, std::size_t nodes, std::uintmax_t bytes_of_one,
+             std::uintmax_t memory) {
+    if (nodes > memory / bytes_of_one) {
+        throw SceneError(
+            fmt::format("{} needs {:.3g} GB of memory, and there are {:.3g}: at most "
+                        "{} nodes are allowed",
+                        body, double(nodes) * double(bytes_of_one) / 1e9, double(memory) / 1e9,
+                        memory / bytes_of_one));
+    }
+}
 
 }  // namespace
 
@@ -22,13 +36,13 @@ std::uintmax_t physical_memory() {
 }
 
 void require_memory(std::size_t nodes, std::uintmax_t memory) {
-    if (nodes > memory / bytes_of_node) {
-        throw SceneError(fmt::format(
-            "a chain of {} nodes, layers included, needs {:.3g} GB of memory, and there "
-            "are {:.3g}: at most {} nodes are allowed",
-            nodes, double(nodes) * double(bytes_of_node) / 1e9, double(memory) / 1e9,
-            memory / bytes_of_node));
-    }
+    require(fmt::format("a chain of {} nodes, layers included,", nodes), nodes, bytes_of_node,
+            memory);
+}
+
+void require_memory_of_plane(const std::array<std::size_t, 2>& nodes, std::uintmax_t memory) {
+    require(fmt::format("a plane of {} x {} nodes", nodes[0], nodes[1]), nodes[0] * nodes[1],
+            bytes_of_plane_node, memory);
 }
 
 void require_memory(const Scene& scene, const nmbc::Lattice& lattice, double time_step) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// Whether a chain fits in memory.
+/// Whether a chain or a plane fits in memory.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <nmbc/lattice.hpp>
 
@@ -17,7 +19,10 @@ std::uintmax_t physical_memory();
 /// more memory than it has would end the run, or another program, without a word.
 void require_memory(std::size_t nodes, std::uintmax_t memory);
 
-/// Likewise of the scene in steps of time_step [time], in the machine's memory.
+/// Likewise of a plane, whose checkpoints take most.
+void require_memory_of_plane(const std::array<std::size_t, 2>& nodes, std::uintmax_t memory);
+
+/// As the first one, of the scene in steps of time_step [time], in the machine's memory.
 void require_memory(const Scene& scene, const nmbc::Lattice& lattice, double time_step);
 
 }  // namespace nmbcrun
