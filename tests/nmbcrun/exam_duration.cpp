@@ -87,6 +87,11 @@ TEST_CASE("files that are large, or do not fit, are told before a run begins") {
         "the run writes about 3.2e+03 GB, 1e+05 snapshots most of it, and 80 GB are free: a "
         "larger output.snapshots writes less",
         nmbcrun::FileError);
+    CHECK_THROWS_WITH_AS(
+        require_space({.rows = 10, .bytes_at_end = 5 * giga}, giga),
+        "the run writes about 5 GB, the field at the end most of it, and 1 GB are free: a run "
+        "without output.field writes less",
+        nmbcrun::FileError);
     // Sizes of rows are estimates.
     CHECK_THROWS_AS(require_space({.rows = 1e6}, 0.09 * giga), nmbcrun::FileError);
 }

@@ -222,8 +222,10 @@ void run(const Scene& scene, const RunOptions& options) {
     Run run(scene, options);
     // u and v, in a growing file and, at the end, its copy
     const double bytes_of_snapshot = 4.0 * sizeof(double) * double(scene.nodes);
+    constexpr double bytes_of_line = 60;  // of x, u and v as text
     const RunSize size{run.simulation().chain().nodes(), chain_pace, bytes_of_snapshot,
-                       2 * scene.probes.size()};
+                       2 * scene.probes.size(),
+                       scene.field ? bytes_of_line * double(scene.nodes) : 0};
     run.require_possible(size);
     run.warn(run.warnings(), size);
     if (!options.quiet) {

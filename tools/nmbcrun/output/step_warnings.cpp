@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "tools/nmbcrun/errors.hpp"
 #include "tools/nmbcrun/terminal/duration.hpp"
@@ -35,19 +37,23 @@ Sizes sizes_of(const Output& output) {
     constexpr double bytes_of_probe = 20;
     return {// a growing file and, at the end, its copy
             2 * output.rows * (bytes_of_row + output.probes * bytes_of_probe),
-            output.snapshots * output.bytes_of_snapshot};
+            output.snapshots * output.bytes_of_snapshot + output.bytes_at_end};
 }
 
 std::string files_in_words(const Output& output, double free) {
     constexpr double giga = 1e9;
     const auto [of_rows, of_fields] = sizes_of(output);
-    const bool rows_are_most = of_rows > of_fields;
+    const auto [most, less] =
+        of_rows > of_fields ? std::pair(fmt::format("{:.3g} rows of energies", output.rows),
+                                        "a larger output.every")
+        : output.snapshots > 0
+            ? std::pair(fmt::format("{:.3g} snapshots", output.snapshots),
+                        "a larger output.snapshots")
+            : std::pair(std::string("the field at the end"), "a run without output.field");
     return fmt::format(
-        "the run writes about {:.2g} GB, {:.3g} {}{}: a larger {} writes less",
-        (of_rows + of_fields) / giga, rows_are_most ? output.rows : output.snapshots,
-        rows_are_most ? "rows of energies most of it" : "snapshots most of it",
-        std::isfinite(free) ? fmt::format(", and {:.2g} GB are free", free / giga) : "",
-        rows_are_most ? "output.every" : "output.snapshots");
+        "the run writes about {:.2g} GB, {} most of it{}: {} writes less",
+        (of_rows + of_fields) / giga, most,
+        std::isfinite(free) ? fmt::format(", and {:.2g} GB are free", free / giga) : "", less);
 }
 
 }  // namespace

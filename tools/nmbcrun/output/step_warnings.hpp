@@ -40,6 +40,7 @@ struct Output {
     double probes = 0;             ///< numbers beside each of them
     double snapshots = 0;          ///< fields of all nodes
     double bytes_of_snapshot = 0;  ///< as large as it gets while the run ends
+    double bytes_at_end = 0;       ///< of the field at the end
 };
 
 /// In words: where that is more than 2 GB, or than is free [bytes] (infinite: not known); empty

@@ -56,7 +56,8 @@ Output StoppableRun::output_of(const RunSize& size) const {
     const auto every = [&](std::size_t interval) {
         return interval == 0 ? 0.0 : left / double(interval);
     };
-    return {every(every_), double(size.probes), every(snapshots_), size.bytes_of_snapshot};
+    return {every(every_), double(size.probes), every(snapshots_), size.bytes_of_snapshot,
+            size.bytes_at_end};
 }
 
 double StoppableRun::free_bytes() const {

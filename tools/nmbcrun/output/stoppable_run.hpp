@@ -34,6 +34,7 @@ struct RunSize {
     double pace = 0;               ///< node-steps a second, about
     double bytes_of_snapshot = 0;  ///< as large as it gets while the run ends
     std::size_t probes = 0;        ///< numbers in a row
+    double bytes_at_end = 0;       ///< of the field at the end, if it is written
 };
 
 class StoppableRun {

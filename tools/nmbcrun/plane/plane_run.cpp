@@ -171,8 +171,9 @@ void run_plane(const PlaneScene& scene, const RunOptions& options) {
     const SceneSides sides = sides_of(scene, options.quiet);
     PlaneRun run(scene, sides.all, options);
     const nmbc::Grid grid = run.simulation().plane().grid();
-    const RunSize size{grid.nx * grid.ny, scene.is_bond_based() ? bond_pace : plane_pace,
-                       bytes_of_fields(run.simulation()), 4 * scene.probes.size()};
+    const double bytes = bytes_of_fields(run.simulation());
+    const RunSize size{grid.nx * grid.ny, scene.is_bond_based() ? bond_pace : plane_pace, bytes,
+                       4 * scene.probes.size(), scene.field ? bytes : 0};
     run.require_possible(size);
     run.warn(warnings_of(run.simulation()), size);
     if (!options.quiet) {

@@ -52,6 +52,10 @@ void note_interrupts() {
             noted_at = seconds();
             noted = 1;
         } else if (seconds() - noted_at >= 2) {
+            constexpr std::string_view words =
+                "nmbcrun: ended by a second signal: no checkpoint of this moment was stored\n";
+            [[maybe_unused]] const auto ignored =
+                ::write(STDERR_FILENO, words.data(), words.size());
             std::signal(received, SIG_DFL);
             std::raise(received);
         }
