@@ -13,7 +13,7 @@ inline constexpr std::size_t cache_line = 64;
 /// Of a std::vector.
 template <class Value>
 struct CacheLineAllocator {
-    using value_type = Value;
+    using value_type = Value;  // NOLINT(readability-identifier-naming): the standard's name
 
     CacheLineAllocator() = default;
     template <class Other>
@@ -26,7 +26,9 @@ struct CacheLineAllocator {
     static void deallocate(Value* values, std::size_t /*count*/) {
         ::operator delete (values, std::align_val_t{cache_line});
     }
-    friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
+    friend bool operator==(const CacheLineAllocator& /*one*/, const CacheLineAllocator& /*other*/) {
+        return true;
+    }
 };
 
 }  // namespace nmbc::detail

@@ -4,11 +4,21 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "tools/nmbcrun/plane/plane_initial_file.hpp"
 #include "tools/nmbcrun/plane/plane_lattice.hpp"
 
 namespace nmbcrun {
+namespace {
+
+/// Nodes from first to last - 1.
+struct NodeRange {
+    std::size_t first = 0;
+    std::size_t last = 0;
+};
+
+}  // namespace
 
 InitialShape::InitialShape(const PlaneScene& scene)
     : initial_(*scene.initial), spacing_(scene.spacing) {
@@ -77,24 +87,28 @@ std::array<double, 4> initial_at_sides(const PlaneScene& scene,
                                        const std::array<std::size_t, 4>& extension,
                                        const nmbc::Plane& plane) {
     const auto& [nx, ny] = scene.nodes;
+    const auto largest = [&](std::span<const double> field, const NodeRange& x,
+                             const NodeRange& y) {
+        double most = 0;
+        for (std::size_t row = y.first; row < y.last; ++row) {
+            for (std::size_t column = x.first; column < x.last; ++column) {
+                most = std::max(
+                    most, std::abs(field[plane.entry(column + extension[0], row + extension[2])]));
+            }
+        }
+        return most;
+    };
+    const NodeRange all_x{0, nx};
+    const NodeRange all_y{0, ny};
     std::array<double, 4> shares{};
     for (const std::size_t a : {0U, 1U}) {
         for (const auto& field : {plane.displacement(a), plane.velocity(a)}) {
-            double most = 0;
-            std::array<double, 4> there{};
-            for (std::size_t y = 0; y < ny; ++y) {
-                for (std::size_t x = 0; x < nx; ++x) {
-                    const double size =
-                        std::abs(field[plane.entry(x + extension[0], y + extension[2])]);
-                    most = std::max(most, size);
-                    const std::array layers{x, nx - 1 - x, y, ny - 1 - y};
-                    for (std::size_t side = 0; side < there.size(); ++side) {
-                        there[side] = layers[side] == 0 ? std::max(there[side], size) : there[side];
-                    }
-                }
-            }
-            for (std::size_t side = 0; side < there.size(); ++side) {
-                shares[side] = std::max(shares[side], most > 0 ? there[side] / most : 0);
+            const double most = largest(field, all_x, all_y);
+            const std::array there{
+                largest(field, {0, 1}, all_y), largest(field, {nx - 1, nx}, all_y),
+                largest(field, all_x, {0, 1}), largest(field, all_x, {ny - 1, ny})};
+            for (std::size_t side = 0; side < there.size() && most > 0; ++side) {
+                shares[side] = std::max(shares[side], there[side] / most);
             }
         }
     }
