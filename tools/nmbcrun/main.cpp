@@ -158,12 +158,12 @@ int exit_code_of(Command command) {
     }
 }
 
-/// Threads that wait sleep, unless the user has chosen: where other programs keep the cores busy,
-/// planes take ten times as long while they spin. OpenMP reads its environment when it is loaded,
-/// so the program begins anew with another one; where it cannot, it goes on as it is.
+/// Threads that wait soon sleep, unless the user has chosen: where other programs keep the cores
+/// busy, planes take up to ten times as long while they spin. OpenMP reads its environment when it
+/// is loaded, so the program begins anew with another one; where it cannot, it goes on as it is.
 void let_threads_sleep(char** argv) {
     if (std::getenv("OMP_WAIT_POLICY") == nullptr && std::getenv("GOMP_SPINCOUNT") == nullptr &&
-        setenv("OMP_WAIT_POLICY", "passive", 0) == 0) {
+        setenv("GOMP_SPINCOUNT", "1000", 0) == 0) {
         execv("/proc/self/exe", argv);
     }
 }
