@@ -12,6 +12,7 @@
 
 #include "generator/exact/rounded_text.hpp"
 #include "tools/nmbcrun/errors.hpp"
+#include "tools/nmbcrun/output/step_warnings.hpp"
 #include "tools/nmbcrun/plane/load_steps.hpp"
 #include "tools/nmbcrun/plane/plane_lattice.hpp"
 #include "tools/nmbcrun/stepping/plane_stepping.hpp"
@@ -114,6 +115,10 @@ PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
     }
     plan.steps = steps_until(scene.end, plan.time_step);
     return plan;
+}
+
+double pace_of(const PlaneScene& scene) {
+    return scene.is_bond_based() ? bond_pace : plane_pace;
 }
 
 }  // namespace nmbcrun

@@ -28,4 +28,7 @@ struct PlanePlan : StepPlan {
 PlanePlan plan_of(const PlaneScene& scene, const nmbc::PlaneSides& sides,
                   const std::array<std::size_t, 2>& nodes);
 
+/// Node-steps a second of one fast core.
+double pace_of(const PlaneScene& scene);
+
 }  // namespace nmbcrun

@@ -22,6 +22,7 @@
 #include "tools/nmbcrun/output/warnings.hpp"
 #include "tools/nmbcrun/plane/crack_report.hpp"
 #include "tools/nmbcrun/plane/plane_files.hpp"
+#include "tools/nmbcrun/plane/plane_plan.hpp"
 #include "tools/nmbcrun/plane/plane_report.hpp"
 #include "tools/nmbcrun/plane/plane_sides.hpp"
 #include "tools/nmbcrun/plane/side_prospect.hpp"
@@ -172,8 +173,8 @@ void run_plane(const PlaneScene& scene, const RunOptions& options) {
     PlaneRun run(scene, sides.all, options);
     const nmbc::Grid grid = run.simulation().plane().grid();
     const double bytes = bytes_of_fields(run.simulation());
-    const RunSize size{grid.nx * grid.ny, scene.is_bond_based() ? bond_pace : plane_pace, bytes,
-                       4 * scene.probes.size(), scene.field ? bytes : 0};
+    const RunSize size{grid.nx * grid.ny, pace_of(scene), bytes, 4 * scene.probes.size(),
+                       scene.field ? bytes : 0};
     run.require_possible(size);
     run.warn(warnings_of(run.simulation()), size);
     if (!options.quiet) {

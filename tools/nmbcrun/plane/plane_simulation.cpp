@@ -77,8 +77,11 @@ PlaneSimulation::PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides
       plan_(plan_of(scene_, sides, extended_nodes(scene_, extension_))),
       plane_(plane_of(scene_, sides, extended_nodes(scene_, extension_), plan_.time_step)),
       sources_(scene_, plane_, {extension_[0], extension_[2]}, plan_.time_step) {
-    const bool is_staggered = scene_.initial && set_initial_fields(scene_, extension_, plane_);
-    initial_at_sides_ = nmbcrun::initial_at_sides(scene_, extension_, plane_);
+    bool is_staggered = false;
+    if (scene_.initial) {
+        is_staggered = set_initial_fields(scene_, extension_, plane_);
+        initial_at_sides_ = nmbcrun::initial_at_sides(scene_, extension_, plane_);
+    }
     cut();
     if (is_staggered) {
         plane_.start_staggered();

@@ -12,6 +12,7 @@
 #include "tools/nmbcrun/output/step_warnings.hpp"
 #include "tools/nmbcrun/output/warnings.hpp"
 #include "tools/nmbcrun/plane/finer_run.hpp"
+#include "tools/nmbcrun/plane/plane_plan.hpp"
 #include "tools/nmbcrun/plane/plane_report.hpp"
 #include "tools/nmbcrun/plane/plane_run.hpp"
 #include "tools/nmbcrun/plane/plane_sides.hpp"
@@ -78,7 +79,7 @@ bool verify_plane(const PlaneScene& scene, double tolerance, bool finer, bool qu
     const PlanePlan& plan = simulation.plan();
     const StepsLeft all{plan.steps,
                         nodes_of(simulation) + reference.steps * nodes_of(reference.simulation),
-                        scene.is_bond_based() ? bond_pace : plane_pace};
+                        pace_of(scene)};
     require_bearable_length(plan, unit_of_time(scene), all);
     print_warnings(warnings_of(simulation));
     print_warnings(warnings_of_steps(plan, unit_of_time(scene), all));
