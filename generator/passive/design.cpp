@@ -50,12 +50,12 @@ Rational rounded(double value, long denominator) {
     return {nearest == 0 && value > 0 ? 1 : nearest, denominator};
 }
 
-VectorXd searched(const EdgeResiduals& residuals, const std::vector<double>& starts,
+VectorXd searched(const EdgeResiduals& residuals, const EdgeTask& task,
                   const DesignProgress& progress) {
     constexpr Index short_look = 100;
-    constexpr Index enough = 400;
+    const std::vector<double>& starts = task.starts;
     const std::size_t looks = starts.size() > 1 ? starts.size() : 0;
-    const std::size_t all = looks * short_look + enough;
+    const std::size_t all = looks * short_look + std::size_t(task.evaluations);
     std::size_t done = 0;
     const auto search = [&](const VectorXd& start, Index evaluations) {
         return least_squares(
@@ -81,7 +81,7 @@ VectorXd searched(const EdgeResiduals& residuals, const std::vector<double>& sta
             }
         }
     }
-    return search(best, enough);
+    return search(best, task.evaluations);
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ void require_passive(const PassiveDesign& design, const Rational& largest_beta) 
 PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>& waves,
                           const std::vector<double>& speeds, const DesignProgress& progress) {
     const EdgeResiduals residuals(task, waves, speeds);
-    const VectorXd parameters = searched(residuals, task.starts, progress);
+    const VectorXd parameters = searched(residuals, task, progress);
     PassiveDesign design = converted<Rational>(residuals.numbers(parameters), [&](double value) {
         return rounded(value, task.denominator);
     });

@@ -20,8 +20,13 @@ struct EdgeTask {
     /// Scales are |L^T 1|^2, so that nothing comes back of long waves head-on; or 1, where wider
     /// angles count.
     bool is_exact_head_on = false;
-    /// Of the logarithms of weights and masses in the sum of squares.
+    /// Of what parameters are from the lattice's, in the sum of squares.
     double near_the_lattice = 0.03;
+    /// Of what logarithms of weights and masses are from the lattice's beyond log(few_times), too:
+    /// a heavy edge is a resonator, which lets out more of the waves of the search and keeps more
+    /// of longer ones.
+    double light = 0;
+    static constexpr double few_times = 3;
     /// Of what the highest eigenvalue is above most_stiff().
     double long_steps = 0.3;
     std::size_t stiff_steps = 2;  ///< of wave numbers from 0 to pi where it is looked at
@@ -29,9 +34,10 @@ struct EdgeTask {
     /// times this, and from there to the second layer from inside a geometric sequence. A network
     /// of many layers has more than one minimum.
     std::vector<double> starts{1};
-    long denominator = 1000;        ///< of the numbers of the design
-    double highest_eigenvalue = 0;  ///< the largest omega^2 of the interior
-    double time_step = 0;           ///< of the steps it is made for; 0: continuous time
+    Eigen::Index evaluations = 400;  ///< the most there may be from the best start
+    long denominator = 1000;         ///< of the numbers of the design
+    double highest_eigenvalue = 0;   ///< the largest omega^2 of the interior
+    double time_step = 0;            ///< of the steps it is made for; 0: continuous time
 
     /// What the highest eigenvalue of the edge is kept near or below, times the interior's: by
     /// 1/1.3 the square of steps is shorter, unless those that it is made for are longer.
@@ -74,11 +80,11 @@ struct WeightedWave {
     double weight = 1;
 };
 
-/// Least squares of the waves' reflected amplitudes, from fixed starts; of the logarithms of
-/// weights and masses, too, which keeps the edge near the lattice, and of what its highest
-/// eigenvalue is above most_stiff(), which keeps steps long. Of several starts the best after 100
-/// evaluations goes on. Stops at a minimum or after 400 evaluations. Throws std::domain_error where
-/// it leaves the numbers that there are.
+/// Least squares of the waves' reflected amplitudes, from fixed starts; of what the numbers are from
+/// the lattice's, too, which keeps the edge light, and of what its highest eigenvalue is above
+/// most_stiff(), which keeps steps long. Of several starts the best after 100 evaluations goes on.
+/// Stops at a minimum or when its evaluations are spent. Throws std::domain_error where it leaves
+/// the numbers that there are.
 PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>& waves,
                           const std::vector<double>& speeds, const DesignProgress& progress = {});
 

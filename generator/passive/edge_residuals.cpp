@@ -97,6 +97,10 @@ VectorXd EdgeResiduals::start(double heavier) const {
     return Eigen::Map<VectorXd>(values.data(), Index(values.size()));
 }
 
+Index EdgeResiduals::logarithms() const {
+    return layers_ * Index((task_.has_stabilisation ? 2 : 1) + task_.dimensions);
+}
+
 EdgeNumbers<double> EdgeResiduals::numbers(const VectorXd& parameters) const {
     Index at = 0;
     const auto weights = [&] {
@@ -239,8 +243,16 @@ Linearised EdgeResiduals::at(const VectorXd& parameters) const {
         }
         ++at;
     }
-    result.values.tail(lattice_.size()) = task_.near_the_lattice * (parameters - lattice_);
+    const VectorXd away = parameters - lattice_;
+    result.values.tail(lattice_.size()) = task_.near_the_lattice * away;
     result.slopes.bottomRows(lattice_.size()).diagonal().setConstant(task_.near_the_lattice);
+    const double free = portable::log(EdgeTask::few_times);
+    for (Index i = 0; i < logarithms(); ++i) {
+        if (std::abs(away(i)) > free) {
+            result.values(at + i) += task_.light * (away(i) - std::copysign(free, away(i)));
+            result.slopes(at + i, i) += task_.light;
+        }
+    }
     return result;
 }
 

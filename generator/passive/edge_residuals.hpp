@@ -62,6 +62,9 @@ class EdgeResiduals {
     Linearised at(const Eigen::VectorXd& parameters) const;
 
   private:
+    /// So many parameters, the first ones, are logarithms.
+    Eigen::Index logarithms() const;
+
     struct Edge {
         EdgeNumbers<double> numbers;
         PassiveEdge edge;

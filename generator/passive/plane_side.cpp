@@ -18,7 +18,9 @@ namespace {
 struct DesignedWaves {
     std::vector<double> angles;
     std::vector<double> xi;
-    double longest = 0;  ///< those with a lower xi count no more than this one
+    double longest = 0;    ///< those with a lower xi count no more than this one
+    double steepness = 0;  ///< power of the cosine of the angle that amplitudes count with
+    double S = 1;          ///< of those of S waves, too
 };
 
 /// Long waves count more, and so do steep ones: more of their energy meets a side, and sooner.
@@ -33,8 +35,9 @@ std::vector<WeightedWave> weighted(const DesignedWaves& which, const PlaneLattic
                 const double slow = 0.2 * (is_P ? lattice.speed_P : lattice.speed_S);
                 if (mode.group_velocity > slow) {
                     const double cosine = portable::cos(angle * std::numbers::pi / 180);
+                    const double steep = portable::exp(which.steepness * portable::log(cosine));
                     waves.push_back(
-                        {wave, cosine * std::sqrt(cosine) / std::max(xi, which.longest)});
+                        {wave, (is_P ? 1 : which.S) * steep / std::max(xi, which.longest)});
                 }
             }
         }
@@ -42,16 +45,20 @@ std::vector<WeightedWave> weighted(const DesignedWaves& which, const PlaneLattic
     return waves;
 }
 
+/// The energy of S waves counts twice: they are the slower ones, and the last to leave.
 const DesignedWaves all_waves{
     .angles = {0, 15, 30, 45, 60},
-    .xi = {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0}};
+    .xi = {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0},
+    .steepness = 2,
+    .S = std::numbers::sqrt2};
 
 /// More layers can do something about wider angles and about S waves beside the critical one.
 /// Heavy layers have low frequencies of their own: lower wave numbers, too. Fewer of these make up
 /// for the time.
 const DesignedWaves wide_waves{.angles = {0, 15, 30, 35, 45, 60, 75},
                                .xi = {0.02, 0.05, 0.1, 0.2, 0.35, 0.6, 1.0},
-                               .longest = 0.1};
+                               .longest = 0.1,
+                               .steepness = 1.5};
 
 bool has_more_layers(const EdgeReach& reach) {
     return reach.layers > 2 * reach.node;
@@ -113,9 +120,11 @@ DesignedSide passive_side(const SideTask& model, const DesignProgress& progress)
                   .has_stabilisation = model.g != 0,
                   .largest_beta = largest_beta,
                   .near_the_lattice = more ? 0.2 : 0.03,
+                  .light = more ? 0 : 1.0,
                   .long_steps = 10,
                   .stiff_steps = more ? 4U : 2U,
                   .starts = more ? std::vector<double>{1, 1. / 16, 16, 80} : std::vector<double>{1},
+                  .evaluations = more ? 400 : 1000,
                   .highest_eigenvalue = highest_eigenvalue(lattice, wave_numbers),
                   .time_step = nearest_double(model.time_step)};
     return designed_side(std::move(task), weighted(waves_for(reach), lattice),

@@ -18,7 +18,12 @@ energy_left() {
         '/^energy left/ { exit !($3 >= least && $3 <= most) }' "$scratch/stdout"
 }
 # The default; the lattice without sides, as a prototype found it; the paper's condition, likewise.
-energy_left 2.9e-4 3.2e-4 "$scene"
+energy_left 2.8e-4 3.0e-4 "$scene"
+for radius2 in 2 4 5 8 9; do
+    energy_left 2.8e-4 4e-4 "$scene" --set model.radius2=$radius2
+done
+# Where nothing keeps masses near those of the lattice, the search ends at a heavy edge, at 6.4e-4.
+energy_left 1.8e-4 2.2e-4 "$scene" --set model.radius2=4 --set model.G=2
 energy_left 3.5e-5 3.7e-5 "$scene" --set boundary.kind=extended
 energy_left 1.70e-3 1.75e-3 "$scene" "${printed[@]}"
 energy_left 1.75e-3 1.80e-3 "$scene" "${printed[@]}" --set model.radius2=4 --set model.G=1
@@ -43,10 +48,10 @@ try "${known[@]}"
 expect_exit 0
 expect_stdout_line "stable    by construction"
 # As nmbcgen recommend has it for this lattice.
-expect_stdout_line "ends      about 0.004 of the energy of long waves (xi dX = 0.1) that reach passive sides head-on comes back, 0.02 at most up to 45 degrees, 0.07 at 60, more near corners"
+expect_stdout_line "ends      about 0.003 of the energy of long waves (xi dX = 0.1) that reach passive sides head-on comes back, 0.02 at most up to 45 degrees, 0.06 at 60, more near corners"
 try "${known[@]}" --set boundary.left.kind=extended --set boundary.right.kind=sponge --set boundary.right.layer=10 --set boundary.top.kind=fixed
 expect_exit 0
-expect_stdout_with "comes back, 0.02 at most up to 45 degrees, 0.07 at 60; nothing comes back from extended sides before time.end; nothing is predicted of sides of kind sponge: nmbcrun verify measures it"
+expect_stdout_with "comes back, 0.02 at most up to 45 degrees, 0.06 at 60; nothing comes back from extended sides before time.end; nothing is predicted of sides of kind sponge: nmbcrun verify measures it"
 expect "a dash" grep -qE '^went out     - left, [0-9.e+-]+ right, [0-9.e+-]+ bottom, 0\.000e\+00 top, of all that was put in$' "$scratch/stdout"
 try "${known[@]}" --set boundary.kind=extended --set boundary.layer=2
 expect_exit 0
@@ -157,7 +162,7 @@ expect "the ledger closes" awk '/^ledger drift/ { exit !($3 < 1e-12) }' "$scratc
 expect "strains less than the even one, by a part of the volume that its surface has too much" awk -F, \
     'END { even = 16e-3; exit !($3 / even > 0.9 && $3 / even < 0.99) }' results/pulled_probes.csv
 expect "all nodes from (-6, -6) on" bash -c 'h5dump -a /nodes results/pulled_field.h5 | grep -qF "X = (i - 6) dX, Y = (j - 6) dX"'
-# Two of them meet two passive sides: what comes back, 4.1 % of the pulse, is from the passive sides' own corner.
+# Two of them meet two passive sides: what comes back, 3.7 % of the pulse, is largest on a passive side.
 sed '/^\[load/,$d' pulled.toml >mixed.toml
 cat >>mixed.toml <<'TOML'
 right.kind = "passive"
@@ -172,9 +177,9 @@ width = 5
 end = 150
 TOML
 sed -i 's/^nodes.*/nodes = [40, 40]/; s/^radius2.*/radius2 = 4/; s/^nu.*/nu = 0.25/; s/^G.*/G = 0.5/' mixed.toml
-try verify mixed.toml --tolerance 0.042 --quiet
+try verify mixed.toml --tolerance 0.038 --quiet
 expect_exit 0
-expect_stdout_with 'at node (40, 40)'
+expect_stdout_with 'at node (40, 33)'
 try run mixed.toml --quiet --set boundary.right.kind=free
 expect_exit 0
 expect "the ledger closes" awk '/^ledger drift/ { exit !($3 < 1e-12) }' "$scratch/stdout"
