@@ -256,14 +256,20 @@ void find_stresses(PlaneCoefficients<Real> k, std::ptrdiff_t nodes,
 }
 
 /// T and the pull of the stabilisation on these nodes of a row, at whose node 0 u and T point.
+/// Where node -reach of T's rows begins a cache line, what later blocks store does, too: a store
+/// that two lines share takes longer.
 template <class Shape, class Real>
 void stress_row(const PlaneCoefficients<Real>& k, const PlaneRange& nodes,
                 const std::array<const Real*, 2>& u, std::ptrdiff_t pitch,
                 const std::array<Real*, 6>& T) {
     FamilyColumns<Shape, Real> of_x;
     FamilyColumns<Shape, Real> of_y;
-    for (std::ptrdiff_t first = nodes.first; first < nodes.last; first += plane_block<Real>) {
-        const std::ptrdiff_t size = std::min(plane_block<Real>, nodes.last - first);
+    std::ptrdiff_t last = nodes.first;
+    for (std::ptrdiff_t first = nodes.first; first < nodes.last; first = last) {
+        last = std::min(
+            ((first + Shape::reach) / plane_block<Real> + 1) * plane_block<Real> - Shape::reach,
+            nodes.last);
+        const std::ptrdiff_t size = last - first;
         const std::array<const Real*, 2> block{u[0] + first, u[1] + first};
         of_x.find(block[0], pitch, size);
         of_y.find(block[1], pitch, size);
