@@ -22,11 +22,10 @@ struct EdgeTask {
     bool is_exact_head_on = false;
     /// Of what parameters are from the lattice's, in the sum of squares.
     double near_the_lattice = 0.03;
-    /// Of what logarithms of weights and masses are from the lattice's beyond log(few_times), too:
-    /// a heavy edge is a resonator, which lets out more of the waves of the search and keeps more
-    /// of longer ones.
+    /// Of the part beyond log 3 of what logarithms of weights and masses are from the lattice's. A
+    /// heavy edge is a resonator: it lets out more of the waves of the search and keeps longer
+    /// ones.
     double light = 0;
-    static constexpr double few_times = 3;
     /// Of what the highest eigenvalue is above most_stiff().
     double long_steps = 0.3;
     std::size_t stiff_steps = 2;  ///< of wave numbers from 0 to pi where it is looked at
@@ -80,11 +79,11 @@ struct WeightedWave {
     double weight = 1;
 };
 
-/// Least squares of the waves' reflected amplitudes, from fixed starts; of what the numbers are from
-/// the lattice's, too, which keeps the edge light, and of what its highest eigenvalue is above
-/// most_stiff(), which keeps steps long. Of several starts the best after 100 evaluations goes on.
-/// Stops at a minimum or when its evaluations are spent. Throws std::domain_error where it leaves
-/// the numbers that there are.
+/// Least squares of the waves' reflected amplitudes, from fixed starts; of what the numbers are
+/// from the lattice's, too, which keeps the edge near it, and of what its highest eigenvalue is
+/// above most_stiff(), which keeps steps long. Of several starts the best after 100 evaluations
+/// goes on. Stops at a minimum or when its evaluations are spent. Throws std::domain_error where it
+/// leaves the numbers that there are.
 PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>& waves,
                           const std::vector<double>& speeds, const DesignProgress& progress = {});
 

@@ -209,8 +209,10 @@ Vector EdgeResiduals::slopes(const Edge& at, const EdgeEnergies& energies, const
 }
 
 Linearised EdgeResiduals::at(const VectorXd& parameters) const {
-    Linearised result{VectorXd(entries_ + Index(stiff_.size()) + lattice_.size()), {}};
-    result.slopes = MatrixXd::Zero(result.values.size(), lattice_.size());
+    const Index own = lattice_.size();
+    const Index light = task_.light > 0 ? logarithms() : 0;
+    Linearised result{VectorXd::Zero(entries_ + Index(stiff_.size()) + own + light), {}};
+    result.slopes = MatrixXd::Zero(result.values.size(), own);
     Edge now{.numbers = numbers(parameters), .edge = {}, .beta_slope = 0};
     now.edge = edge_in_doubles(now.numbers, speeds_);
     if (task_.largest_beta != 0) {
@@ -244,13 +246,14 @@ Linearised EdgeResiduals::at(const VectorXd& parameters) const {
         ++at;
     }
     const VectorXd away = parameters - lattice_;
-    result.values.tail(lattice_.size()) = task_.near_the_lattice * away;
-    result.slopes.bottomRows(lattice_.size()).diagonal().setConstant(task_.near_the_lattice);
-    const double free = portable::log(EdgeTask::few_times);
-    for (Index i = 0; i < logarithms(); ++i) {
+    result.values.segment(at, own) = task_.near_the_lattice * away;
+    result.slopes.middleRows(at, own).diagonal().setConstant(task_.near_the_lattice);
+    at += own;
+    const double free = portable::log(3);
+    for (Index i = 0; i < light; ++i) {
         if (std::abs(away(i)) > free) {
-            result.values(at + i) += task_.light * (away(i) - std::copysign(free, away(i)));
-            result.slopes(at + i, i) += task_.light;
+            result.values(at + i) = task_.light * (away(i) - std::copysign(free, away(i)));
+            result.slopes(at + i, i) = task_.light;
         }
     }
     return result;

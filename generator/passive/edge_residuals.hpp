@@ -45,7 +45,7 @@ EdgeEigenvalue highest_eigenvalue_beside(const EdgeEnergies& energies, const Pas
 /// Parameters: logarithms of V, of Vs where there is stabilisation, of the masses component by
 /// component; the rows of the triangles L; where there is a null Lagrangian, what beta is the sine
 /// of. Residuals: reflected amplitudes with their weights, what eigenvalues are too high, and what
-/// the parameters are from the lattice's.
+/// the parameters are from the lattice's, and of logarithms what that is beyond log 3.
 class EdgeResiduals {
   public:
     EdgeResiduals(const EdgeTask& task, const std::vector<WeightedWave>& waves,

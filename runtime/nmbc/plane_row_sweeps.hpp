@@ -257,7 +257,7 @@ void find_stresses(PlaneCoefficients<Real> k, std::ptrdiff_t nodes,
 
 /// T and the pull of the stabilisation on these nodes of a row, at whose node 0 u and T point.
 /// Where node -reach of T's rows begins a cache line, what later blocks store does, too: a store
-/// that two lines share takes longer.
+/// that two lines share takes longer. nodes.first is not below -reach.
 template <class Shape, class Real>
 void stress_row(const PlaneCoefficients<Real>& k, const PlaneRange& nodes,
                 const std::array<const Real*, 2>& u, std::ptrdiff_t pitch,

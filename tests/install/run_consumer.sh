@@ -46,7 +46,7 @@ grep -qx 't = 800 dX/c: 2e-06 of the energy is left' "$work/output"
 grep -qx 'half and whole bar differ by roundings' "$work/output"
 
 "$work/build/plate" | tee "$work/output"
-grep -q '^t =  80 us: .* 6.2e-04 of the largest$' "$work/output"
+grep -q '^t =  80 us: .* 3.4e-04 of the largest$' "$work/output"
 
 "$work/build/own_plane" | tee "$work/output"
 grep -qx 't = 1000: kinetic energy 2.5e-07 of the largest' "$work/output"

@@ -8,6 +8,7 @@
 
 #include "generator/dense/decompositions.hpp"
 #include "generator/passive/design.hpp"
+#include "generator/passive/edge_residuals.hpp"
 #include "generator/passive/plane_side.hpp"
 #include "tests/support/nopd2d.hpp"
 
@@ -67,6 +68,41 @@ TEST_CASE("a design is passive, reflects little, and keeps steps long") {
             CHECK(reflected(30) < 0.01);
         }
         CHECK(design_edge(task, some_waves(lattice), speeds).mass == design.mass);
+    }
+}
+
+TEST_CASE("slopes of the residuals are their differences, near the lattice and far from it") {
+    for (const double G : {0.0, 0.6}) {
+        const PlaneLattice lattice = lattice_of_paper(1, G);
+        EdgeTask task = task_at(G, lattice);
+        task.light = 1;
+        const std::vector<WeightedWave> waves = some_waves(lattice);
+        const std::vector<double> speeds{lattice.speed_P, lattice.speed_S};
+        const EdgeResiduals residuals(task, waves, speeds);
+        Eigen::VectorXd at = residuals.start(1);
+        at.head(2) << 1.3, -1.9;  // more than log 3 = 1.0986 away, on either side
+        at.segment(2, 2).array() += 0.4;
+        const Linearised here = residuals.at(at);
+        for (Eigen::Index i = 0; i < at.size(); ++i) {
+            CAPTURE(i);
+            constexpr double step = 1e-5;
+            Eigen::VectorXd before = at;
+            Eigen::VectorXd after = at;
+            before(i) -= step;
+            after(i) += step;
+            const Eigen::VectorXd difference =
+                (residuals.at(after).values - residuals.at(before).values) / (2 * step);
+            // Third derivatives and roundings leave 1e-10 times numbers up to some 100.
+            CHECK((difference - here.slopes.col(i)).cwiseAbs().maxCoeff() < 1e-8);
+        }
+        // Their squares have no kink where the part beyond log 3 begins.
+        const double begins = residuals.start(1)(1) + std::log(3);
+        const auto slope_of_squares = [&](double logarithm) {
+            at(1) = logarithm;
+            const Linearised there = residuals.at(at);
+            return there.slopes.col(1).dot(there.values);
+        };
+        CHECK(std::abs(slope_of_squares(begins + 1e-7) - slope_of_squares(begins - 1e-7)) < 1e-5);
     }
 }
 
