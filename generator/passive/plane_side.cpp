@@ -67,9 +67,13 @@ bool has_more_layers(const EdgeReach& reach) {
     return reach.layers > 2 * reach.node;
 }
 
+const DesignedWaves& waves_for(const EdgeReach& reach) {
+    return has_more_layers(reach) ? wide_waves : all_waves;
+}
+
 /// Sides of bonds, which have no nu, send little back of steep waves anyhow: wide ones count more.
 DesignedWaves waves_for(const VectorFamily& family, const EdgeReach& reach) {
-    DesignedWaves waves = has_more_layers(reach) ? wide_waves : all_waves;
+    DesignedWaves waves = waves_for(reach);
     if (!family.has_poisson) {
         waves.steepness = wide_waves.steepness;
     }
@@ -102,7 +106,7 @@ ArrivingWave wave_at(const PlaneLattice& lattice, bool is_P, double xi, double d
 }
 
 double widest_designed_angle(const DesignedSide& side) {
-    return (has_more_layers(side.task.reach) ? wide_waves : all_waves).angles.back();
+    return waves_for(side.task.reach).angles.back();
 }
 
 DesignedSide passive_side(const SideTask& model, const DesignProgress& progress) {

@@ -72,6 +72,12 @@ struct PlaneCoefficients {
 template <class Real>
 inline constexpr std::ptrdiff_t plane_block = 1024 / sizeof(Real);
 
+/// Where the block of an entry ends: blocks end at multiples of their length. entry >= 0.
+template <class Real>
+constexpr std::ptrdiff_t block_end(std::ptrdiff_t entry) {
+    return (entry / plane_block<Real> + 1) * plane_block<Real>;
+}
+
 /// Sums over columns of these rows, entry by entry; entry 0 is that of node -reach.
 template <class Shape, class Real>
 using ColumnSum = std::array<Real, plane_block<Real> + 2 * Shape::reach>;
@@ -266,9 +272,7 @@ void stress_row(const PlaneCoefficients<Real>& k, const PlaneRange& nodes,
     FamilyColumns<Shape, Real> of_y;
     std::ptrdiff_t last = nodes.first;
     for (std::ptrdiff_t first = nodes.first; first < nodes.last; first = last) {
-        last = std::min(
-            ((first + Shape::reach) / plane_block<Real> + 1) * plane_block<Real> - Shape::reach,
-            nodes.last);
+        last = std::min(block_end<Real>(first + Shape::reach) - Shape::reach, nodes.last);
         const std::ptrdiff_t size = last - first;
         const std::array<const Real*, 2> block{u[0] + first, u[1] + first};
         of_x.find(block[0], pitch, size);
@@ -331,7 +335,7 @@ void kick_row(Real scale, const PlaneRange& nodes, const std::array<const Real* 
     ColumnSums<Shape, Real> odd;
     std::ptrdiff_t last = nodes.first;
     for (std::ptrdiff_t first = nodes.first; first < nodes.last; first = last) {
-        last = std::min((first / plane_block<Real> + 1) * plane_block<Real>, nodes.last);
+        last = std::min(block_end<Real>(first), nodes.last);
         const std::ptrdiff_t size = last - first;
         for (std::size_t a = 0; a < 2; ++a) {
             find_divergence_columns({T[2 * a], T[2 * a + 1]}, first, size, even, odd);
