@@ -52,36 +52,18 @@ Rational rounded(double value, long denominator) {
 
 VectorXd searched(const EdgeResiduals& residuals, const EdgeTask& task,
                   const DesignProgress& progress) {
-    constexpr Index short_look = 100;
-    const std::vector<double>& starts = task.starts;
-    const std::size_t looks = starts.size() > 1 ? starts.size() : 0;
-    const std::size_t all = looks * short_look + std::size_t(task.evaluations);
     std::size_t done = 0;
-    const auto search = [&](const VectorXd& start, Index evaluations) {
-        return least_squares(
-            start,
-            [&](const VectorXd& at) {
-                if (progress) {
-                    done = std::min(done + 1, all);  // a search looks at its end once more
-                    progress(done, all);
-                }
-                return residuals.at(at);
-            },
-            evaluations);
-    };
-    VectorXd best = residuals.start(starts.front());
-    if (looks > 0) {
-        double least = HUGE_VAL;
-        for (const double heavier : starts) {
-            const VectorXd found = search(residuals.start(heavier), short_look);
-            const double squares = residuals.at(found).values.squaredNorm();
-            if (squares < least) {
-                least = squares;
-                best = found;
+    return least_squares(
+        residuals.start(),
+        [&](const VectorXd& at) {
+            if (progress) {
+                const auto most = std::size_t(task.evaluations);
+                done = std::min(done + 1, most);  // a search looks at its end once more
+                progress(done, most);
             }
-        }
-    }
-    return search(best, task.evaluations);
+            return residuals.at(at);
+        },
+        task.evaluations);
 }
 
 }  // namespace

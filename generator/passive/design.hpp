@@ -28,12 +28,8 @@ struct EdgeTask {
     double light = 0;
     /// Of what the highest eigenvalue is above most_stiff().
     double long_steps = 0.3;
-    std::size_t stiff_steps = 2;  ///< of wave numbers from 0 to pi where it is looked at
-    /// Where searches begin: weights and masses of the outermost layer are those of the lattice
-    /// times this, and from there to the second layer from inside a geometric sequence. A network
-    /// of many layers has more than one minimum.
-    std::vector<double> starts{1};
-    Eigen::Index evaluations = 400;  ///< the most there may be from the best start
+    std::size_t stiff_steps = 2;     ///< of wave numbers from 0 to pi where it is looked at
+    Eigen::Index evaluations = 400;  ///< the most there may be
     long denominator = 1000;         ///< of the numbers of the design
     double highest_eigenvalue = 0;   ///< the largest omega^2 of the interior
     double time_step = 0;            ///< of the steps it is made for; 0: continuous time
@@ -79,11 +75,10 @@ struct WeightedWave {
     double weight = 1;
 };
 
-/// Least squares of the waves' reflected amplitudes, from fixed starts; of what the numbers are
-/// from the lattice's, too, which keeps the edge near it, and of what its highest eigenvalue is
-/// above most_stiff(), which keeps steps long. Of several starts the best after 100 evaluations
-/// goes on. Stops at a minimum or when its evaluations are spent. Throws std::domain_error where it
-/// leaves the numbers that there are.
+/// Least squares of the waves' reflected amplitudes, from the lattice as it is; of what the numbers
+/// are from the lattice's, too, which keeps the edge near it, and of what its highest eigenvalue is
+/// above most_stiff(), which keeps steps long. Stops at a minimum or when its evaluations are
+/// spent. Throws std::domain_error where it leaves the numbers that there are.
 PassiveDesign design_edge(const EdgeTask& task, const std::vector<WeightedWave>& waves,
                           const std::vector<double>& speeds, const DesignProgress& progress = {});
 

@@ -57,7 +57,7 @@ EdgeEigenvalue highest_eigenvalue_beside(const EdgeEnergies& energies, const Pas
 
 EdgeResiduals::EdgeResiduals(const EdgeTask& task, const std::vector<WeightedWave>& waves,
                              const std::vector<double>& speeds)
-    : task_(task), waves_(waves), speeds_(speeds), layers_(task.reach.layers), lattice_(start(1)) {
+    : task_(task), waves_(waves), speeds_(speeds), layers_(task.reach.layers), lattice_(start()) {
     for (std::size_t i = 0; i <= task.stiff_steps; ++i) {
         stiff_.push_back(task.at(std::numbers::pi * double(i) / double(task.stiff_steps)));
     }
@@ -67,15 +67,12 @@ EdgeResiduals::EdgeResiduals(const EdgeTask& task, const std::vector<WeightedWav
     }
 }
 
-VectorXd EdgeResiduals::start(double heavier) const {
+VectorXd EdgeResiduals::start() const {
     constexpr double next_to_none = 0.05;
     std::vector<double> values;
     const auto add_logarithms = [&](double outermost) {
         for (Index layer = 0; layer < layers_; ++layer) {
-            const double share = double(std::max<Index>(0, layers_ - 2 - layer)) /
-                                 double(std::max<Index>(1, layers_ - 2));
-            values.push_back(share * portable::log(heavier) +
-                             (layer == 0 ? portable::log(outermost) : 0));
+            values.push_back(layer == 0 ? portable::log(outermost) : 0);
         }
     };
     add_logarithms(0.5);

@@ -52,9 +52,8 @@ class EdgeResiduals {
                   const std::vector<double>& speeds);
 
     /// The lattice as it is, half a cell on its outermost layer, dashpots there alone; next to none
-    /// on the others, since at none the derivatives vanish. Weights and masses times a geometric
-    /// sequence, `heavier` on the outermost layer and 1 on the two innermost.
-    Eigen::VectorXd start(double heavier) const;
+    /// on the others, since at none the derivatives vanish.
+    Eigen::VectorXd start() const;
 
     EdgeNumbers<double> numbers(const Eigen::VectorXd& parameters) const;
 
@@ -81,7 +80,7 @@ class EdgeResiduals {
     const std::vector<WeightedWave>& waves_;
     const std::vector<double>& speeds_;
     Eigen::Index layers_;
-    Eigen::VectorXd lattice_;               // start(1)
+    Eigen::VectorXd lattice_;               // start()
     std::vector<EdgeEnergies> energies_{};  // at the wave numbers of the waves
     std::vector<EdgeEnergies> stiff_{};     // at those whose eigenvalues are kept low
     Eigen::Index entries_ = 0;

@@ -15,19 +15,26 @@
 namespace nmbcgen {
 namespace {
 
-struct DesignedWaves {
+/// How a side is searched for: the waves that are to leave, and three numbers of EdgeTask.
+struct SideSearch {
     std::vector<double> angles;
     std::vector<double> xi;
-    double longest = 0;   ///< those with a lower xi count no more than this one
-    int steepness = 0;    ///< energies are weighted by cos(angle) to this power
-    double S_energy = 1;  ///< weight of the energies of S waves
+    double longest = 0;  ///< waves with a lower xi count no more than this one
+    int steepness = 0;   ///< energies are weighted by cos(angle) to this power
+    double near_the_lattice = 0;
+    std::size_t stiff_steps = 0;
+    Eigen::Index evaluations = 0;
 };
 
-/// Long waves count more, and so do steep ones: more of their energy meets a side, and sooner.
-std::vector<WeightedWave> weighted(const DesignedWaves& which, const PlaneLattice& lattice) {
+/// Long waves count more, and so do steep ones: more of their energy meets a side, and sooner. The
+/// energy of S waves counts twice: they are the slower ones, and the last to leave.
+std::vector<WeightedWave> weighted(const SideSearch& search, const VectorFamily& family,
+                                   const PlaneLattice& lattice) {
+    // Sides of bonds, which have no nu, send little back of steep waves anyhow.
+    const int steepness = family.has_poisson ? search.steepness : 3;
     std::vector<WeightedWave> waves;
-    for (const double angle : which.angles) {
-        for (const double xi : which.xi) {
+    for (const double angle : search.angles) {
+        for (const double xi : search.xi) {
             for (const bool is_P : {true, false}) {
                 const ArrivingWave wave = wave_at(lattice, is_P, xi, angle);
                 const PlaneMode& mode = wave.outgoing[std::size_t(wave.column)];
@@ -35,11 +42,11 @@ std::vector<WeightedWave> weighted(const DesignedWaves& which, const PlaneLattic
                 const double slow = 0.2 * (is_P ? lattice.speed_P : lattice.speed_S);
                 if (mode.group_velocity > slow) {
                     const double cosine = portable::cos(angle * std::numbers::pi / 180);
-                    double weight = is_P ? 1 : which.S_energy;
-                    for (int i = 0; i < which.steepness; ++i) {
+                    double weight = is_P ? 1 : 2;
+                    for (int i = 0; i < steepness; ++i) {
                         weight *= cosine;
                     }
-                    waves.push_back({wave, std::sqrt(weight) / std::max(xi, which.longest)});
+                    waves.push_back({wave, std::sqrt(weight) / std::max(xi, search.longest)});
                 }
             }
         }
@@ -47,37 +54,29 @@ std::vector<WeightedWave> weighted(const DesignedWaves& which, const PlaneLattic
     return waves;
 }
 
-/// The energy of S waves counts twice: they are the slower ones, and the last to leave. With this
-/// and the power 5 the least is left of the pulse of Nicely 2018, Table 4, in large families.
-const DesignedWaves all_waves{
+/// With the power 5 the least is left of the pulse of Nicely 2018, Table 4, in large families.
+const SideSearch own_layers{
     .angles = {0, 15, 30, 45, 60},
     .xi = {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0},
     .steepness = 5,
-    .S_energy = 2};
+    .near_the_lattice = 0.03,
+    .stiff_steps = 2,
+    .evaluations = 1000};
 
-/// More layers can do something about wider angles and about S waves beside the critical one.
-/// Heavy layers have low frequencies of their own: lower wave numbers, too. Fewer of these make up
-/// for the time.
-const DesignedWaves wide_waves{.angles = {0, 15, 30, 35, 45, 60, 75},
-                               .xi = {0.02, 0.05, 0.1, 0.2, 0.35, 0.6, 1.0},
-                               .longest = 0.1,
-                               .steepness = 3};
+/// More layers can do something about wider angles. They can also be resonators, which let the
+/// waves of a search out and keep longer ones: without xi = 0.02 a hundred times more is left of
+/// the same pulse in some families.
+const SideSearch more_layers{
+    .angles = {0, 15, 30, 45, 60, 70},
+    .xi = {0.02, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.35, 0.5, 0.6, 0.8, 1.0},
+    .longest = 0.1,
+    .steepness = 4,
+    .near_the_lattice = 0.1,
+    .stiff_steps = 4,
+    .evaluations = 400};
 
-bool has_more_layers(const EdgeReach& reach) {
-    return reach.layers > 2 * reach.node;
-}
-
-const DesignedWaves& waves_for(const EdgeReach& reach) {
-    return has_more_layers(reach) ? wide_waves : all_waves;
-}
-
-/// Sides of bonds, which have no nu, send little back of steep waves anyhow: wide ones count more.
-DesignedWaves waves_for(const VectorFamily& family, const EdgeReach& reach) {
-    DesignedWaves waves = waves_for(reach);
-    if (!family.has_poisson) {
-        waves.steepness = wide_waves.steepness;
-    }
-    return waves;
+const SideSearch& search_for(const EdgeReach& reach) {
+    return reach.layers > 2 * reach.node ? more_layers : own_layers;
 }
 
 }  // namespace
@@ -106,7 +105,7 @@ ArrivingWave wave_at(const PlaneLattice& lattice, bool is_P, double xi, double d
 }
 
 double widest_designed_angle(const DesignedSide& side) {
-    return waves_for(side.task.reach).angles.back();
+    return search_for(side.task.reach).angles.back();
 }
 
 DesignedSide passive_side(const SideTask& model, const DesignProgress& progress) {
@@ -119,7 +118,7 @@ DesignedSide passive_side(const SideTask& model, const DesignProgress& progress)
         .node = node,
         .forces = forces,
         .layers = Eigen::Index(std::max(model.layers, least_side_layers(model.choice)))};
-    const bool more = has_more_layers(reach);
+    const SideSearch& search = search_for(reach);
     const Rational largest_beta =
         model.has_null_lagrangian ? family.largest_beta(model.choice) : Rational(0);
     EdgeTask task{.squares = EdgeSquares(
@@ -131,15 +130,14 @@ DesignedSide passive_side(const SideTask& model, const DesignProgress& progress)
                   .reach = reach,
                   .has_stabilisation = model.g != 0,
                   .largest_beta = largest_beta,
-                  .near_the_lattice = more ? 0.2 : 0.03,
-                  .light = more ? 0 : 1.0,
+                  .near_the_lattice = search.near_the_lattice,
+                  .light = 1,
                   .long_steps = 10,
-                  .stiff_steps = more ? 4U : 2U,
-                  .starts = more ? std::vector<double>{1, 1. / 16, 16, 80} : std::vector<double>{1},
-                  .evaluations = more ? 400 : 1000,
+                  .stiff_steps = search.stiff_steps,
+                  .evaluations = search.evaluations,
                   .highest_eigenvalue = highest_eigenvalue(lattice, wave_numbers),
                   .time_step = nearest_double(model.time_step)};
-    return designed_side(std::move(task), weighted(waves_for(family, reach), lattice),
+    return designed_side(std::move(task), weighted(search, family, lattice),
                          {lattice.speed_P, lattice.speed_S}, wave_numbers, progress);
 }
 

@@ -79,7 +79,7 @@ TEST_CASE("slopes of the residuals are their differences, near the lattice and f
         const std::vector<WeightedWave> waves = some_waves(lattice);
         const std::vector<double> speeds{lattice.speed_P, lattice.speed_S};
         const EdgeResiduals residuals(task, waves, speeds);
-        Eigen::VectorXd at = residuals.start(1);
+        Eigen::VectorXd at = residuals.start();
         at.head(2) << 1.3, -1.9;  // more than log 3 = 1.0986 away, on either side
         at.segment(2, 2).array() += 0.4;
         const Linearised here = residuals.at(at);
@@ -96,7 +96,7 @@ TEST_CASE("slopes of the residuals are their differences, near the lattice and f
             CHECK((difference - here.slopes.col(i)).cwiseAbs().maxCoeff() < 1e-8);
         }
         // Their squares have no kink where the part beyond log 3 begins.
-        const double begins = residuals.start(1)(1) + std::log(3);
+        const double begins = residuals.start()(1) + std::log(3);
         const auto slope_of_squares = [&](double logarithm) {
             at(1) = logarithm;
             const Linearised there = residuals.at(at);
@@ -128,12 +128,14 @@ TEST_CASE("more layers reflect less, at wide angles too") {
         return reflected_by_edge(side.task, side.edge, wave_at(lattice, is_P, xi, degrees));
     };
     for (const bool is_P : {true, false}) {
-        for (const double degrees : {0.0, 20.0, 30.0, 35.0, 40.0}) {
+        CHECK(reflected(is_P, 0.1, 0) < 0.0001);
+        // Most at 35 degrees: S waves leave P waves along the side at 37.8.
+        for (const double degrees : {20.0, 30.0, 35.0, 40.0}) {
             CAPTURE(degrees);
-            CHECK(reflected(is_P, 0.1, degrees) < 0.0025);
+            CHECK(reflected(is_P, 0.1, degrees) < 0.0055);
         }
         CHECK(reflected(is_P, 0.1, 60) < 0.012);
-        CHECK(reflected(is_P, 0.1, 70) < 0.065);
+        CHECK(reflected(is_P, 0.1, 70) < 0.07);
     }
     CHECK_THROWS_AS(side_layers_checked(of_paper(1), 1), std::invalid_argument);
     CHECK_THROWS_AS(side_layers_checked(of_paper(9), 17), std::invalid_argument);

@@ -123,9 +123,9 @@ expect "less comes back at wide angles" python3 -c '
 import json, sys
 two, four = [{(one["angle"], one["xi"]): one for one in json.load(open(name))["reflected_energy"]} for name in sys.argv[1:]]
 side = json.load(open(sys.argv[2]))
-assert side["layers"] == 4 and side["designed_up_to_degrees"] == 75
+assert side["layers"] == 4 and side["designed_up_to_degrees"] == 70
 for wave in "PS":
-    assert all(four[60, xi][wave] < 0.6 * two[60, xi][wave] for xi in (0.05, 0.1)), wave
+    assert all(four[60, xi][wave] < most * two[60, xi][wave] for xi, most in ((0.05, 0.75), (0.1, 0.4))), wave
     assert four[35, 0.1][wave] < 0.01, wave
 ' "$scratch/once" "$scratch/four"
 try passive "${smallest[@]}" --G 1/5 --layers 4 --header

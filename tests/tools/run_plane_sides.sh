@@ -33,7 +33,7 @@ energy_left 2.6e-5 2.8e-5 "$scene" --set boundary.kind=higdon --set boundary.all
 energy_left 2.4e-4 2.7e-4 "$scene" --set boundary.kind=higdon --set boundary.absorb='["P:30", "S:60"]' \
     --set boundary.allow_unstable=true --set model.G=0.7853981633974483
 # More layers, proved as well.
-energy_left 9.5e-5 1.1e-4 "$scene" --set boundary.layer=4
+energy_left 7e-5 8.2e-5 "$scene" --set boundary.layer=8
 energy_left 0.9 1 "$scene" --set boundary.kind=free
 energy_left 0.9 1 "$scene" --set boundary.kind=fixed
 energy_left 0.9 1 "$scene" --set boundary.kind=sbp
