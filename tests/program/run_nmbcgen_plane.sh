@@ -116,6 +116,7 @@ expect_exit 4
 expect_stderr "conditions of damped lattices are not examined for oblique waves"
 
 # More layers: what is asked for is in the command of a header, and what is proved is the same.
+# Waves below xi = 0.1 count no more than this one, and gain less.
 try passive "${smallest[@]}" --G 1/5 --layers 4
 expect_exit 0
 cp "$scratch/stdout" "$scratch/four"
@@ -127,6 +128,7 @@ assert side["layers"] == 4 and side["designed_up_to_degrees"] == 70
 for wave in "PS":
     assert all(four[60, xi][wave] < most * two[60, xi][wave] for xi, most in ((0.05, 0.75), (0.1, 0.4))), wave
     assert four[35, 0.1][wave] < 0.01, wave
+    assert four[70, 0.1][wave] < 0.6 * two[70, 0.1][wave], wave
 ' "$scratch/once" "$scratch/four"
 try passive "${smallest[@]}" --G 1/5 --layers 4 --header
 expect_exit 0

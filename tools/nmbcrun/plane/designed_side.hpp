@@ -18,7 +18,7 @@ struct DesignedPassiveSide {
     nmbc::PassiveSide side;  ///< the design as the runtime takes it
 };
 
-/// Takes a second at radius 1 and 20 s at radius 3; a terminal shows how far it is, unless quiet.
+/// Takes as long as nmbcgen::passive_side(); a terminal shows how far it is, unless quiet.
 /// Throws SceneError where there is none for the scene.
 DesignedPassiveSide designed_side_of(const PlaneScene& scene, bool quiet);
 

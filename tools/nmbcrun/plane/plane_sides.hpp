@@ -15,7 +15,7 @@ struct SceneSides {
     std::optional<DesignedPassiveSide> passive{};  ///< of the passive ones, if there are any
 };
 
-/// Designs passive sides, which takes a second at radius 1 and 20 s at radius 3; a terminal shows
+/// Designs passive sides, which takes as long as nmbcgen::passive_side(); a terminal shows
 /// how far it is, unless quiet. Throws SceneError where the scene asks for what there is not, and
 /// Unstable of sides that may feed energy in, unless it allows them.
 SceneSides sides_of(const PlaneScene& scene, bool quiet);
