@@ -169,13 +169,16 @@ std::vector<double> reflected_by_side(const SideTask& model, const DesignedSide&
                                       std::span<const double> degrees) {
     const PlaneLattice lattice =
         plane_lattice(find_vector_family(model.family).describe(model.choice), model.g, 0);
-    const auto reflected = [&](bool is_P, double angle) {
-        return reflected_by_edge(side.task, side.edge, wave_at(lattice, is_P, long_xi, angle));
-    };
     std::vector<double> most;
     most.reserve(degrees.size());
     for (const double angle : degrees) {
-        most.push_back(std::max(reflected(true, angle), reflected(false, angle)));
+        double& largest = most.emplace_back(0);
+        for (const double xi : long_waves) {
+            for (const bool is_P : {true, false}) {
+                const ArrivingWave wave = wave_at(lattice, is_P, xi, angle);
+                largest = std::max(largest, reflected_by_edge(side.task, side.edge, wave));
+            }
+        }
     }
     return most;
 }

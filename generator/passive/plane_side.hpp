@@ -2,6 +2,7 @@
 /// A passive side of a plane lattice.
 #pragma once
 
+#include <array>
 #include <nmbc/plane_sides.hpp>
 #include <optional>
 #include <span>
@@ -49,10 +50,13 @@ DesignedSide passive_side(const SideTask& model, const DesignProgress& progress 
 /// without energies at an edge.
 std::optional<OppositeSide> free_opposite(const SideTask& model);
 
-inline constexpr double long_xi = 0.1;  ///< of the waves of reflected_by_side() [1/dX]
+/// Of the waves of reflected_by_side() [1/dX]. At one of them alone a design may send back much
+/// less than beside it.
+inline constexpr std::array long_waves{0.05, 0.1, 0.2};
 
 /// Of long waves at each of these angles from the normal [degrees]: the part of the energy that
-/// comes back, of P or S waves, whichever is larger. Throws as wave_at().
+/// comes back, of P or S waves of any of the three lengths, whichever is largest. Throws as
+/// wave_at().
 std::vector<double> reflected_by_side(const SideTask& model, const DesignedSide& side,
                                       std::span<const double> degrees);
 

@@ -33,10 +33,12 @@ std::string return_from(const DesignedPassiveSide& passive) {
     try {
         const auto parts = nmbcgen::reflected_by_side(passive.task, passive.design, degrees);
         return fmt::format(
-            "about {:.1g} of the energy of long waves (xi dX = {:g}) that reach passive sides "
+            "about {:.1g} of the energy of long waves (xi dX = {:g} to {:g}) that reach passive "
+            "sides "
             "head-on comes back, {:.1g} at most up to {:g} degrees, {:.1g} at {:g}",
-            parts.front(), nmbcgen::long_xi, *std::max_element(parts.begin(), parts.end() - 1),
-            degrees[degrees.size() - 2], parts.back(), degrees.back());
+            parts.front(), nmbcgen::long_waves.front(), nmbcgen::long_waves.back(),
+            *std::max_element(parts.begin(), parts.end() - 1), degrees[degrees.size() - 2],
+            parts.back(), degrees.back());
     } catch (const std::domain_error&) {  // waves that cannot be told from each other
         return "";
     }
