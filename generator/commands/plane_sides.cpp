@@ -24,7 +24,8 @@
 namespace nmbcgen {
 namespace {
 
-constexpr double long_xi = 0.1;                                  // of the waves of the table [1/dX]
+/// Waves of the table's reflected energies.
+constexpr double long_xi = 0.1;                                  // [1/dX]
 constexpr std::array angles{0.0, 20.0, 35.0, 40.0, 60.0, 80.0};  // from the normal [degrees]
 
 constexpr double drift_shift = 0.002;  // [c/dX] 1e-3 of the factors' other entries

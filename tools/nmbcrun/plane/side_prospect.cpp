@@ -34,8 +34,7 @@ std::string return_from(const DesignedPassiveSide& passive) {
         const auto parts = nmbcgen::reflected_by_side(passive.task, passive.design, degrees);
         return fmt::format(
             "about {:.1g} of the energy of long waves (xi dX = {:g} to {:g}) that reach passive "
-            "sides "
-            "head-on comes back, {:.1g} at most up to {:g} degrees, {:.1g} at {:g}",
+            "sides head-on comes back, {:.1g} at most up to {:g} degrees, {:.1g} at {:g}",
             parts.front(), nmbcgen::long_waves.front(), nmbcgen::long_waves.back(),
             *std::max_element(parts.begin(), parts.end() - 1), degrees[degrees.size() - 2],
             parts.back(), degrees.back());
