@@ -43,8 +43,8 @@ class PlaneAxis {
         const Range all = with_energy();
         stressed_.first = is_cut_[0] ? std::max(own(low), horizon_) : all.first;
         stressed_.last = is_cut_[1] ? nodes_ - std::max(own(high), horizon_) : all.last;
-        kicked_.first = is_cut_[0] ? own(low) + horizon_ : 0;
-        kicked_.last = is_cut_[1] ? nodes_ - own(high) - horizon_ : nodes_;
+        kicked_.first = is_cut_[0] ? own(low) + horizon_ : all.first;
+        kicked_.last = is_cut_[1] ? nodes_ - own(high) - horizon_ : all.last;
         const auto passive = [](const PlaneSide& side) {
             return std::holds_alternative<PassiveSide>(side)
                        ? static_cast<std::ptrdiff_t>(own_layers(side))
@@ -104,9 +104,10 @@ class PlaneAxis {
     Range with_own_energy() const {
         return {is_ghost(-1) ? -horizon_ : 0, is_ghost(nodes_) ? nodes_ + horizon_ : nodes_};
     }
-    // Empty, or from last to first, in a thin body:
+    // Empty, or from last to first, in a thin body; beyond sides that are not cut off, too:
     Range plain_stress() const { return stressed_; }  ///< whole families, weights 1
-    Range plain_force() const { return kicked_; }     ///< the forces of the interior
+    Range plain_force() const { return kicked_; }     ///< whole families of weights 1
+    Range plain_mass() const { return passive_; }     ///< of the body: mass 1, but at closed sides
 
     /// Whether the node is in a layer that has numbers of its own.
     bool is_passive(std::ptrdiff_t node) const {

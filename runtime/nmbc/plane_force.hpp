@@ -194,35 +194,45 @@ class PlaneForce {
     void kick_rows(double scale, const PlaneRange& rows, PlaneField<const Real> u,
                    PlaneField<Real> v, Ring& ring, const BeforeRow& before_row) const;
 
-    /// Of a row's nodes, those that the sweeps may take; an empty part at its end where none.
-    /// Where nodes are left at an end, they are a strip, or more.
-    PlaneRange plain_part(const PlaneRange& x, const PlaneRange& y, const PlaneRange& columns,
-                          std::ptrdiff_t row, std::ptrdiff_t strip) const {
-        const bool is_plain = sweeps_.exist() && row >= y.first && row < y.last && x.first < x.last;
-        if (!is_plain) {
+    /// Of a row, the nodes whose T and pull are those of the interior; an empty part at its end
+    /// where there are none. Where nodes are left at an end, they are a strip, or more.
+    PlaneRange plain_stress(std::ptrdiff_t y) const {
+        const PlaneRange columns = nodes_.x().with_energy();
+        const PlaneRange rows = nodes_.y().plain_force();
+        const PlaneRange x = nodes_.x().plain_force();
+        if (!sweeps_.exist() || y < rows.first || y >= rows.last || x.first >= x.last) {
             return {columns.last, columns.last};
         }
+        const std::ptrdiff_t strip = sweeps_.strip_nodes;
         const PlaneRange inner{
             x.first > columns.first ? std::max(x.first, columns.first + strip) : x.first,
             x.last < columns.last ? std::min(x.last, columns.last - strip) : x.last};
         return inner.first < inner.last ? inner : x;
     }
 
-    /// Of a row's T.
-    PlaneRange plain_stress(std::ptrdiff_t y) const {
-        return plain_part(nodes_.x().plain_stress(), nodes_.y().plain_stress(),
-                          nodes_.x().with_energy(), y, sweeps_.stress_strip_nodes);
+    /// As many more of these columns, counted from that at which rows of T begin, as make whole
+    /// vectors: what is left over is done entry by entry.
+    PlaneRange in_whole_vectors(const PlaneRange& nodes, const PlaneRange& columns) const {
+        constexpr auto vector = static_cast<std::ptrdiff_t>(32 / sizeof(Real));
+        const std::ptrdiff_t first = (nodes.first + horizon_) / vector * vector - horizon_;
+        const std::ptrdiff_t last =
+            (nodes.last + horizon_ + vector - 1) / vector * vector - horizon_;
+        return {std::max(first, columns.first), std::min(last, columns.last)};
     }
 
-    /// Of a row's forces; the pull is there where T is plain.
-    PlaneRange plain_force(std::ptrdiff_t y) const {
-        const PlaneRange all{0, nodes_.x().nodes()};
-        const PlaneRange stress = plain_stress(y);
-        const PlaneRange force = plain_part(nodes_.x().plain_force(), nodes_.y().plain_force(), all,
-                                            y, sweeps_.kick_strip_nodes);
-        const PlaneRange both{std::max(force.first, stress.first),
-                              std::min(force.last, stress.last)};
-        return both.first < both.last ? both : PlaneRange{all.last, all.last};
+    /// Of a row, the nodes that kick_row() may take: all of them, but beside closed sides.
+    PlaneRange swept_kick(std::ptrdiff_t y) const {
+        const std::ptrdiff_t nodes = nodes_.x().nodes();
+        if (!sweeps_.exist()) {
+            return {nodes, nodes};
+        }
+        if (closed_rows_.empty()) {
+            return {0, nodes};
+        }
+        const PlaneRange plain = plain_stress(y);
+        const PlaneRange body{std::max<std::ptrdiff_t>(plain.first, 0),
+                              std::min(plain.last, nodes)};
+        return body.first < body.last ? body : PlaneRange{nodes, nodes};
     }
 
     PlaneNodes nodes_;
@@ -256,10 +266,11 @@ void PlaneForce<Real>::find_stress(std::ptrdiff_t y, PlaneField<const Real> u, R
     const std::array<const Real*, 2> row_of_u{u[0] + y * pitch_, u[1] + y * pitch_};
     const auto beside = [&](const PlaneRange& nodes) {
         if (sweeps_.exist() && nodes.first < nodes.last) {
-            const auto& sweep = nodes.last - nodes.first == sweeps_.stress_strip_nodes
+            const auto& sweep = nodes.last - nodes.first == sweeps_.strip_nodes
                                     ? sweeps_.stress_strip
                                     : sweeps_.stress_beside;
-            sweep(moduli_, rows_.numbers(y), nodes, row_of_u, pitch_, T);
+            sweep(moduli_, rows_.numbers(y), rows_.across(), rows_.along(y), nodes, row_of_u,
+                  pitch_, T);
             return;
         }
         for (std::ptrdiff_t x = nodes.first; x < nodes.last; ++x) {
@@ -270,10 +281,10 @@ void PlaneForce<Real>::find_stress(std::ptrdiff_t y, PlaneField<const Real> u, R
         }
     };
     const PlaneRange plain = plain_stress(y);
-    beside({columns.first, plain.first});
     if (plain.first < plain.last) {
-        sweeps_.stress_row(coefficients_, plain, row_of_u, pitch_, T);
+        sweeps_.stress_row(coefficients_, in_whole_vectors(plain, columns), row_of_u, pitch_, T);
     }
+    beside({columns.first, plain.first});
     beside({plain.last, columns.last});
 }
 
@@ -297,27 +308,18 @@ void PlaneForce<Real>::kick_rows(double scale, const PlaneRange& rows, PlaneFiel
                     row(std::as_const(ring), part, y + j);
             }
         }
-        const std::array<const Real*, 2> row_of_u{u[0] + y * pitch_, u[1] + y * pitch_};
-        const std::array<Real*, 2> row_of_v{v[0] + y * pitch_, v[1] + y * pitch_};
-        const auto beside = [&](const PlaneRange& nodes) {
-            if (sweeps_.exist() && nodes.first < nodes.last && closed_rows_.empty()) {
-                const auto& sweep = nodes.last - nodes.first == sweeps_.kick_strip_nodes
-                                        ? sweeps_.kick_strip
-                                        : sweeps_.kick_beside;
-                sweep(rows_.numbers(y), static_cast<Real>(scale), rows_.across(), rows_.along(y),
-                      nodes, row_of_u, pitch_, T, row_of_v);
-                return;
-            }
-            for (std::ptrdiff_t x = nodes.first; x < nodes.last; ++x) {
+        const auto node_by_node = [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+            for (std::ptrdiff_t x = first; x < last; ++x) {
                 kick_node(scale, x, y, u, v, ring);
             }
         };
-        const PlaneRange plain = plain_force(y);
-        beside({0, plain.first});
-        if (plain.first < plain.last) {
-            sweeps_.kick_row(static_cast<Real>(scale), plain, T, row_of_v);
+        const PlaneRange swept = swept_kick(y);
+        node_by_node(0, swept.first);
+        if (swept.first < swept.last) {
+            sweeps_.kick_row(static_cast<Real>(scale), rows_.masses(nodes_, y), swept, T,
+                             {v[0] + y * pitch_, v[1] + y * pitch_});
         }
-        beside({plain.last, nodes_.x().nodes()});
+        node_by_node(swept.last, nodes_.x().nodes());
     }
 }
 

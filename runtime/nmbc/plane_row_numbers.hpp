@@ -74,6 +74,12 @@ class PlaneRows {
     const PlaneRowNumbers<Real>& numbers(std::ptrdiff_t y) const {
         return numbers_[number_of_row_[static_cast<std::size_t>(y + horizon_)]];
     }
+    PlaneMasses<Real> masses(const PlaneNodes& nodes, std::ptrdiff_t y) const {
+        const auto& inverse = numbers(y).inverse_mass;
+        const PlaneRange rows = nodes.y().plain_mass();
+        return {{inverse[0].data() + horizon_, inverse[1].data() + horizon_},
+                y >= rows.first && y < rows.last ? nodes.x().plain_mass() : PlaneRange{}};
+    }
     /// The stabilisation's weight w is across times along: across() points at the column of node 0,
     /// along(y) at row y - reach.
     const Real* across() const { return across_.data() + 2 * horizon_; }

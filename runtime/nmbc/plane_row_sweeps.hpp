@@ -300,13 +300,15 @@ NMBC_INLINED Real divergence(const ColumnSums<Shape, Real>& even,
     return sum;
 }
 
-template <class Shape, class Real>
-void kick_block(Real scale, std::ptrdiff_t nodes, const ColumnSums<Shape, Real>& even,
-                const ColumnSums<Shape, Real>& odd, const Real* own, const Real* pull,
-                Real* __restrict v) {
+/// scale: of a node, by its entry.
+template <class Shape, class Real, class Scale>
+NMBC_INLINED void kick_block(const Scale& scale, std::ptrdiff_t nodes,
+                             const ColumnSums<Shape, Real>& even,
+                             const ColumnSums<Shape, Real>& odd, const Real* own, const Real* pull,
+                             Real* __restrict v) {
     NMBC_NO_ENTRY_NEEDS_ANOTHER
     for (std::ptrdiff_t x = 0; x < nodes; ++x) {
-        v[x] += scale * (divergence<Shape>(even, odd, own, x) + pull[x]);
+        v[x] += scale(x) * (divergence<Shape>(even, odd, own, x) + pull[x]);
     }
 }
 
@@ -324,23 +326,40 @@ NMBC_INLINED void find_divergence_columns(const std::array<const Real* const*, 2
                     odd.lesser.data());
 }
 
-/// v += scale times the forces, on these nodes of a row, at whose node 0 u, v and T's rows xx, xy,
-/// yx, yy and those of the pull point, each of them those from -reach to reach. Blocks end at
-/// multiples of their length, counted from node 0; nodes.first is not below 0. Where node -reach of
-/// T's rows begins a cache line, what the column sums of later blocks read first does, too.
+/// What divides the forces on a row.
+template <class Real>
+struct PlaneMasses {
+    std::array<const Real*, 2> inverse{};  ///< of a component, from node 0 on
+    PlaneRange plain{};                    ///< where they are 1
+};
+
+/// v += scale times the forces over the masses, on these nodes of a row, at whose node 0 v and T's
+/// rows xx, xy, yx, yy and those of the pull point, each of them those from -reach to reach. Blocks
+/// end at multiples of their length, counted from node 0; nodes.first is not below 0. Where node
+/// -reach of T's rows begins a cache line, what the column sums of later blocks read first does,
+/// too.
 template <class Shape, class Real>
-void kick_row(Real scale, const PlaneRange& nodes, const std::array<const Real* const*, 6>& T,
-              const std::array<Real*, 2>& v) {
+void kick_row(Real scale, const PlaneMasses<Real>& masses, const PlaneRange& nodes,
+              const std::array<const Real* const*, 6>& T, const std::array<Real*, 2>& v) {
     ColumnSums<Shape, Real> even;
     ColumnSums<Shape, Real> odd;
     std::ptrdiff_t last = nodes.first;
     for (std::ptrdiff_t first = nodes.first; first < nodes.last; first = last) {
         last = std::min(block_end<Real>(first), nodes.last);
         const std::ptrdiff_t size = last - first;
+        const bool is_plain = first >= masses.plain.first && last <= masses.plain.last;
         for (std::size_t a = 0; a < 2; ++a) {
             find_divergence_columns({T[2 * a], T[2 * a + 1]}, first, size, even, odd);
-            kick_block(scale, size, even, odd, T[2 * a][Shape::reach] + first,
-                       T[4 + a][Shape::reach] + first, v[a] + first);
+            const auto kick = [&](const auto& scales) {
+                kick_block(scales, size, even, odd, T[2 * a][Shape::reach] + first,
+                           T[4 + a][Shape::reach] + first, v[a] + first);
+            };
+            if (is_plain) {
+                kick([scale](std::ptrdiff_t) { return scale; });
+            } else {
+                const Real* const inverse = masses.inverse[a] + first;
+                kick([scale, inverse](std::ptrdiff_t x) { return scale * inverse[x]; });
+            }
         }
     }
 }

@@ -19,10 +19,7 @@ struct PlaneSweeps {
     decltype(&nmbc::detail::kick_row<PlaneShape<1>, Real>) kick_row = nullptr;
     decltype(&stress_row_beside<PlaneShape<1>, Real, 0>) stress_beside = nullptr;
     decltype(&stress_row_beside<PlaneShape<1>, Real, 0>) stress_strip = nullptr;
-    decltype(&kick_row_beside<PlaneShape<1>, Real, 0>) kick_beside = nullptr;
-    decltype(&kick_row_beside<PlaneShape<1>, Real, 0>) kick_strip = nullptr;
-    std::ptrdiff_t stress_strip_nodes = 0;  ///< of which the strips' sweeps are made
-    std::ptrdiff_t kick_strip_nodes = 0;
+    std::ptrdiff_t strip_nodes = 0;  ///< of which the strips' sweep is made
 
     /// Without them a plane goes node by node, which takes some ten times as long.
     bool exist() const { return stress_row != nullptr; }
@@ -36,10 +33,7 @@ PlaneSweeps<Real> sweeps_of_family() {
             .kick_row = kick_row<Shape, Real>,
             .stress_beside = stress_row_beside<Shape, Real, 0>,
             .stress_strip = stress_row_beside<Shape, Real, stress_strip<Shape>>,
-            .kick_beside = kick_row_beside<Shape, Real, 0>,
-            .kick_strip = kick_row_beside<Shape, Real, kick_strip<Shape>>,
-            .stress_strip_nodes = stress_strip<Shape>,
-            .kick_strip_nodes = kick_strip<Shape>};
+            .strip_nodes = stress_strip<Shape>};
 }
 
 /// None for other families, and for those with an influence, whose sums are not those of columns.
