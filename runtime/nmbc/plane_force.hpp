@@ -210,10 +210,10 @@ class PlaneForce {
         return inner.first < inner.last ? inner : x;
     }
 
-    /// As many more of these columns, counted from that at which rows of T begin, as make whole
-    /// vectors: what is left over is done entry by entry.
+    /// And as many more of these columns as make whole vectors, counted from that at which rows of
+    /// T begin.
     PlaneRange in_whole_vectors(const PlaneRange& nodes, const PlaneRange& columns) const {
-        constexpr auto vector = static_cast<std::ptrdiff_t>(32 / sizeof(Real));
+        constexpr std::ptrdiff_t vector = whole_vector<Real>;
         const std::ptrdiff_t first = (nodes.first + horizon_) / vector * vector - horizon_;
         const std::ptrdiff_t last =
             (nodes.last + horizon_ + vector - 1) / vector * vector - horizon_;

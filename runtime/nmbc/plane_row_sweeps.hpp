@@ -72,6 +72,10 @@ struct PlaneCoefficients {
 template <class Real>
 inline constexpr std::ptrdiff_t plane_block = 1024 / sizeof(Real);
 
+/// Entries of a vector: what is left over of a loop is done entry by entry.
+template <class Real>
+inline constexpr std::ptrdiff_t whole_vector = 32 / sizeof(Real);
+
 /// Where the block of an entry ends: blocks end at multiples of their length. entry >= 0.
 template <class Real>
 constexpr std::ptrdiff_t block_end(std::ptrdiff_t entry) {

@@ -144,8 +144,9 @@ void stress_row_beside(const PlaneModuli<Real>& k, const PlaneRowNumbers<Real>& 
 }
 
 /// Nodes at a left or right side that are swept in loops of known length: those that have numbers
-/// of their own, and those whose families these are in; of whole vectors.
-template <class Shape>
-inline constexpr std::ptrdiff_t stress_strip = (3 * Shape::reach + 3) / 4 * 4;
+/// of their own, and those whose families these are in.
+template <class Shape, class Real>
+inline constexpr std::ptrdiff_t stress_strip =
+    (3 * Shape::reach + whole_vector<Real> - 1) / whole_vector<Real>* whole_vector<Real>;
 
 }  // namespace nmbc::detail

@@ -32,8 +32,8 @@ PlaneSweeps<Real> sweeps_of_family() {
     return {.stress_row = stress_row<Shape, Real>,
             .kick_row = kick_row<Shape, Real>,
             .stress_beside = stress_row_beside<Shape, Real, 0>,
-            .stress_strip = stress_row_beside<Shape, Real, stress_strip<Shape>>,
-            .strip_nodes = stress_strip<Shape>};
+            .stress_strip = stress_row_beside<Shape, Real, stress_strip<Shape, Real>>,
+            .strip_nodes = stress_strip<Shape, Real>};
 }
 
 /// None for other families, and for those with an influence, whose sums are not those of columns.

@@ -64,7 +64,7 @@ at_most "a boundary update, n = 3, N = 1" $(($(per_step "$chain" double 3 1) - t
 # hundredths: their 3n layers alone are nodes, 2.4 n % of the others.
 few_steps=2
 many_steps=4
-for of_plane in "1 31.5 16" "4 52.3 18.5" "9 73.6 25"; do
+for of_plane in "1 31.9 13.2" "4 52.4 17.5" "9 73.4 23.3"; do
     read -r radius_squared bound sides <<<"$of_plane"
     whole=$(per_step "$plane" double "$radius_squared" fixed)
     at_most "a node-step of a plane, delta^2 = $radius_squared" "$whole" 250000 "$bound"
