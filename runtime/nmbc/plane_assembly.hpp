@@ -219,7 +219,7 @@ void BasicPlane<Real>::add_line_dashpots(std::size_t number) {
             for (const std::size_t end : {0U, 1U}) {
                 sides.push_back({2 * along + end, detail::friction_matrix(group[end], mass)});
             }
-            dashpots_.emplace_back(a, offsets, lines, mass, std::move(sides),
+            dashpots_.emplace_back(a, offsets, lines, mass, sides,
                                    parameters_.time_step * parameters_.rate());
         }
     }

@@ -105,9 +105,10 @@ class PlaneAxis {
         return {is_ghost(-1) ? -horizon_ : 0, is_ghost(nodes_) ? nodes_ + horizon_ : nodes_};
     }
     // Empty, or from last to first, in a thin body; beyond sides that are not cut off, too:
-    Range plain_stress() const { return stressed_; }  ///< whole families, weights 1
-    Range plain_force() const { return kicked_; }     ///< whole families of weights 1
-    Range plain_mass() const { return passive_; }     ///< of the body: mass 1, but at closed sides
+    Range plain_stress() const { return stressed_; }  ///< the family is whole, own weights are 1
+    Range plain_force() const { return kicked_; }     ///< and those of the whole family are 1
+    /// Of the body: masses are 1, times the volume that closed sides give.
+    Range plain_mass() const { return passive_; }
 
     /// Whether the node is in a layer that has numbers of its own.
     bool is_passive(std::ptrdiff_t node) const {

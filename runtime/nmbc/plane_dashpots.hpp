@@ -28,7 +28,7 @@ inline std::vector<double> friction_matrix(double gamma, const std::vector<doubl
 /// Equal groups of nodes that dashpots join, one component each: in a step
 ///     v+ = v* - dt S C (v- + v*)/2,   S = (M + dt C/2)^-1,
 /// v* what the forces alone would have made of v-; then M (v+ - v*) = -dt C (v- + v+)/2.
-/// Groups are closed side by side, in vectors across them; a group alone in vectors of its nodes.
+/// Many groups are closed abreast, in vectors across them; a group alone in vectors of its nodes.
 template <class Real>
 class DashpotGroups {
   public:
@@ -112,14 +112,15 @@ class DashpotGroups {
     /// C of one side, without its zeros.
     struct SideEntries {
         struct Entry {
-            std::size_t row;
-            std::size_t column;
-            double value;
+            std::size_t row = 0;
+            std::size_t column = 0;
+            double value = 0;
         };
-        std::size_t side;
+        std::size_t side = 0;
         std::vector<Entry> entries{};
     };
 
+    /// Whole vectors; the numbers of as many lines stay in the cache of first level.
     static constexpr std::size_t most_abreast = 32;
 
     void add(const OfSide& side) {
@@ -183,8 +184,10 @@ class DashpotGroups {
             add_change<Abreast>(before, by_one_side);
             for_each_node<Abreast>(
                 first, [&](std::size_t i, std::ptrdiff_t entry) { v[entry] = now_[i]; });
-            for (std::size_t g = 0; g < there && sides_.size() > 1; ++g) {
-                add_powers<Abreast>(before + g, &now_[g], gone);
+            if (sides_.size() > 1) {
+                for (std::size_t g = 0; g < there; ++g) {
+                    add_powers<Abreast>(before + g, &now_[g], gone);
+                }
             }
         }
         if (sides_.size() == 1) {
@@ -197,13 +200,12 @@ class DashpotGroups {
     void find_change(const Real* before) {
         std::ranges::fill(change_, Real(0));
         for (std::size_t k = 0; k < size_; ++k) {
-            std::array<Real, Abreast> between;
+            std::array<Real, Abreast> between{};
             for (std::size_t g = 0; g < Abreast; ++g) {
                 between[g] = (before[k * Abreast + g] + now_[k * Abreast + g]) / 2;
             }
             const Real* const column = &dragged_[k * size_];
             Real* __restrict change = change_.data();
-            NMBC_NO_ENTRY_NEEDS_ANOTHER
             for (std::size_t i = 0; i < size_; ++i) {
                 for (std::size_t g = 0; g < Abreast; ++g) {
                     change[i * Abreast + g] += column[i] * between[g];

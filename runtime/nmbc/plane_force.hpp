@@ -110,7 +110,7 @@ class PlaneForce {
 
     std::ptrdiff_t ring_rows() const { return 2 * horizon_ + 1; }
 
-    /// T of a node near a side that is cut off.
+    /// T of a node, where there are no sweeps.
     std::array<Real, 4> stress(std::ptrdiff_t x, std::ptrdiff_t y, PlaneField<const Real> u) const {
         const PlaneNeighbours& near = nodes_.neighbours(x, y);
         const auto [g_xx, g_xy, g_yx, g_yy] = nodes_.gradient(near, y * pitch_ + x, u);
@@ -195,8 +195,9 @@ class PlaneForce {
                    PlaneField<Real> v, Ring& ring, const BeforeRow& before_row) const;
 
     /// Of a row, the nodes whose T and pull are those of the interior; an empty part at its end
-    /// where there are none. Where nodes are left at an end, they are a strip, or more.
-    PlaneRange plain_stress(std::ptrdiff_t y) const {
+    /// where there are none. Where nodes are left at an end, they are a strip, or more, but in thin
+    /// bodies.
+    PlaneRange interior(std::ptrdiff_t y) const {
         const PlaneRange columns = nodes_.x().with_energy();
         const PlaneRange rows = nodes_.y().plain_force();
         const PlaneRange x = nodes_.x().plain_force();
@@ -210,13 +211,12 @@ class PlaneForce {
         return inner.first < inner.last ? inner : x;
     }
 
-    /// And as many more of these columns as make whole vectors, counted from that at which rows of
-    /// T begin.
+    /// These nodes of a row, and as many more of `columns` as make whole vectors from the entry at
+    /// which rows of T begin.
     PlaneRange in_whole_vectors(const PlaneRange& nodes, const PlaneRange& columns) const {
-        constexpr std::ptrdiff_t vector = whole_vector<Real>;
+        constexpr std::ptrdiff_t vector = up_to_whole_vectors<Real>(1);
         const std::ptrdiff_t first = (nodes.first + horizon_) / vector * vector - horizon_;
-        const std::ptrdiff_t last =
-            (nodes.last + horizon_ + vector - 1) / vector * vector - horizon_;
+        const std::ptrdiff_t last = up_to_whole_vectors<Real>(nodes.last + horizon_) - horizon_;
         return {std::max(first, columns.first), std::min(last, columns.last)};
     }
 
@@ -229,7 +229,7 @@ class PlaneForce {
         if (closed_rows_.empty()) {
             return {0, nodes};
         }
-        const PlaneRange plain = plain_stress(y);
+        const PlaneRange plain = interior(y);
         const PlaneRange body{std::max<std::ptrdiff_t>(plain.first, 0),
                               std::min(plain.last, nodes)};
         return body.first < body.last ? body : PlaneRange{nodes, nodes};
@@ -280,8 +280,9 @@ void PlaneForce<Real>::find_stress(std::ptrdiff_t y, PlaneField<const Real> u, R
             }
         }
     };
-    const PlaneRange plain = plain_stress(y);
+    const PlaneRange plain = interior(y);
     if (plain.first < plain.last) {
+        // Whole vectors reach beyond the interior, where beside() then writes what is right.
         sweeps_.stress_row(coefficients_, in_whole_vectors(plain, columns), row_of_u, pitch_, T);
     }
     beside({columns.first, plain.first});

@@ -74,6 +74,7 @@ class PlaneRows {
     const PlaneRowNumbers<Real>& numbers(std::ptrdiff_t y) const {
         return numbers_[number_of_row_[static_cast<std::size_t>(y + horizon_)]];
     }
+    /// Of the body's nodes in row y.
     PlaneMasses<Real> masses(const PlaneNodes& nodes, std::ptrdiff_t y) const {
         const auto& inverse = numbers(y).inverse_mass;
         const PlaneRange rows = nodes.y().plain_mass();

@@ -72,9 +72,13 @@ struct PlaneCoefficients {
 template <class Real>
 inline constexpr std::ptrdiff_t plane_block = 1024 / sizeof(Real);
 
-/// Entries of a vector: what is left over of a loop is done entry by entry.
+/// So many entries and as many more as make whole vectors: what is left over of a loop is done
+/// entry by entry.
 template <class Real>
-inline constexpr std::ptrdiff_t whole_vector = 32 / sizeof(Real);
+constexpr std::ptrdiff_t up_to_whole_vectors(std::ptrdiff_t entries) {
+    constexpr std::ptrdiff_t vector = 32 / sizeof(Real);
+    return (entries + vector - 1) / vector * vector;
+}
 
 /// Where the block of an entry ends: blocks end at multiples of their length. entry >= 0.
 template <class Real>
@@ -330,7 +334,7 @@ NMBC_INLINED void find_divergence_columns(const std::array<const Real* const*, 2
                     odd.lesser.data());
 }
 
-/// What divides the forces on a row.
+/// One over the masses of a row.
 template <class Real>
 struct PlaneMasses {
     std::array<const Real*, 2> inverse{};  ///< of a component, from node 0 on

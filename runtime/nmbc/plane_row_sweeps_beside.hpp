@@ -32,13 +32,18 @@ struct PlaneModuli {
     Real turned = 0;  ///< mu - beta
 };
 
-/// The column sums of w u.
+/// The column sums of w u, w a factor of the column times one of the row.
 template <class Shape, class Real>
 struct WeightedColumns {
+    // As those of ColumnSums, these are written before they are read.
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,modernize-use-equals-default)
+    WeightedColumns() {}
+
     ColumnSums<Shape, Real> sums;
     ColumnSum<Shape, Real> single;  ///< of columns of a single node
 
-    /// As FamilyColumns::find(); across: of the first node.
+    /// As FamilyColumns::find(). across: w's factors of the columns, at that of the first node;
+    /// along: of the rows from -reach to reach.
     NMBC_INLINED void find(const Real* u, std::ptrdiff_t pitch, std::ptrdiff_t nodes,
                            const Real* across,
                            const std::array<Real, 2 * Shape::reach + 1>& along) {
@@ -79,7 +84,8 @@ struct WeightedColumns {
 
 /// As stress_row(), near sides: what is beyond them is 0, and the pull is
 ///     sum_J (w_I + w_J) (u_J - u_I) + T_I sum_J R.
-/// Size: the nodes; 0: any number.
+/// across: w's factors of the columns, at that of node 0; along: of the rows, at row -reach. Size:
+/// the nodes; 0: any number.
 template <class Shape, class Real, std::ptrdiff_t Size>
 void stress_row_beside(const PlaneModuli<Real>& k, const PlaneRowNumbers<Real>& numbers,
                        const Real* across, const Real* along, const PlaneRange& nodes,
@@ -143,10 +149,9 @@ void stress_row_beside(const PlaneModuli<Real>& k, const PlaneRowNumbers<Real>& 
     }
 }
 
-/// Nodes at a left or right side that are swept in loops of known length: those that have numbers
-/// of their own, and those whose families these are in.
+/// Nodes at a left or right side that are swept in loops of known length: of a side of 2n layers,
+/// those with numbers of their own and those whose families these are in, in whole vectors.
 template <class Shape, class Real>
-inline constexpr std::ptrdiff_t stress_strip =
-    (3 * Shape::reach + whole_vector<Real> - 1) / whole_vector<Real>* whole_vector<Real>;
+inline constexpr std::ptrdiff_t stress_strip = up_to_whole_vectors<Real>(3 * Shape::reach);
 
 }  // namespace nmbc::detail

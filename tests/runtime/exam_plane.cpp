@@ -42,6 +42,28 @@ TEST_CASE("what leaves through passive sides is what a body loses, to rounding")
     }
 }
 
+TEST_CASE("what leaves is what a body loses, where sweeps take several blocks and many lines") {
+    for (const unsigned radius_squared : {1U, 4U, 9U}) {
+        const PlaneModel model = nopd2d(radius_squared, 0.25, 1);
+        const PassiveSide passive = some_passive_side(0);
+        for (const PlaneSides& sides :
+             {PlaneSides::all(passive), PlaneSides{passive, FreeSide{}, MirrorSide{}, passive},
+              PlaneSides{FixedSide{}, passive, passive, FreeSide{}}}) {
+            CAPTURE(radius_squared);
+            CAPTURE(sides.left.index());
+            Plane plane(model, sides, body_parameters(140, 70, model));
+            fill_at_random(plane, 3);
+            plane.start();
+            plane.advance(1);
+            const double before = plane.energies().staggered + sum_of(plane.left());
+            constexpr int steps = 30;
+            plane.advance(steps);
+            CHECK(plane.energies().staggered + sum_of(plane.left()) ==
+                  doctest::Approx(before).epsilon(steps * eps));
+        }
+    }
+}
+
 TEST_CASE("sides that take nothing keep the energy; a free body at rest may move and turn") {
     const PlaneModel model = nopd2d(5, 0.3, 0.5, StressState::plane_strain);
     for (const PlaneSides& sides :

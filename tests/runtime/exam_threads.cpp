@@ -16,6 +16,8 @@
 #endif
 #include <omp.h>
 
+#include "tests/runtime/plane_bodies.hpp"
+
 namespace {
 
 TEST_CASE_TEMPLATE("threads change no bit", Real, double, float) {
@@ -50,10 +52,12 @@ TEST_CASE_TEMPLATE("threads change no bit", Real, double, float) {
 TEST_CASE_TEMPLATE("threads change no bit of a plane, whose bonds may break", Real, double, float) {
     omp_set_num_threads(4);  // whatever the machine has: some pieces are between others
     const nmbc::SpongeSide sponge{{0.3, 0.2, 0.1}};
+    const nmbc::PassiveSide passive = some_passive_side(0);
     for (const nmbc::PlaneSides& sides :
          {nmbc::PlaneSides::all(nmbc::FreeSide{}), nmbc::PlaneSides::all(nmbc::FixedSide{}),
           nmbc::PlaneSides::all(nmbc::PeriodicSide{}), nmbc::PlaneSides::all(nmbc::MirrorSide{}),
-          nmbc::PlaneSides{sponge, sponge, nmbc::MirrorSide{}, sponge}}) {
+          nmbc::PlaneSides{sponge, sponge, nmbc::MirrorSide{}, sponge},
+          nmbc::PlaneSides{passive, nmbc::FreeSide{}, passive, passive}}) {
         for (const nmbc::PlaneModel& model : {nmbc::PlaneModel(nmbc::bond2d(4, {1, 0.7, 0.3})),
                                               nmbc::PlaneModel(nmbc::nopd2d(4, 0.25, 1))}) {
             const auto run = [&](std::size_t threaded_nodes) {
