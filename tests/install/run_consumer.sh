@@ -48,6 +48,9 @@ grep -qx 'half and whole bar differ by roundings' "$work/output"
 "$work/build/plate" | tee "$work/output"
 grep -q '^t =  80 us: .* 3.4e-04 of the largest$' "$work/output"
 
+"$work/build/own_passive" | tee "$work/output"
+grep -q '^after 200 steps 2.7e-06 of the energy is left' "$work/output"
+
 "$work/build/own_plane" | tee "$work/output"
 grep -qx 't = 1000: kinetic energy 2.5e-07 of the largest' "$work/output"
 
