@@ -36,6 +36,20 @@ expect_stderr_lines 1
 try run "$scene" --quiet --set time.end=1 --set "$at_side" --set boundary.left.kind=fixed
 expect_exit 0
 expect_no_stderr
+# Likewise of a body at rest in a file; with velocities in it, the field may be going out.
+{
+    echo "x,y,ux,uy"
+    for y in $(seq 1 30); do echo "1,$y,1e-3,0"; done
+} >rest.csv
+sed 's/uy/uy,vx,vy/; s/,0$/,0,-1e-3,0/' rest.csv >leaving.csv
+from_file=(--quiet --set time.end=1 --set 'domain.nodes=[30, 30]')
+try run "$scene" "${from_file[@]}" --set "initial={shape = \"csv\", file = \"$PWD/rest.csv\"}"
+expect_exit 0
+expect_stderr "nmbcrun: warning: initial reaches the left side, with 1 of its largest value"
+try run "$scene" "${from_file[@]}" --set "initial={shape = \"csv\", file = \"$PWD/leaving.csv\"}"
+expect_exit 0
+expect "nothing is said of a field that goes out" bash -c '! grep -q "initial reaches" "$0"' "$scratch/stderr"
+rm rest.csv leaving.csv
 # And of a load that stays on where no side holds the body.
 load='load.a={kind = "force", side = "left", component = "x", amplitude = 1e-3, rise = 1}'
 try run "$scene" --quiet --set time.end=2 --set "$load"

@@ -184,7 +184,7 @@ std::vector<std::string> warnings_of(const PlaneSimulation& simulation) {
                     {warning_of_idle_key(simulation.scene()), warning_of_growth(simulation),
                      begins ? warning_of_strains(simulation, "at the start") : "",
                      warning_of_short_run(simulation.scene())});
-    if (begins && simulation.scene().initial->file.empty()) {  // what is in a file may be going out
+    if (begins) {
         const auto start = warnings_of_start(simulation);
         warnings.insert(warnings.end(), start.begin(), start.end());
     }

@@ -80,7 +80,9 @@ PlaneSimulation::PlaneSimulation(PlaneScene scene, const nmbc::PlaneSides& sides
     bool is_staggered = false;
     if (scene_.initial) {
         is_staggered = set_initial_fields(scene_, extension_, plane_);
-        initial_at_sides_ = nmbcrun::initial_at_sides(scene_, extension_, plane_);
+        if (!is_staggered) {  // else it goes on as another run left it, and may be going out
+            initial_at_sides_ = nmbcrun::initial_at_sides(scene_, extension_, plane_);
+        }
     }
     cut();
     if (is_staggered) {

@@ -45,7 +45,8 @@ class PlaneSimulation {
     /// Layers that extended sides add to the scene's nodes, in the order of plane_sides.
     const std::array<std::size_t, 4>& extension() const { return extension_; }
 
-    /// Of each side, in that order: what [initial] gave its outermost nodes, over what it gave any.
+    /// Of each side, in that order: what [initial] gave its outermost nodes, over what it gave any;
+    /// 0 where it goes on as another run left it.
     const std::array<double, 4>& initial_at_sides() const { return initial_at_sides_; }
 
     bool is_done() const { return plane_.steps() >= plan_.steps; }
