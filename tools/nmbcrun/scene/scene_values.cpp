@@ -16,14 +16,6 @@ std::string as_written(const toml::node& node) {
     return nmbcgen::beginning_of(text_of(node));
 }
 
-/// Nothing where it is none. Whole numbers that are no doubles are rounded.
-std::optional<double> number_in(const toml::node& node) {
-    if (const auto* const whole = node.as_integer()) {
-        return static_cast<double>(whole->get());
-    }
-    return node.is_number() ? node.value<double>() : std::nullopt;
-}
-
 bool is_within(double value, const Bounds& bounds) {
     return std::isfinite(value) && value >= bounds.lowest && value <= bounds.highest &&
            (value != bounds.lowest || bounds.lowest_allowed);
@@ -43,7 +35,7 @@ std::optional<double> SceneReader::number(std::string_view key, const Bounds& bo
     if (node == nullptr) {
         return std::nullopt;
     }
-    const auto value = number_in(*node);
+    const auto value = node->is_number() ? node->value<double>() : std::nullopt;
     if (!value || !is_within(*value, bounds)) {
         fail(key, fmt::format("must be {}, not {}", allowed(bounds, value), as_written(*node)));
     }
@@ -117,7 +109,7 @@ std::vector<double> SceneReader::numbers(std::string_view key, const Bounds& bou
     std::vector<double> values;
     values.reserve(node->as_array()->size());
     for (const toml::node& entry : *node->as_array()) {
-        const auto value = number_in(entry);
+        const auto value = entry.is_number() ? entry.value<double>() : std::nullopt;
         if (!value || !is_within(*value, bounds)) {
             fail(key, fmt::format("must be a list of numbers, each {}; one of them is {}",
                                   allowed(bounds, value), as_written(entry)));
@@ -163,7 +155,8 @@ std::vector<std::array<double, Size>> SceneReader::lists(std::string_view key,
         }
         std::array<double, Size>& numbers = values.emplace_back();
         for (std::size_t i = 0; i < Size; ++i) {
-            const auto number = number_in(list->at(i));
+            const auto number =
+                list->at(i).is_number() ? list->at(i).value<double>() : std::nullopt;
             if (!number) {
                 refuse(entry);
             }
