@@ -152,7 +152,9 @@ int exit_code_of(Command command) {
     } catch (const std::system_error& error) {  // standard output cannot be written
         return failed(error, file_failed);
     } catch (const std::bad_alloc&) {
-        return failed(nmbcrun::SceneError("not enough memory for this scene"), bad_input);
+        return failed(
+            nmbcrun::SceneError("not enough memory for this scene: fewer domain.nodes need less"),
+            bad_input);
     } catch (const std::exception& error) {  // SceneError, and what the runtime refuses
         return failed(error, bad_input);
     }
