@@ -176,10 +176,10 @@ Group make_group(const std::vector<Node>& nodes, double dt, std::size_t a,
                 for (const int other_x : columns) {
                     double C = 0;
                     if (y == other_y) {
-                        C += dashpot(a == 0 ? 0 : 1, x, other_x) * along(passive.strain, y);
+                        C += dashpot(a, x, other_x) * along(passive.strain, y);
                     }
                     if (x == other_x) {
-                        C += dashpot(a == 1 ? 0 : 1, y, other_y) * along(passive.strain, x);
+                        C += dashpot(1 - a, y, other_y) * along(passive.strain, x);
                     }
                     group.drag.push_back(dt * C);
                     const bool is_own = x == other_x && y == other_y;

@@ -247,8 +247,7 @@ class BondForce {
 
     void kick_row(const Kick& kick, std::ptrdiff_t y) {
         const std::ptrdiff_t nodes = axis(0).nodes();
-        const PlaneAxis::Range xs{std::max<std::ptrdiff_t>(axis(0).plain_force().first, 0),
-                                  std::min(axis(0).plain_force().last, nodes)};
+        const PlaneAxis::Range xs = axis(0).in_body(axis(0).plain_force());
         const PlaneAxis::Range ys = axis(1).plain_force();
         const bool is_plain = y >= ys.first && y < ys.last && xs.first < xs.last;
         const PlaneAxis::Range plain = is_plain ? xs : PlaneAxis::Range{nodes, nodes};

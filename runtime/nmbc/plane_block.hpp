@@ -110,6 +110,11 @@ class PlaneAxis {
     /// Of the body: masses are 1, times the volume that closed sides give.
     Range plain_mass() const { return passive_; }
 
+    /// Those of them that are nodes of the body.
+    Range in_body(const Range& range) const {
+        return {std::max<std::ptrdiff_t>(range.first, 0), std::min(range.last, nodes_)};
+    }
+
     /// Whether the node is in a layer that has numbers of its own.
     bool is_passive(std::ptrdiff_t node) const {
         return node < passive_.first || node >= passive_.last;

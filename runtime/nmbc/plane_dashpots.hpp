@@ -68,10 +68,11 @@ class DashpotGroups {
         for (const double one : mass_) {
             impulses_.push_back(one / time_step);
         }
-        const std::size_t abreast = groups_.size() == 1 ? 1 : most_abreast;
-        before_.resize(size_ * ((groups_.size() + abreast - 1) / abreast * abreast));
-        now_.resize(size_ * abreast);
-        change_.resize(size_ * abreast);
+        with_abreast([&](auto abreast) {
+            before_.resize(size_ * ((groups_.size() + abreast - 1) / abreast * abreast));
+            now_.resize(size_ * abreast);
+            change_.resize(size_ * abreast);
+        });
         mean_.resize(size_);
     }
 

@@ -214,8 +214,8 @@ class PlaneForce {
     /// These nodes of a row, and as many more of `columns` as make whole vectors from the entry at
     /// which rows of T begin.
     PlaneRange in_whole_vectors(const PlaneRange& nodes, const PlaneRange& columns) const {
-        constexpr std::ptrdiff_t vector = up_to_whole_vectors<Real>(1);
-        const std::ptrdiff_t first = (nodes.first + horizon_) / vector * vector - horizon_;
+        const std::ptrdiff_t first =
+            (nodes.first + horizon_) / whole_vector<Real> * whole_vector<Real> - horizon_;
         const std::ptrdiff_t last = up_to_whole_vectors<Real>(nodes.last + horizon_) - horizon_;
         return {std::max(first, columns.first), std::min(last, columns.last)};
     }
@@ -229,9 +229,7 @@ class PlaneForce {
         if (closed_rows_.empty()) {
             return {0, nodes};
         }
-        const PlaneRange plain = interior(y);
-        const PlaneRange body{std::max<std::ptrdiff_t>(plain.first, 0),
-                              std::min(plain.last, nodes)};
+        const PlaneRange body = nodes_.x().in_body(interior(y));
         return body.first < body.last ? body : PlaneRange{nodes, nodes};
     }
 

@@ -72,12 +72,14 @@ struct PlaneCoefficients {
 template <class Real>
 inline constexpr std::ptrdiff_t plane_block = 1024 / sizeof(Real);
 
-/// So many entries and as many more as make whole vectors: what is left over of a loop is done
-/// entry by entry.
+/// Entries of a vector: what is left over of a loop is done entry by entry.
+template <class Real>
+inline constexpr std::ptrdiff_t whole_vector = 32 / sizeof(Real);
+
+/// So many entries, and as many more as make whole vectors.
 template <class Real>
 constexpr std::ptrdiff_t up_to_whole_vectors(std::ptrdiff_t entries) {
-    constexpr std::ptrdiff_t vector = 32 / sizeof(Real);
-    return (entries + vector - 1) / vector * vector;
+    return (entries + whole_vector<Real> - 1) / whole_vector<Real> * whole_vector<Real>;
 }
 
 /// Where the block of an entry ends: blocks end at multiples of their length. entry >= 0.

@@ -43,7 +43,8 @@ struct WeightedColumns {
     ColumnSum<Shape, Real> single;  ///< of columns of a single node
 
     /// As FamilyColumns::find(). across: w's factors of the columns, at that of the first node;
-    /// along: of the rows from -reach to reach.
+    /// along: of the rows from -reach to reach. Unlike in find_even() of weighted rows, a column's
+    /// factor is in a sum once.
     NMBC_INLINED void find(const Real* u, std::ptrdiff_t pitch, std::ptrdiff_t nodes,
                            const Real* across,
                            const std::array<Real, 2 * Shape::reach + 1>& along) {

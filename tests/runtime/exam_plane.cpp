@@ -14,6 +14,25 @@
 
 using namespace nmbc;
 
+namespace {
+
+/// That a body's energy falls by what leaves through its sides, to the roundings of the steps.
+void check_balance(const PlaneModel& model, const PlaneSides& sides, const PlaneParameters& body,
+                   int steps) {
+    Plane plane(model, sides, body);
+    fill_at_random(plane, 7);
+    plane.start();
+    plane.advance(1);
+    const double at_first = plane.energies().staggered;
+    const double before = at_first + sum_of(plane.left());
+    plane.advance(std::size_t(steps));
+    const double after = plane.energies().staggered;
+    CHECK(after < at_first);
+    CHECK(after + sum_of(plane.left()) == doctest::Approx(before).epsilon(steps * eps));
+}
+
+}  // namespace
+
 TEST_CASE("what leaves through passive sides is what a body loses, to rounding") {
     for (const unsigned radius_squared : {1U, 2U, 4U, 5U, 8U, 9U}) {
         const PlaneModel model = nopd2d(radius_squared, 0.25, 1);
@@ -27,17 +46,7 @@ TEST_CASE("what leaves through passive sides is what a body loses, to rounding")
               PlaneSides{passive, SpongeSide{{0.3, 0.2, 0.1}}, FixedSide{}, passive}}) {
             CAPTURE(radius_squared);
             CAPTURE(sides.right.index());
-            Plane plane(model, sides, body_parameters(13, 15, model));
-            fill_at_random(plane, 7);
-            plane.start();
-            plane.advance(1);
-            const double before = plane.energies().staggered + sum_of(plane.left());
-            const double at_first = plane.energies().staggered;
-            plane.advance(300);
-            const double after = plane.energies().staggered;
-            CHECK(after < at_first);
-            // The roundings of 300 steps.
-            CHECK(after + sum_of(plane.left()) == doctest::Approx(before).epsilon(300 * eps));
+            check_balance(model, sides, body_parameters(13, 15, model), 300);
         }
     }
 }
@@ -51,15 +60,7 @@ TEST_CASE("what leaves is what a body loses, where sweeps take several blocks an
               PlaneSides{FixedSide{}, passive, passive, FreeSide{}}}) {
             CAPTURE(radius_squared);
             CAPTURE(sides.left.index());
-            Plane plane(model, sides, body_parameters(140, 70, model));
-            fill_at_random(plane, 3);
-            plane.start();
-            plane.advance(1);
-            const double before = plane.energies().staggered + sum_of(plane.left());
-            constexpr int steps = 30;
-            plane.advance(steps);
-            CHECK(plane.energies().staggered + sum_of(plane.left()) ==
-                  doctest::Approx(before).epsilon(steps * eps));
+            check_balance(model, sides, body_parameters(140, 70, model), 30);
         }
     }
 }
